@@ -1,0 +1,122 @@
+"""Rigid transforms as 4x4 homogeneous matrices.
+
+``world_T_tool`` maps tool coordinates into the world: ``p_world = world_T_tool @ p_tool``.
+Lengths are metres, angles radians.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Transform = NDArray[np.float64]
+"""A homogeneous transform, shape (4, 4)."""
+
+
+def transform(rotation: ArrayLike, translation: ArrayLike) -> Transform:
+    """Put a rotation, shape (3, 3), and a translation, shape (3,), into one transform."""
+    a_T_b = np.eye(4)
+    a_T_b[:3, :3] = rotation
+    a_T_b[:3, 3] = translation
+    return a_T_b
+
+
+def translation(x: float, y: float, z: float) -> Transform:
+    """Return the transform that only moves."""
+    return transform(np.eye(3), (x, y, z))
+
+
+def inverse(a_T_b: Transform) -> Transform:
+    """Return ``b_T_a``, using that the rotation's inverse is its transpose."""
+    rotation = a_T_b[:3, :3].T
+    return transform(rotation, -rotation @ a_T_b[:3, 3])
+
+
+def rotation_x(angle_rad: float) -> NDArray[np.float64]:
+    """Rotation about x, shape (3, 3)."""
+    c, s = math.cos(angle_rad), math.sin(angle_rad)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def rotation_y(angle_rad: float) -> NDArray[np.float64]:
+    """Rotation about y, shape (3, 3)."""
+    c, s = math.cos(angle_rad), math.sin(angle_rad)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
+def rotation_z(angle_rad: float) -> NDArray[np.float64]:
+    """Rotation about z, shape (3, 3)."""
+    c, s = math.cos(angle_rad), math.sin(angle_rad)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def rotation_from_vector(vector_rad: ArrayLike) -> NDArray[np.float64]:
+    """Rotation of a rotation vector (axis times angle), by Rodrigues' formula."""
+    w = np.asarray(vector_rad, dtype=np.float64)
+    angle = float(np.linalg.norm(w))
+    skew = np.array([[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]])
+    if angle < 1e-9:
+        return np.eye(3) + skew
+    a, b = math.sin(angle) / angle, (1.0 - math.cos(angle)) / angle**2
+    return np.eye(3) + a * skew + b * (skew @ skew)
+
+
+def vector_from_rotation(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rotation vector, shape (3,), of a rotation matrix; its length is in [0, pi]."""
+    x, y, z, w = quaternion_from_rotation(rotation)
+    v = np.array([x, y, z])
+    if w < 0.0:
+        v, w = -v, -w
+    norm = float(np.linalg.norm(v))
+    if norm < 1e-12:
+        return 2.0 * v
+    return v * (2.0 * math.atan2(norm, w) / norm)
+
+
+def quaternion_from_rotation(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Unit quaternion (x, y, z, w) of a rotation matrix, by Shepperd's method."""
+    m = rotation
+    trace = m[0, 0] + m[1, 1] + m[2, 2]
+    k = int(np.argmax((m[0, 0], m[1, 1], m[2, 2], trace)))
+    if k == 3:
+        q = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1], 1.0 + trace])
+    else:
+        i, j = (k + 1) % 3, (k + 2) % 3
+        q = np.empty(4)
+        q[k] = 1.0 + m[k, k] - m[i, i] - m[j, j]
+        q[i] = m[i, k] + m[k, i]
+        q[j] = m[j, k] + m[k, j]
+        q[3] = m[j, i] - m[i, j]
+    return np.asarray(q / np.linalg.norm(q), dtype=np.float64)
+
+
+def rotation_from_quaternion(xyzw: ArrayLike) -> NDArray[np.float64]:
+    """Rotation matrix of a quaternion (x, y, z, w), normalised first."""
+    q = np.asarray(xyzw, dtype=np.float64)
+    x, y, z, w = q / np.linalg.norm(q)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def angle_between(rotation_a: NDArray[np.float64], rotation_b: NDArray[np.float64]) -> float:
+    """Angle in radians of the rotation that takes one into the other."""
+    return float(np.linalg.norm(vector_from_rotation(rotation_a.T @ rotation_b)))
+
+
+def interpolate(a: Transform, b: Transform, fraction: float) -> Transform:
+    """Straight line in position, constant-axis rotation, at ``fraction`` in [0, 1]."""
+    turn = vector_from_rotation(a[:3, :3].T @ b[:3, :3])
+    rotation = a[:3, :3] @ rotation_from_vector(fraction * turn)
+    return transform(rotation, (1.0 - fraction) * a[:3, 3] + fraction * b[:3, 3])
+
+
+def yaw_of(rotation: NDArray[np.float64]) -> float:
+    """Heading in radians: the angle of the x axis in the horizontal plane."""
+    return math.atan2(float(rotation[1, 0]), float(rotation[0, 0]))

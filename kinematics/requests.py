@@ -1,0 +1,162 @@
+"""What one can ask of the motion planner and the checker, and what they answer.
+
+All are frozen values, so that they can be sent to a worker process.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.poses import Transform
+from kinematics.robot_description import HANDS, Hand
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import Stance, Trajectory
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Grasp:
+    """A way to take hold of an object.
+
+    Attributes:
+        hand: Which hand.
+        label: Short name, unique among the object's candidates: "side 30 deg", "top 45 deg".
+        world_T_tcp: Pose of the TCP when the fingers close, shape (4, 4).
+        approach_m: Length of the straight approach along the TCP's x axis.
+        diameter_m: Extent of the object between the pads.
+    """
+
+    hand: Hand
+    label: str
+    world_T_tcp: Transform
+    approach_m: float
+    diameter_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class PickRequest:
+    """Plan reach, approach and lift for one object of the scene.
+
+    Attributes:
+        q_start: Configuration to start from (the commanded reference), shape (nq,).
+        stance: Where the feet stand.
+        scene: What is around; holds the target.
+        target: Name of the object.
+        hands: Hands that may be used.
+        excluded: Labels of grasps, as "hand label", that were tried in vain.
+        lift_m: How far to lift, straight up.
+        seed: Of everything random in the plan.
+    """
+
+    q_start: Array
+    stance: Stance
+    scene: PlanningScene
+    target: str
+    hands: tuple[Hand, ...] = HANDS
+    excluded: frozenset[str] = frozenset()
+    lift_m: float = 0.13
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class MoveRequest:
+    """Plan a motion to body joint positions; joints left out go home.
+
+    Attributes:
+        q_start: Configuration to start from, shape (nq,).
+        stance: Where the feet stand.
+        scene: What is around.
+        joints: Goal positions of some body joints, rad.
+        keep_others: Joints left out stay where they are instead of going home.
+        seed: Of everything random in the plan.
+    """
+
+    q_start: Array
+    stance: Stance
+    scene: PlanningScene
+    joints: Mapping[str, float] = field(default_factory=dict)
+    keep_others: bool = False
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class RetreatRequest:
+    """Plan a straight motion of one TCP along its own axis or the world's, e.g. back out of a grasp.
+
+    Attributes:
+        q_start: Configuration to start from, shape (nq,).
+        stance: Where the feet stand.
+        scene: What is around.
+        hand: Hand to move.
+        world_offset_m: Where the TCP goes, relative to where it is, in the world, shape (3,).
+    """
+
+    q_start: Array
+    stance: Stance
+    scene: PlanningScene
+    hand: Hand
+    world_offset_m: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class CheckRequest:
+    """Judge a trajectory against a scene; answered by CheckedTrajectory or Unsafe."""
+
+    trajectory: Trajectory
+    scene: PlanningScene
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedStep:
+    """A trajectory with the scene that it was planned for (what may touch, what is held)."""
+
+    name: str
+    trajectory: Trajectory
+    scene: PlanningScene
+
+
+@dataclass(frozen=True, slots=True)
+class PickPlan:
+    """Reach, approach and lift; between approach and lift the gripper closes.
+
+    Attributes:
+        grasp: The chosen grasp.
+        reach, approach, lift: In order; each starts where the one before ends.
+        considered: How many grasps were looked at.
+    """
+
+    grasp: Grasp
+    reach: PlannedStep
+    approach: PlannedStep
+    lift: PlannedStep
+    considered: int
+
+
+@dataclass(frozen=True, slots=True)
+class MovePlan:
+    """One motion."""
+
+    step: PlannedStep
+
+
+@dataclass(frozen=True, slots=True)
+class NoPlan:
+    """An honest "no".
+
+    Attributes:
+        message: One sentence for people.
+        reasons: How many candidates failed for which reason.
+        numbers: Figures behind the message, keys with their unit.
+    """
+
+    message: str
+    reasons: Mapping[str, int]
+    numbers: Mapping[str, float] = field(default_factory=dict)
+
+
+PlanRequest = PickRequest | MoveRequest | RetreatRequest | CheckRequest

@@ -1,0 +1,163 @@
+"""What is known about a robot as data, before any library has seen it.
+
+``robots.description`` reads it from ``robots/models/<name>/description.toml``; everything
+that is true of one robot and not of robots in general belongs there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+Hand = Literal["left", "right"]
+HANDS: tuple[Hand, Hand] = ("left", "right")
+
+
+@dataclass(frozen=True, slots=True)
+class JointLimits:
+    """Limits of one joint, SI units; ``position`` in rad, (lower, upper)."""
+
+    position: tuple[float, float]
+    velocity: float
+    acceleration: float
+    jerk: float
+    effort: float
+
+
+@dataclass(frozen=True, slots=True)
+class JointGains:
+    """Stiffness (Nm/rad) and damping (Nm s/rad) of a joint's position servo, and its
+    reflected rotor inertia (kg m^2)."""
+
+    stiffness: float
+    damping: float
+    armature: float
+
+
+@dataclass(frozen=True, slots=True)
+class GripperDescription:
+    """One gripper.
+
+    Attributes:
+        hand: Which hand it is.
+        joint: The one driven joint; others mimic it.
+        tcp_frame: Frame with x along the approach, y along the opening, origin between the pads.
+        base_link: Link that the fingers hang on.
+        links: Every link of the gripper; they may touch each other.
+        touch_links: Links that may touch an object while it is grasped.
+        open_rad, closed_rad: Joint positions, fully open and fully closed.
+        opening_table: Pairs (joint rad, opening between the pads m), rising in joint position.
+        effort_nm: Closing effort used for a grasp; never above the joint's effort limit.
+        closing_speed_rad_s: Speed of a guarded closing.
+        empty_below_rad: A joint that closed further than this holds nothing.
+        held_effort_nm: At least this effort is felt when something is held.
+        pad_half_size_m, pad_position_m: Half-sizes of a finger pad (across, thickness, length) and its
+            centre, in the fingertip link.
+        palm_distance_m: From the TCP back to the palm, along the approach.
+    """
+
+    hand: Hand
+    joint: str
+    tcp_frame: str
+    base_link: str
+    links: tuple[str, ...]
+    touch_links: tuple[str, ...]
+    pad_links: tuple[str, ...]
+    open_rad: float
+    closed_rad: float
+    opening_table: tuple[tuple[float, float], ...]
+    effort_nm: float
+    closing_speed_rad_s: float
+    empty_below_rad: float
+    held_effort_nm: float
+    pad_half_size_m: tuple[float, float, float]
+    pad_position_m: tuple[float, float, float]
+    palm_distance_m: float
+
+    @property
+    def max_opening_m(self) -> float:
+        """Opening with the fingers fully apart."""
+        return max(opening for _, opening in self.opening_table)
+
+
+@dataclass(frozen=True, slots=True)
+class SoleDescription:
+    """A sole: its frame (z up when flat) and the rectangle that carries, in that frame."""
+
+    side: Hand
+    frame: str
+    link: str
+    x_m: tuple[float, float]
+    y_m: tuple[float, float]
+    thickness_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class CameraDescription:
+    """The head camera: optical frame (z forward, x right, y down), view and the joints that aim it."""
+
+    frame: str
+    horizontal_fov_rad: float
+    vertical_fov_rad: float
+    range_m: tuple[float, float]
+    pan_joint: str
+    tilt_joint: str
+
+
+@dataclass(frozen=True, slots=True)
+class SensorNoise:
+    """Standard deviations of the sensors' white noise, SI units, and the encoder resolution."""
+
+    joint_position_rad: float
+    joint_velocity_rad_s: float
+    joint_effort_fraction: float
+    gyro_rad_s: float
+    accelerometer_m_s2: float
+    foot_force_n: float
+    foot_torque_nm: float
+
+
+@dataclass(frozen=True, slots=True)
+class RobotDescription:
+    """Everything that the product knows about one robot.
+
+    Attributes:
+        name: Folder name under ``robots/models``.
+        urdf: Cleaned URDF text with the TCP links added and mesh paths absolute, grippers moving.
+        planning_urdf: The same with the gripper joints fixed open.
+        disabled_collisions: Pairs of links that are never checked against each other.
+        joints: Actuated body joints, in Pinocchio's order of the planning model.
+        gripper_joints: Driven gripper joints, appended after ``joints`` in every setpoint.
+        limits: By joint name, grippers too.
+        gains: By joint name, grippers too.
+        home: Joint positions of the home posture, every joint.
+        groups: Joint names by group: "left_leg", "right_leg", "torso", "left_arm", "right_arm", "head".
+        planning_margin_rad: Limits are shrunk by this for planning.
+        com_margin_m: The CoM's projection stays at least this far inside the support polygon.
+    """
+
+    name: str
+    urdf: str
+    planning_urdf: str
+    mesh_dir: str
+    disabled_collisions: frozenset[tuple[str, str]]
+    joints: tuple[str, ...]
+    gripper_joints: tuple[str, ...]
+    limits: Mapping[str, JointLimits]
+    gains: Mapping[str, JointGains]
+    home: Mapping[str, float]
+    groups: Mapping[str, tuple[str, ...]]
+    grippers: Mapping[Hand, GripperDescription]
+    soles: tuple[SoleDescription, ...]
+    camera: CameraDescription
+    base_link: str
+    imu_link: str
+    noise: SensorNoise
+    planning_margin_rad: float
+    com_margin_m: float
+
+    @property
+    def actuated(self) -> tuple[str, ...]:
+        """Joint names of a setpoint: body joints, then gripper joints."""
+        return self.joints + self.gripper_joints

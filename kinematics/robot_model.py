@@ -1,0 +1,164 @@
+"""One object for what planner, checker, balance and estimation need to know of a robot's body."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.errors import ModelError, UnknownNameError
+from kinematics.poses import Transform
+from kinematics.robot_description import RobotDescription
+
+Array = NDArray[np.float64]
+
+
+class RobotModel:
+    """A robot's kinematic tree, limits and collision geometry.
+
+    Attributes:
+        description: The data it was built from.
+        pin: The Pinocchio model, free-flyer first, grippers fixed open.
+        joints: Body joints, the order of ``q[7:]`` and ``v[6:]``.
+        lower_rad, upper_rad, velocity, acceleration, jerk, effort: Limits, shape (n,) each, in
+            that order, SI units.
+
+    Raises:
+        ModelError: The URDF's joints are not those of the description.
+    """
+
+    def __init__(self, description: RobotDescription) -> None:
+        self.description = description
+        self.pin = pin.buildModelFromXML(description.planning_urdf, pin.JointModelFreeFlyer())
+        self.joints = tuple(self.pin.names)[2:]
+        if self.joints != description.joints:
+            raise ModelError(f"{description.name}: URDF joints {self.joints} are not those described")
+        limits = [description.limits[name] for name in self.joints]
+        self.lower_rad = np.array([limit.position[0] for limit in limits])
+        self.upper_rad = np.array([limit.position[1] for limit in limits])
+        self.velocity = np.array([limit.velocity for limit in limits])
+        self.acceleration = np.array([limit.acceleration for limit in limits])
+        self.jerk = np.array([limit.jerk for limit in limits])
+        self.effort = np.array([limit.effort for limit in limits])
+        self._index = {name: i for i, name in enumerate(self.joints)}
+        self._data = self.pin.createData()
+
+    @property
+    def nq(self) -> int:
+        """Size of a configuration: 7 for the base and one a joint."""
+        return int(self.pin.nq)
+
+    @property
+    def nv(self) -> int:
+        """Size of a velocity: 6 for the base and one a joint."""
+        return int(self.pin.nv)
+
+    @cached_property
+    def mass_kg(self) -> float:
+        """Mass of the whole robot."""
+        return float(pin.computeTotalMass(self.pin))
+
+    def joint_index(self, name: str) -> int:
+        """Index of a joint in ``q[7:]``.
+
+        Raises:
+            UnknownNameError: There is no such joint.
+        """
+        try:
+            return self._index[name]
+        except KeyError:
+            raise UnknownNameError("joint", name, self.joints) from None
+
+    def indices(self, names: Sequence[str]) -> NDArray[np.intp]:
+        """Indices of several joints in ``q[7:]``, shape (len(names),)."""
+        return np.array([self.joint_index(name) for name in names], dtype=np.intp)
+
+    def group(self, name: str) -> NDArray[np.intp]:
+        """Indices in ``q[7:]`` of the joints of a group.
+
+        Raises:
+            UnknownNameError: There is no such group.
+        """
+        groups = self.description.groups
+        if name not in groups:
+            raise UnknownNameError("group", name, list(groups))
+        return self.indices(groups[name])
+
+    def frame_id(self, name: str) -> int:
+        """Pinocchio's index of a frame.
+
+        Raises:
+            UnknownNameError: There is no such frame.
+        """
+        if not self.pin.existFrame(name):
+            raise UnknownNameError("frame", name, [frame.name for frame in self.pin.frames])
+        return int(self.pin.getFrameId(name))
+
+    def configuration(self, joints: Mapping[str, float], world_T_base: Transform) -> Array:
+        """Make ``q`` from a base pose and joint positions; joints left out are at home."""
+        home = self.description.home
+        values = [joints.get(name, home.get(name, 0.0)) for name in self.joints]
+        quaternion = poses.quaternion_from_rotation(world_T_base[:3, :3])
+        return np.concatenate([world_T_base[:3, 3], quaternion, values])
+
+    def on_the_floor(self, joints: Mapping[str, float]) -> Array:
+        """Configuration with the soles flat on z = 0, the point between them at the origin, x ahead."""
+        q = self.configuration(joints, np.eye(4))
+        soles = [self.frame_pose(q, sole.frame) for sole in self.description.soles]
+        middle = poses.interpolate(soles[0], soles[1], 0.5)
+        heading = poses.transform(poses.rotation_z(poses.yaw_of(middle[:3, :3])), middle[:3, 3])
+        return self.configuration(joints, poses.inverse(heading))
+
+    @cached_property
+    def q_home(self) -> Array:
+        """The home posture, standing at the origin, shape (nq,)."""
+        return self.on_the_floor({})
+
+    def frame_pose(self, q: Array, frame: str) -> Transform:
+        """``world_T_frame`` at a configuration."""
+        frame_id = self.frame_id(frame)
+        pin.framesForwardKinematics(self.pin, self._data, q)
+        return np.array(self._data.oMf[frame_id].homogeneous)
+
+    def frame_poses(self, q: Array, frames: Sequence[str]) -> list[Transform]:
+        """Several frames' poses from one pass of forward kinematics."""
+        ids = [self.frame_id(frame) for frame in frames]
+        pin.framesForwardKinematics(self.pin, self._data, q)
+        return [np.array(self._data.oMf[i].homogeneous) for i in ids]
+
+    def com(self, q: Array) -> Array:
+        """Centre of mass in the world, shape (3,)."""
+        return np.array(pin.centerOfMass(self.pin, self._data, q, False))
+
+    def geometry(self) -> pin.GeometryModel:
+        """A fresh collision model: one convex hull or primitive a link, all pairs but the disabled ones.
+
+        Each call builds its own, so that planner and checker share no state.
+        """
+        return self._pristine_geometry.copy()
+
+    @cached_property
+    def _pristine_geometry(self) -> pin.GeometryModel:
+        geometry = pin.buildGeomFromUrdfString(
+            self.pin, self.description.planning_urdf, pin.GeometryType.COLLISION
+        )
+        for item in geometry.geometryObjects:
+            if isinstance(item.geometry, coal.BVHModelBase):
+                item.geometry.buildConvexRepresentation(False)
+                item.geometry = item.geometry.convex
+        link = [self.link_of(item) for item in geometry.geometryObjects]
+        disabled = {frozenset(pair) for pair in self.description.disabled_collisions}
+        for i in range(len(link)):
+            for j in range(i + 1, len(link)):
+                if link[i] != link[j] and frozenset((link[i], link[j])) not in disabled:
+                    geometry.addCollisionPair(pin.CollisionPair(i, j))
+        return geometry
+
+    def link_of(self, item: pin.GeometryObject) -> str:
+        """Name of the link that a geometry belongs to."""
+        return str(self.pin.frames[item.parentFrame].name)

@@ -1,0 +1,157 @@
+"""Path (geometry), trajectory (with time) and checked trajectory (proven).
+
+Configurations ``q`` have shape (nq,), free-flyer first (x, y, z, quaternion x, y, z, w), then the
+body joints; velocities ``v`` have shape (nv,), free-flyer twist first (in the base's own frame),
+in Pinocchio's order. The frame is the robot's odometry frame, z up, floor at z = 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.errors import InvalidMotionError
+from kinematics.poses import Transform
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Stance:
+    """The soles that carry and where they stand: sole frame name to ``world_T_sole``."""
+
+    soles: tuple[tuple[str, Transform], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """Waypoints without time; ``q`` has shape (n, nq)."""
+
+    joints: tuple[str, ...]
+    stance: Stance
+    q: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Trajectory:
+    """A motion in time.
+
+    Between two samples a joint moves as the cubic Hermite polynomial of their positions and
+    velocities; the base likewise (its orientation by the normalised blend of quaternions).
+
+    Attributes:
+        joints: Names of the body joints, the order of ``q[7:]`` and ``v[6:]``.
+        stance: Where the feet stand during the whole motion.
+        t_s: Times, shape (n,), rising from 0.
+        q: Configurations, shape (n, nq).
+        v: Velocities, shape (n, nv).
+
+    Raises:
+        InvalidMotionError: Shapes disagree, times do not rise, or a value is not finite.
+    """
+
+    joints: tuple[str, ...]
+    stance: Stance
+    t_s: Array
+    q: Array
+    v: Array
+
+    def __post_init__(self) -> None:
+        n, k = len(self.t_s), len(self.joints)
+        if self.q.shape != (n, k + 7) or self.v.shape != (n, k + 6):
+            raise InvalidMotionError(
+                f"{k} joints and {n} samples need q {(n, k + 7)} and v {(n, k + 6)}, "
+                f"got {self.q.shape} and {self.v.shape}"
+            )
+        if n < 2 or self.t_s[0] != 0.0 or not np.all(np.diff(self.t_s) > 0.0):
+            raise InvalidMotionError("times must rise from 0 over at least two samples")
+        if not (np.isfinite(self.q).all() and np.isfinite(self.v).all() and np.isfinite(self.t_s).all()):
+            raise InvalidMotionError("a trajectory must be finite everywhere")
+
+    @property
+    def duration_s(self) -> float:
+        """Time of the last sample."""
+        return float(self.t_s[-1])
+
+
+class FindingKind(Enum):
+    """What a trajectory can be refused for."""
+
+    POSITION_LIMIT = "position limit"
+    VELOCITY_LIMIT = "velocity limit"
+    ACCELERATION_LIMIT = "acceleration limit"
+    JERK_LIMIT = "jerk limit"
+    EFFORT_LIMIT = "effort limit"
+    SELF_COLLISION = "self-collision"
+    SCENE_COLLISION = "scene collision"
+    HELD_OBJECT_COLLISION = "held object collision"
+    BALANCE = "balance"
+    STANCE = "stance"
+    DISCONTINUITY = "discontinuity"
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One defect of a trajectory.
+
+    Attributes:
+        kind: What is wrong.
+        t_s: When it is first found.
+        subject: The joint, or the two names of a colliding pair, or the sole.
+        value: The measured quantity (rad, rad/s, m of distance, m of margin, ...).
+        limit: What it had to keep to.
+    """
+
+    kind: FindingKind
+    t_s: float
+    subject: tuple[str, ...]
+    value: float
+    limit: float
+
+    def __str__(self) -> str:
+        names = " and ".join(self.subject)
+        return f"{self.kind.value} of {names} at {self.t_s:.3f} s: {self.value:.4g}, limit {self.limit:.4g}"
+
+
+@dataclass(frozen=True, slots=True)
+class Unsafe:
+    """The checker's refusal; ``findings`` are in order of time, at least one."""
+
+    findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        more = f" (and {len(self.findings) - 1} more)" if len(self.findings) > 1 else ""
+        return f"Unsafe trajectory: {self.findings[0]}{more}"
+
+
+class _Seal:
+    """Proof of origin: only ``trajectory_check`` holds one."""
+
+
+_SEAL = _Seal()
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedTrajectory:
+    """A trajectory that the checker proved safe for one version of the scene.
+
+    Attributes:
+        trajectory: The motion.
+        scene_version: Version of the planning scene that it was checked against.
+        min_distance_m: Smallest distance between pairs that must not touch, as far as it was
+            measured (pairs proven far apart are not refined).
+        min_com_margin_m: Smallest distance of the CoM to the edge of the support polygon.
+    """
+
+    trajectory: Trajectory
+    scene_version: int
+    min_distance_m: float
+    min_com_margin_m: float
+    seal: _Seal
+
+    def __post_init__(self) -> None:
+        if self.seal is not _SEAL:
+            raise InvalidMotionError("only the trajectory checker can make a CheckedTrajectory")

@@ -1,0 +1,51 @@
+"""What the control layer tells: frozen values, put into a sink."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class MotionStarted:
+    """A motion began to be streamed."""
+
+    t_s: float
+    motion: str
+    owner: str
+
+
+@dataclass(frozen=True, slots=True)
+class MotionEnded:
+    """A motion ended: done, canceled or refused."""
+
+    t_s: float
+    motion: str
+    owner: str
+    status: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class SetpointRefused:
+    """The gate or the online checker refused a setpoint; a stop profile follows."""
+
+    t_s: float
+    owner: str
+    limit: str
+    joint: str
+    value: float
+    bound: float
+
+
+@dataclass(frozen=True, slots=True)
+class StopStarted:
+    """A stop profile took the loop over."""
+
+    t_s: float
+    category: int
+    reason: str
+
+
+ControlEvent = MotionStarted | MotionEnded | SetpointRefused | StopStarted
+ControlSink = Callable[[ControlEvent], None]

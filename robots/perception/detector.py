@@ -1,0 +1,54 @@
+"""What perception tells: detections relative to the camera, with size, confidence and stamp."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+from kinematics.poses import Transform
+from kinematics.shapes import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class Detection:
+    """One thing seen in one frame.
+
+    Attributes:
+        category: "object" (may be grasped) or "furniture".
+        kind: Canonical kind: "cup", "box", "ball", "table", ...
+        color: Canonical colour word, or None when it could not be told.
+        camera_T_object: Pose in the camera's optical frame (z forward, x right, y down), shape (4, 4).
+        shape: Estimated solid; its frame is ``camera_T_object``. A piece of furniture is one
+            detection a solid (a table: its top, a Box).
+        confidence: In [0, 1].
+    """
+
+    category: Literal["object", "furniture"]
+    kind: str
+    color: str | None
+    camera_T_object: Transform
+    shape: Shape
+    confidence: float
+
+
+@dataclass(frozen=True, slots=True)
+class PerceptionFrame:
+    """Everything seen at one instant.
+
+    Attributes:
+        stamp_s: When the picture was taken (not when it was delivered).
+        sequence: Rises by one from frame to frame.
+        detections: In no promised order; the same thing has no identity from frame to frame.
+    """
+
+    stamp_s: float
+    sequence: int
+    detections: tuple[Detection, ...]
+
+
+class Detector(Protocol):
+    """A source of frames."""
+
+    def latest(self) -> PerceptionFrame | None:
+        """The newest frame that has been delivered, or None before the first."""
+        ...

@@ -1,0 +1,39 @@
+"""What a running tree tells: frozen values, put into a sink."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from trees.failures import Failure, Number
+
+
+@dataclass(frozen=True, slots=True)
+class NodeChanged:
+    """A node's status changed."""
+
+    t_s: float
+    where: str
+    status: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class LeafFailed:
+    """A leaf failed; the tree may still recover."""
+
+    t_s: float
+    failure: Failure
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A leaf measured something worth keeping as evidence or timing."""
+
+    t_s: float
+    where: str
+    numbers: Mapping[str, Number]
+
+
+TreeEvent = NodeChanged | LeafFailed | Measured
+TreeSink = Callable[[TreeEvent], None]

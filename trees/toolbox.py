@@ -1,0 +1,118 @@
+"""What leaves may call, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.requests import PlanRequest
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import CheckedTrajectory, Stance
+from robots.clock import Clock
+from robots.control.guarded_motion import GuardedMotion
+from robots.control.motion_handle import MotionHandle
+from robots.gripper_reading import GripperReading
+from robots.perception.detector import Detector
+from robots.sensed_state import SensedState
+from trees.events import TreeSink
+from trees.policy import TreePolicy
+from trees.world_model import WorldModel
+
+
+class MotionControl(Protocol):
+    """The way to the motors: the motion streamer, or a client of one."""
+
+    def start(self, motion: CheckedTrajectory | GuardedMotion) -> MotionHandle:
+        """Begin to stream a motion; refused at once when it does not start at the reference."""
+        ...
+
+    def cancel(self, handle: MotionHandle, reason: str) -> None:
+        """Brake a running motion within limits, then hold (stop category 2)."""
+        ...
+
+    def reference(self) -> NDArray[np.float64]:
+        """Configuration that is commanded now, base included, shape (nq,)."""
+        ...
+
+    def stance(self) -> Stance:
+        """Where the feet stand."""
+        ...
+
+
+class Sensing(Protocol):
+    """What the robot knows about itself."""
+
+    def state(self) -> SensedState:
+        """The newest readings and the configuration estimated from them."""
+        ...
+
+    def state_at(self, stamp_s: float) -> SensedState:
+        """The remembered state nearest to a time, for readings that arrive late."""
+        ...
+
+
+class Gripper(Protocol):
+    """One hand's gripper."""
+
+    def open(self) -> MotionHandle:
+        """Open fully."""
+        ...
+
+    def close(self) -> MotionHandle:
+        """Close until something resists, then keep pressing with the described effort."""
+        ...
+
+    def reading(self) -> GripperReading:
+        """What its sensors say now."""
+        ...
+
+
+class Job(Protocol):
+    """A piece of planning under way."""
+
+    @property
+    def done(self) -> bool:
+        """Whether ``result`` may be called; in lockstep not before its charged time has passed."""
+        ...
+
+    def result(self) -> Any:
+        """The planner's answer.
+
+        Raises:
+            Exception: Whatever the planner raised.
+        """
+        ...
+
+    def cancel(self) -> None:
+        """Forget about it."""
+        ...
+
+
+class Planning(Protocol):
+    """Where planning runs: inline in lockstep, worker processes in live."""
+
+    def submit(self, request: PlanRequest) -> Job:
+        """Begin to answer a request."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Toolbox:
+    """Everything that a leaf may use."""
+
+    clock: Clock
+    model: RobotModel
+    motion: MotionControl
+    sensing: Sensing
+    grippers: Mapping[Hand, Gripper]
+    detector: Detector
+    planning: Planning
+    world: WorldModel
+    events: TreeSink
+    rng: np.random.Generator
+    policy: TreePolicy = field(default_factory=TreePolicy)

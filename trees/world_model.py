@@ -1,0 +1,30 @@
+"""What the robot believes about the world: one planning scene, replaced when it learns more."""
+
+from __future__ import annotations
+
+from kinematics.scene import PlanningScene
+
+
+class WorldModel:
+    """Holds the current planning scene.
+
+    Leaves replace the scene; whoever kept an older one sees by its version that it is stale.
+    """
+
+    def __init__(self, scene: PlanningScene | None = None) -> None:
+        self._scene = scene or PlanningScene()
+
+    @property
+    def scene(self) -> PlanningScene:
+        """The current scene."""
+        return self._scene
+
+    def update(self, scene: PlanningScene) -> None:
+        """Replace the scene by a newer one.
+
+        Raises:
+            ValueError: Its version is not higher.
+        """
+        if scene.version <= self._scene.version:
+            raise ValueError(f"scene version {scene.version} is not newer than {self._scene.version}")
+        self._scene = scene
