@@ -1,0 +1,52 @@
+"""The window through which a simulated sensor looks at a world that it is allowed to know.
+
+Implemented by the simulator and by the scripted scene of the fake robot. Only the perception stub,
+the evaluation and tests may hold one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.poses import Transform
+from kinematics.shapes import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class TrueObject:
+    """One solid of the world as it really is; a piece of furniture may be several solids.
+
+    Attributes:
+        name: Unique: an object's name, or "table/top" for a solid of furniture.
+        category, kind, color: As in ``Detection``.
+        shape: Its solid.
+        world_T_object: Its pose, shape (4, 4).
+    """
+
+    name: str
+    category: Literal["object", "furniture"]
+    kind: str
+    color: str | None
+    shape: Shape
+    world_T_object: Transform
+
+
+class TruthView(Protocol):
+    """What a perception stub reads."""
+
+    def solids(self) -> tuple[TrueObject, ...]:
+        """Everything that could be seen, in a fixed order."""
+        ...
+
+    def world_T_camera(self) -> Transform:
+        """Pose of the camera's optical frame, shape (4, 4)."""
+        ...
+
+    def visible(self, name: str, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell for each world point, shape (n, 3), on a solid whether a ray from the camera meets
+        that solid before it meets anything else (robot included), shape (n,)."""
+        ...

@@ -1,0 +1,105 @@
+"""A scene as values: the world's truth, from which the simulator is built.
+
+Read from a TOML file by ``robots.scene_file``; evaluations make random ones directly. The robot is
+told nothing of it but what it perceives. World frame: z up, floor at z = 0, origin at the robot's
+nominal start, x ahead, y to its left. Lengths in m, angles in rad, masses in kg.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from kinematics.poses import Transform
+from kinematics.shapes import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class RobotStart:
+    """Where the robot really stands at the beginning; it does not know."""
+
+    x_m: float = 0.0
+    y_m: float = 0.0
+    yaw_rad: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PerceptionModel:
+    """Declared errors of the perception stub.
+
+    Attributes:
+        kind: "stub".
+        bias_m: Standard deviation, each axis, of an error drawn once for each solid and episode.
+        noise_m: The same, drawn anew for each frame.
+        orientation_noise_rad: Of the rotation vector, each axis, each frame.
+        size_noise: Relative standard deviation of estimated sizes, drawn once an episode.
+        dropout: Chance that a visible solid is missing from a frame.
+        latency_s: From picture to delivery.
+        rate_hz: Frames a second.
+        false_rate: Mean number of detections a frame of things that are not there.
+        merge_distance_m: Two objects whose surfaces are nearer than this may be seen as one.
+        merge_chance: Chance of it, drawn each frame.
+        min_visible: Share of an object's surface points that must be in sight.
+    """
+
+    kind: str = "stub"
+    bias_m: float = 0.005
+    noise_m: float = 0.002
+    orientation_noise_rad: float = 0.005
+    size_noise: float = 0.01
+    dropout: float = 0.02
+    latency_s: float = 0.05
+    rate_hz: float = 30.0
+    false_rate: float = 0.02
+    merge_distance_m: float = 0.004
+    merge_chance: float = 0.05
+    min_visible: float = 0.25
+
+
+@dataclass(frozen=True, slots=True)
+class Furniture:
+    """A piece of furniture: "table" here, more kinds later.
+
+    ``size_m`` is depth along its own x, width along y, and the height of the top above the floor;
+    ``position_m`` is its centre on the floor.
+    """
+
+    name: str
+    kind: str
+    size_m: tuple[float, float, float]
+    position_m: tuple[float, float]
+    yaw_rad: float = 0.0
+    friction: float = 0.7
+
+
+@dataclass(frozen=True, slots=True)
+class SceneItem:
+    """A movable object with its pose in the world."""
+
+    name: str
+    kind: str
+    color: str | None
+    shape: Shape
+    mass_kg: float
+    friction: float
+    world_T_object: Transform
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """A person who stands somewhere."""
+
+    name: str
+    position_m: tuple[float, float]
+    yaw_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class SceneDescription:
+    """Everything in the world but the robot's body."""
+
+    name: str
+    robot_start: RobotStart = field(default_factory=RobotStart)
+    perception: PerceptionModel = field(default_factory=PerceptionModel)
+    furniture: tuple[Furniture, ...] = ()
+    objects: tuple[SceneItem, ...] = ()
+    people: tuple[Person, ...] = ()
