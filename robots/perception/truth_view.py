@@ -48,5 +48,6 @@ class TruthView(Protocol):
 
     def visible(self, name: str, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell for each world point, shape (n, 3), on a solid whether a ray from the camera meets
-        that solid before it meets anything else (robot included), shape (n,)."""
+        that solid before it meets anything else (robot included), shape (n,).
+        """
         ...
