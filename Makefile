@@ -1,0 +1,75 @@
+# Everything that a fresh machine needs is Python 3.11, 3.12 or 3.13 with its venv module.
+# A target that needs the environment makes it first, with the locked versions.
+
+SHELL := /bin/bash
+VENV ?= .venv
+BIN := $(VENV)/bin
+JOBS ?= 2
+EPISODES ?= 200
+SEED ?= 0
+SENTENCE ?= pick up the red cup on the table
+
+# The first interpreter of a supported version; names that are only shims of absent versions fail the probe.
+FIND_PYTHON = for p in $(PYTHON) python3.11 python3.12 python3.13 python3; do \
+	"$$p" -c 'import sys, venv, ensurepip; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' \
+	2>/dev/null && { command -v "$$p"; break; }; done
+
+export OMP_NUM_THREADS := 1
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+.PHONY: setup run test check requirements evaluate benchmark lock build clean
+
+setup: $(VENV)/.dev-stamp  ## the environment with everything that development needs
+
+$(BIN)/python:
+	@python="$$($(FIND_PYTHON))"; \
+	if [ -z "$$python" ]; then \
+		echo "No Python 3.11, 3.12 or 3.13 with its venv module was found." >&2; \
+		echo "Install one (Debian: apt-get install python3 python3-venv) or name it: make PYTHON=/path/to/python" >&2; \
+		exit 2; \
+	fi; \
+	echo "making $(VENV) with $$python"; \
+	"$$python" -m venv $(VENV)
+
+$(VENV)/.run-stamp: requirements.lock pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet -r requirements.lock -c requirements-dev.lock setuptools
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(VENV)/.dev-stamp: requirements-dev.lock $(VENV)/.run-stamp
+	$(BIN)/python -m pip install --quiet -r requirements-dev.lock
+	@touch $@
+
+run: $(VENV)/.run-stamp  ## the main job
+	$(BIN)/executive run "$(SENTENCE)"
+
+test: $(VENV)/.dev-stamp  ## every test
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
+
+check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo
+	$(BIN)/python -m pytest -q tests/architecture
+
+requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, which are not
+	$(BIN)/python -m tools.requirements_report --jobs $(JOBS)
+
+evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth
+	$(BIN)/python -m tools.evaluate pick --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS)
+
+benchmark: $(VENV)/.dev-stamp  ## planning and control, timed
+	$(BIN)/python -m tools.benchmark planning
+	$(BIN)/python -m tools.benchmark control
+
+lock: $(VENV)/.dev-stamp  ## resolve the dependencies anew
+	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --output-file requirements.lock pyproject.toml
+	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --extra dev --output-file requirements-dev.lock pyproject.toml
+
+LOCK_OPTIONS = --strip-extras --allow-unsafe --no-emit-index-url --no-emit-find-links --no-header --no-annotate
+
+build: $(VENV)/.dev-stamp  ## the wheel
+	$(BIN)/python -m build --wheel
+
+clean:
+	rm -rf $(VENV) build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -1,0 +1,218 @@
+"""What several frames together tell about the things in view."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+from robots.perception.detector import Detection, PerceptionFrame
+
+Array = NDArray[np.float64]
+
+# Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.
+_OBJECT_GATE_M = 0.03
+_FURNITURE_GATE_M = 0.06
+# Two estimates of objects so near are one thing that was named in two ways.
+_SAME_PLACE_M = 0.02
+# Something that leans less stands, and the rest is noise; more, and it lies.
+_STANDING_TILT_RAD = 0.5
+# Detections farther from the median than this, and than three times the usual distance, do not count.
+_OUTLIER_M = 0.008
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectEstimate:
+    """One thing, estimated from several frames.
+
+    Attributes:
+        category: "object" or "furniture".
+        kind, color: As most detections say.
+        odom_T_object: Pose in the odometry frame, shape (4, 4); vertical for what stands.
+        shape: Mean solid.
+        confidence: In [0, 1]; mean of the detections', lowered by frames that missed it or disagree.
+        frames_seen: In how many frames.
+        spread_m: Root mean square distance of all its detections from the estimate. White noise gives
+            about 1.7 times its deviation; more says that something moved, or was merged with a neighbour.
+    """
+
+    category: Literal["object", "furniture"]
+    kind: str
+    color: str | None
+    odom_T_object: Transform
+    shape: Shape
+    confidence: float
+    frames_seen: int
+    spread_m: float
+
+    @property
+    def tilt_rad(self) -> float:
+        """Angle of its own z axis to the vertical, in [0, pi]."""
+        return math.acos(float(np.clip(self.odom_T_object[2, 2], -1.0, 1.0)))
+
+    @property
+    def lying(self) -> bool:
+        """Whether it is tipped over; a ball never is."""
+        return not isinstance(self.shape, Ball) and self.tilt_rad > _STANDING_TILT_RAD
+
+
+@dataclass(slots=True)
+class _Cluster:
+    """Detections of what is taken for one thing, at most one a frame."""
+
+    first: Detection
+    positions: list[Array] = field(default_factory=list)
+    rotations: list[Array] = field(default_factory=list)
+    detections: list[Detection] = field(default_factory=list)
+
+    def add(self, detection: Detection, odom_T_object: Transform) -> None:
+        self.detections.append(detection)
+        self.positions.append(odom_T_object[:3, 3])
+        self.rotations.append(odom_T_object[:3, :3])
+
+    @property
+    def centre(self) -> Array:
+        return np.asarray(np.median(self.positions, axis=0), dtype=np.float64)
+
+    def accepts(self, detection: Detection) -> bool:
+        colors = {d.color for d in self.detections} - {None}
+        return (
+            detection.category == self.first.category
+            and detection.kind == self.first.kind
+            and type(detection.shape) is type(self.first.shape)
+            and (detection.color is None or not colors or detection.color in colors)
+        )
+
+
+def fuse_frames(
+    views: Sequence[tuple[Transform, PerceptionFrame]], min_frames: int = 3
+) -> tuple[ObjectEstimate, ...]:
+    """Estimate what is there from several frames.
+
+    Detections of one kind (and no other colour) that are near each other are one thing; what fewer than
+    ``min_frames`` frames show (all of them, when there are fewer) is not there. Position and size are
+    the mean of those near the median, so that a detection that was merged with a neighbour does
+    not pull; ``spread_m`` still tells of it. What stands is made vertical.
+
+    Args:
+        views: ``odom_T_camera`` at each frame's stamp, shape (4, 4), with the frame. A frame whose
+            sequence number was there before is left out.
+        min_frames: In how many frames a thing must have been seen.
+
+    Returns:
+        In order of category, kind, colour and place: the same views give the same order.
+    """
+    unique = {frame.sequence: (odom_T_camera, frame) for odom_T_camera, frame in reversed(views)}
+    clusters: list[_Cluster] = []
+    for sequence in sorted(unique):
+        _assign(*unique[sequence], clusters)
+    needed = min(min_frames, len(unique))
+    kept = [cluster for cluster in clusters if len(cluster.detections) >= needed]
+    estimates = [_estimate(cluster, len(unique)) for cluster in kept]
+    return tuple(sorted(_one_name_each(estimates), key=_order))
+
+
+def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cluster]) -> None:
+    """Give each detection of a frame to the nearest cluster within the gate, or a new one."""
+    placed = [(detection, odom_T_camera @ detection.camera_T_object) for detection in frame.detections]
+    centres = [cluster.centre for cluster in clusters]
+    pairs = []
+    for i, (detection, odom_T_object) in enumerate(placed):
+        gate = _OBJECT_GATE_M if detection.category == "object" else _FURNITURE_GATE_M
+        for k, cluster in enumerate(clusters):
+            distance = float(np.linalg.norm(odom_T_object[:3, 3] - centres[k]))
+            if distance < gate and cluster.accepts(detection):
+                pairs.append((distance, i, k))
+    used_detections: set[int] = set()
+    used_clusters: set[int] = set()
+    for _, i, k in sorted(pairs):
+        if i not in used_detections and k not in used_clusters:
+            clusters[k].add(*placed[i])
+            used_detections.add(i)
+            used_clusters.add(k)
+    for i, (detection, odom_T_object) in enumerate(placed):
+        if i not in used_detections:
+            cluster = _Cluster(detection)
+            cluster.add(detection, odom_T_object)
+            clusters.append(cluster)
+
+
+def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
+    positions = np.array(cluster.positions)
+    from_median = np.linalg.norm(positions - cluster.centre, axis=1)
+    near = from_median <= max(_OUTLIER_M, 3.0 * float(np.median(from_median)))
+    position = positions[near].mean(axis=0)
+    inliers = [detection for detection, ok in zip(cluster.detections, near, strict=True) if ok]
+    rotation = _mean_rotation(np.array(cluster.rotations)[near])
+    shape = _mean_shape([detection.shape for detection in inliers])
+    colors = Counter(detection.color for detection in inliers if detection.color is not None)
+    seen = len(cluster.detections)
+    confidence = float(np.mean([detection.confidence for detection in inliers]))
+    return ObjectEstimate(
+        category=cluster.first.category,
+        kind=cluster.first.kind,
+        color=min(colors, key=lambda c: (-colors[c], c)) if colors else None,
+        odom_T_object=poses.transform(_upright(rotation, shape), position),
+        shape=shape,
+        confidence=confidence * (len(inliers) / frames) ** 0.5,
+        frames_seen=seen,
+        spread_m=float(np.sqrt(np.mean(np.sum((positions - position) ** 2, axis=1)))),
+    )
+
+
+def _mean_rotation(rotations: Array) -> Array:
+    """Chordal mean: the rotation nearest to the arithmetic mean (Markley et al. 2007)."""
+    u, _, vt = np.linalg.svd(rotations.mean(axis=0))
+    flip = np.diag([1.0, 1.0, float(np.sign(np.linalg.det(u @ vt)))])
+    return np.asarray(u @ flip @ vt, dtype=np.float64)
+
+
+def _upright(rotation: Array, shape: Shape) -> Array:
+    """Vertical when it stands (heading kept for boxes, none for what is round); else as it lies."""
+    if isinstance(shape, Ball):
+        return np.eye(3)
+    if math.acos(float(np.clip(rotation[2, 2], -1.0, 1.0))) > _STANDING_TILT_RAD:
+        return rotation
+    return np.eye(3) if isinstance(shape, Cylinder) else poses.rotation_z(poses.yaw_of(rotation))
+
+
+def _mean_shape(shapes: Sequence[Shape]) -> Shape:
+    """Mean size; by the median, so that merged detections do not widen it."""
+    first = shapes[0]
+    if isinstance(first, Box):
+        sizes = np.median([shape.size_m for shape in shapes if isinstance(shape, Box)], axis=0)
+        return Box((float(sizes[0]), float(sizes[1]), float(sizes[2])))
+    if isinstance(first, Cylinder):
+        return Cylinder(
+            float(np.median([shape.radius_m for shape in shapes if isinstance(shape, Cylinder)])),
+            float(np.median([shape.height_m for shape in shapes])),
+        )
+    return Ball(float(np.median([shape.radius_m for shape in shapes if isinstance(shape, Ball)])))
+
+
+def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
+    """Of objects estimated at the same place (a flickering kind or colour) keep the one seen most."""
+    kept: list[ObjectEstimate] = []
+    for estimate in sorted(estimates, key=lambda e: (-e.frames_seen, -e.confidence, *_order(e))):
+        taken = estimate.category == "object" and any(
+            other.category == "object"
+            and float(np.linalg.norm(other.odom_T_object[:3, 3] - estimate.odom_T_object[:3, 3]))
+            < _SAME_PLACE_M
+            for other in kept
+        )
+        if not taken:
+            kept.append(estimate)
+    return kept
+
+
+def _order(estimate: ObjectEstimate) -> tuple[str, str, str, float, float, float]:
+    x, y, z = (float(value) for value in estimate.odom_T_object[:3, 3])
+    return estimate.category, estimate.kind, estimate.color or "", x, y, z

@@ -1,0 +1,287 @@
+"""A perception stub: reads the simulator's truth and spoils it by a declared, seeded error model.
+
+Every error is a number of ``PerceptionModel``:
+
+- *bias*, along the world's axes, and *size error*, drawn once for each object or piece of furniture
+  and episode: another look does not average them away;
+- *noise* of position and orientation, *dropout*, *false* and *merged* detections, drawn anew for each
+  frame;
+- *latency*: a frame is delivered that long after its picture was taken;
+- *sight*: field of view and range of the camera, and line of sight to sampled surface points, the robot
+  itself being an obstacle too. Of a piece of furniture that is recognised by any of its solids all solids
+  are told, because its kind tells where the legs are.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.robot_description import CameraDescription
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+from robots.clock import Clock
+from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.stub_faults import StubFaults
+from robots.perception.surface import surface_points
+from robots.perception.truth_view import TrueObject, TruthView
+from robots.scene_description import PerceptionModel
+
+Array = NDArray[np.float64]
+
+# A plane is recognised from a small part of it; an object needs the declared share.
+_FURNITURE_MIN_VISIBLE = 0.04
+# Rounding of sums of control periods must not move a picture by a whole period.
+_TIME_TOLERANCE_S = 1e-9
+_FALSE_KINDS: tuple[tuple[str, Shape], ...] = (
+    ("cup", Cylinder(0.03, 0.11)),
+    ("box", Box((0.06, 0.06, 0.1))),
+    ("ball", Ball(0.035)),
+    ("can", Cylinder(0.033, 0.12)),
+)
+_FALSE_COLORS = ("red", "blue", "green", "yellow", "white")
+
+
+@dataclass(frozen=True, slots=True)
+class _Episode:
+    """What is drawn once: the error of one object or piece of furniture."""
+
+    bias_m: Array
+    scale: Array
+
+
+class PerceptionStub:
+    """A ``Detector`` over a ``TruthView``.
+
+    Whoever advances the world calls ``tick`` once each control period. Two stubs with equal truth, model
+    and generator tell the same.
+
+    Attributes:
+        faults: Further errors, to be injected by tests and evaluations.
+    """
+
+    def __init__(
+        self,
+        truth: TruthView,
+        camera: CameraDescription,
+        model: PerceptionModel,
+        clock: Clock,
+        rng: np.random.Generator,
+    ) -> None:
+        self.faults = StubFaults()
+        self._truth = truth
+        self._camera = camera
+        self._model = model
+        self._clock = clock
+        self._episode_rng, self._frame_rng, self._false_rng = rng.spawn(3)
+        self._tan = math.tan(0.5 * camera.horizontal_fov_rad), math.tan(0.5 * camera.vertical_fov_rad)
+        self._episodes: dict[str, _Episode] = {}
+        for solid in truth.solids():
+            self._episode(solid)
+        self._pending: deque[PerceptionFrame] = deque()
+        self._latest: PerceptionFrame | None = None
+        self._pictures = 0
+        self._start_s = clock.now_s()
+        self._due_s = self._start_s
+
+    def latest(self) -> PerceptionFrame | None:
+        """The newest frame that has been delivered, or None before the first."""
+        return self._latest
+
+    def tick(self) -> None:
+        """Take a picture when one is due, deliver those whose latency has passed."""
+        now_s = self._clock.now_s() + _TIME_TOLERANCE_S
+        if now_s >= self._due_s:
+            self._pending.append(self._look(self._clock.now_s()))
+            self._pictures += 1
+            self._due_s = self._start_s + self._pictures / self._model.rate_hz
+        while self._pending and now_s >= self._pending[0].stamp_s + self._model.latency_s:
+            self._latest = self._pending.popleft()
+
+    def set_error(
+        self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True
+    ) -> None:
+        """Tell every object of a kind at a wrong place; see ``StubFaults.misplace``."""
+        self.faults.misplace(kind, offset_m, first_look_only)
+
+    def _look(self, stamp_s: float) -> PerceptionFrame:
+        world_T_camera = self._truth.world_T_camera()
+        self.faults.observe(stamp_s, world_T_camera)
+        detections: list[Detection] = []
+        if not self.faults.blind:
+            seen = list(self._seen(world_T_camera))
+            detections = [
+                self._detect(solid, share, stamp_s, world_T_camera) for solid, share in self._merge(seen)
+            ]
+            detections += self._false_detections(world_T_camera)
+        return PerceptionFrame(stamp_s, self._pictures, tuple(detections))
+
+    def _seen(self, world_T_camera: Transform) -> Iterable[tuple[TrueObject, float]]:
+        """Solids that the camera sees in this frame, with the share of each that is in sight."""
+        for _, members in groupby(self._truth.solids(), key=_piece):
+            solids = list(members)
+            if solids[0].category == "object":
+                share = self._share_in_sight(solids[0], world_T_camera)
+                needed = self._model.min_visible
+            else:
+                # the largest face first: mostly one question is enough
+                ordered = sorted(solids, key=lambda solid: -_extent(solid.shape))
+                needed = _FURNITURE_MIN_VISIBLE
+                share = next(
+                    (s for s in (self._share_in_sight(x, world_T_camera) for x in ordered) if s >= needed),
+                    0.0,
+                )
+            if share < needed or share == 0.0:
+                continue
+            if self._frame_rng.random() >= self._model.dropout:
+                for solid in solids:
+                    yield solid, share
+
+    def _share_in_sight(self, solid: TrueObject, world_T_camera: Transform) -> float:
+        points, normals = surface_points(solid.shape)
+        rotation, position = solid.world_T_object[:3, :3], solid.world_T_object[:3, 3]
+        eye = rotation.T @ (world_T_camera[:3, 3] - position)
+        facing = np.einsum("ij,ij->i", normals, eye - points) > 0.0
+        count = int(facing.sum())
+        if count == 0:
+            return 0.0
+        world = points[facing] @ rotation.T + position
+        inside = self._in_view((world - world_T_camera[:3, 3]) @ world_T_camera[:3, :3])
+        if not inside.any():
+            return 0.0
+        return float(self._truth.visible(solid.name, world[inside]).sum()) / count
+
+    def _in_view(self, camera_points: Array) -> NDArray[np.bool_]:
+        x, y, z = camera_points.T
+        near, far = self._camera.range_m
+        inside: NDArray[np.bool_] = (
+            (z >= near) & (z <= far) & (np.abs(x) <= self._tan[0] * z) & (np.abs(y) <= self._tan[1] * z)
+        )
+        return inside
+
+    def _merge(self, seen: list[tuple[TrueObject, float]]) -> list[tuple[TrueObject, float]]:
+        """Replace pairs of nearly touching objects by one that covers both, by chance."""
+        if self._model.merge_chance <= 0.0:
+            return seen
+        objects = [item for item in seen if item[0].category == "object"]
+        for i, (a, share_a) in enumerate(objects):
+            for b, share_b in objects[i + 1 :]:
+                near = _horizontal_gap(a, b) < self._model.merge_distance_m
+                if near and self._frame_rng.random() < self._model.merge_chance:
+                    rest = [item for item in seen if item[0] is not a and item[0] is not b]
+                    return [*rest, (_cover(a, b), max(share_a, share_b))]
+        return seen
+
+    def _detect(
+        self, solid: TrueObject, share: float, stamp_s: float, world_T_camera: Transform
+    ) -> Detection:
+        episode, rng = self._episode(solid), self._frame_rng
+        world_T_object = solid.world_T_object.copy()
+        world_T_object[:3, 3] += episode.bias_m + rng.normal(0.0, self._model.noise_m, 3)
+        world_T_object[:3, 3] += self.faults.offset_m(solid.category, solid.kind, stamp_s)
+        turn = rng.normal(0.0, self._model.orientation_noise_rad, 3)
+        world_T_object[:3, :3] = world_T_object[:3, :3] @ poses.rotation_from_vector(turn)
+        camera_T_object = poses.inverse(world_T_camera) @ world_T_object
+        return Detection(
+            category=solid.category,
+            kind=solid.kind,
+            color=self.faults.color_of(solid.category, solid.kind, solid.color),
+            camera_T_object=camera_T_object,
+            shape=_scaled(solid.shape, episode.scale),
+            confidence=self._confidence(camera_T_object[:3, 3], share),
+        )
+
+    def _confidence(self, position: Array, share: float) -> float:
+        """Falls with distance, with what hides the object, and towards the edge of the view."""
+        distance = float(np.linalg.norm(position))
+        depth = max(float(position[2]), 1e-6)
+        off_axis = max(abs(position[0]) / (self._tan[0] * depth), abs(position[1]) / (self._tan[1] * depth))
+        value = 0.98 * (1.0 - 0.05 * max(0.0, distance - 1.0)) * (0.6 + 0.4 * share)
+        value *= 1.0 - 0.1 * min(max(off_axis - 0.7, 0.0) / 0.3, 1.0)
+        return float(np.clip(value + self._frame_rng.normal(0.0, 0.01), 0.0, 1.0))
+
+    def _false_detections(self, world_T_camera: Transform) -> list[Detection]:
+        """Things that are not there: upright, anywhere in view, of middling confidence."""
+        rng = self._false_rng
+        detections = []
+        for _ in range(int(rng.poisson(self._model.false_rate))):
+            depth = rng.uniform(max(0.5, self._camera.range_m[0]), min(2.0, self._camera.range_m[1]))
+            across = rng.uniform(-0.9, 0.9, 2) * self._tan * np.array([depth, depth])
+            kind, shape = _FALSE_KINDS[int(rng.integers(len(_FALSE_KINDS)))]
+            upright = world_T_camera[:3, :3].T @ poses.rotation_z(rng.uniform(-math.pi, math.pi))
+            detections.append(
+                Detection(
+                    category="object",
+                    kind=kind,
+                    color=_FALSE_COLORS[int(rng.integers(len(_FALSE_COLORS)))],
+                    camera_T_object=poses.transform(upright, (across[0], across[1], depth)),
+                    shape=shape,
+                    confidence=float(rng.uniform(0.3, 0.7)),
+                )
+            )
+        return detections
+
+    def _episode(self, solid: TrueObject) -> _Episode:
+        name = _piece(solid)
+        if name not in self._episodes:
+            rng = self._episode_rng
+            self._episodes[name] = _Episode(
+                bias_m=rng.normal(0.0, self._model.bias_m, 3),
+                scale=1.0 + rng.normal(0.0, self._model.size_noise, 3),
+            )
+        return self._episodes[name]
+
+
+def _piece(solid: TrueObject) -> str:
+    """An object's own name, or that of the piece of furniture that a solid belongs to."""
+    return solid.name if solid.category == "object" else solid.name.split("/", 1)[0]
+
+
+def _extent(shape: Shape) -> float:
+    """Largest horizontal area, to ask the most telling solid first."""
+    if isinstance(shape, Box):
+        return shape.size_m[0] * shape.size_m[1]
+    return math.pi * shape.radius_m**2
+
+
+def _horizontal_radius(shape: Shape) -> float:
+    if isinstance(shape, Box):
+        return 0.5 * math.hypot(shape.size_m[0], shape.size_m[1])
+    return shape.radius_m
+
+
+def _horizontal_gap(a: TrueObject, b: TrueObject) -> float:
+    """Distance of two upright objects' surfaces, boxes taken by their circumscribed circle."""
+    between = a.world_T_object[:2, 3] - b.world_T_object[:2, 3]
+    return float(np.linalg.norm(between)) - _horizontal_radius(a.shape) - _horizontal_radius(b.shape)
+
+
+def _cover(a: TrueObject, b: TrueObject) -> TrueObject:
+    """One object in the place of two: named after the larger one, as wide as both together."""
+    large, small = (a, b) if _horizontal_radius(a.shape) >= _horizontal_radius(b.shape) else (b, a)
+    centres = large.world_T_object[:3, 3], small.world_T_object[:3, 3]
+    apart = float(np.linalg.norm(centres[0][:2] - centres[1][:2]))
+    radius = 0.5 * (apart + _horizontal_radius(a.shape) + _horizontal_radius(b.shape))
+    height = max(a.shape.height_m, b.shape.height_m)
+    middle = large.world_T_object.copy()
+    middle[:3, 3] = 0.5 * (centres[0] + centres[1])
+    shape: Shape = Cylinder(radius, height)
+    if isinstance(large.shape, Box):
+        shape = Box((2.0 * radius, large.shape.size_m[1], height))
+    return replace(large, shape=shape, world_T_object=middle)
+
+
+def _scaled(shape: Shape, scale: Array) -> Shape:
+    if isinstance(shape, Box):
+        x, y, z = (float(a * b) for a, b in zip(shape.size_m, scale, strict=True))
+        return Box((x, y, z))
+    if isinstance(shape, Cylinder):
+        return Cylinder(float(shape.radius_m * scale[0]), float(shape.height_m * scale[2]))
+    return Ball(float(shape.radius_m * scale[0]))

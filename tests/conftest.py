@@ -1,0 +1,36 @@
+"""What every test shares: one thread a process, no wall-clock deadlines, marks as properties of reports."""
+
+import ctypes
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+settings.register_profile(
+    "repeatable", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("repeatable")
+
+
+def _has_opengl() -> bool:
+    """Whether a library that draws without a display is there; found without importing MuJoCo."""
+    for name in ("libEGL.so.1", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+        try:
+            ctypes.CDLL(name)
+        except OSError:
+            continue
+        return True
+    return False
+
+
+def pytest_collection_modifyitems(items):
+    """Skip pictures where they cannot be drawn; tell reports which requirements a test proves."""
+    drawing = [item for item in items if item.get_closest_marker("opengl")]
+    if drawing and not _has_opengl():
+        for item in drawing:
+            item.add_marker(pytest.mark.skip(reason="no OpenGL library (Debian: libegl1 or libosmesa6)"))
+    for item in items:
+        for marker in item.iter_markers("requirement"):
+            item.user_properties.extend(("requirement", name) for name in marker.args)
