@@ -1,0 +1,169 @@
+"""Does a configuration collide? The planner's own, discrete judge, with Coal on convex hulls.
+
+The trajectory checker is a judge of its own and shares none of this.
+"""
+
+from __future__ import annotations
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics.poses import Transform
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Ball, Box, Shape
+
+Array = NDArray[np.float64]
+
+
+class CollisionWorld:
+    """A robot in a planning scene.
+
+    Args:
+        model: The robot.
+        scene: What is around, what is held, and which pairs may touch.
+        extra_margin_m: Added to every margin of the scene; what planning keeps in reserve
+            against the checker.
+        self_margin_m: Distance kept between the robot's own links.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        scene: PlanningScene,
+        extra_margin_m: float = 0.0,
+        self_margin_m: float = 0.0,
+    ) -> None:
+        self._model = model
+        self._geometry = model.geometry()
+        links = [model.link_of(item) for item in self._geometry.geometryObjects]
+        robot = range(len(links))
+        margins = [self_margin_m] * self._drop_pairs_between_legs()
+        names = list(links)
+        for item in scene.objects.values():
+            index = self._add(item.name, 0, item.world_T_object, item.shape)
+            names.append(item.name)
+            for i in robot:
+                if not scene.is_allowed(names[i], item.name):
+                    self._geometry.addCollisionPair(pin.CollisionPair(i, index))
+                    margins.append(item.margin_m + extra_margin_m)
+        for name, body in scene.attached.items():
+            frame = model.pin.frames[model.frame_id(body.frame)]
+            placement = frame.placement.homogeneous @ body.frame_T_object
+            index = self._add(name, frame.parentJoint, placement, body.body.shape)
+            names.append(name)
+            for i in range(index):
+                free = names[i] in body.touch_links or scene.is_allowed(names[i], name)
+                if free or self._geometry.geometryObjects[i].parentJoint == frame.parentJoint:
+                    continue
+                self._geometry.addCollisionPair(pin.CollisionPair(i, index))
+                other = scene.objects.get(names[i])
+                margins.append(extra_margin_m if other is None else other.margin_m + extra_margin_m)
+        self._names = names
+        self._data = model.pin.createData()
+        self._geometry_data = self._geometry.createData()
+        for request, margin in zip(self._geometry_data.collisionRequests, margins, strict=True):
+            request.security_margin = margin
+
+    def collides(self, q: Array) -> bool:
+        """Tell whether any pair that may not touch is nearer than its margin."""
+        return bool(
+            pin.computeCollisions(
+                self._model.pin, self._data, self._geometry, self._geometry_data, q, True
+            )
+        )
+
+    def colliding_pair(self, q: Array) -> tuple[str, str] | None:
+        """Names of the first pair that collides, or None."""
+        if not self.collides(q):
+            return None
+        for pair, result in zip(
+            self._geometry.collisionPairs, self._geometry_data.collisionResults, strict=True
+        ):
+            if result.isCollision():
+                return self._names[pair.first], self._names[pair.second]
+        return None
+
+    def _drop_pairs_between_legs(self) -> int:
+        """Forget pairs of leg links, which a standing motion hardly changes; the checker has them."""
+        groups = self._model.description.groups
+        legs = {
+            self._model.pin.getJointId(joint)
+            for group, joints in groups.items()
+            if group.endswith("_leg")
+            for joint in joints
+        }
+        joint_of = [item.parentJoint for item in self._geometry.geometryObjects]
+        kept = [
+            (pair.first, pair.second)
+            for pair in self._geometry.collisionPairs
+            if not (joint_of[pair.first] in legs and joint_of[pair.second] in legs)
+        ]
+        self._geometry.removeAllCollisionPairs()
+        for first, second in kept:
+            self._geometry.addCollisionPair(pin.CollisionPair(first, second))
+        return len(kept)
+
+    def _add(self, name: str, joint: int, placement: Transform, shape: Shape) -> int:
+        item = pin.GeometryObject(
+            name, joint, pin.SE3(placement[:3, :3], placement[:3, 3]), coal_shape(shape)
+        )
+        return int(self._geometry.addGeometryObject(item))
+
+
+def coal_shape(shape: Shape) -> coal.CollisionGeometry:
+    """Coal's solid of a shape."""
+    if isinstance(shape, Box):
+        return coal.Box(*shape.size_m)
+    if isinstance(shape, Ball):
+        return coal.Sphere(shape.radius_m)
+    return coal.Cylinder(shape.radius_m, shape.height_m)
+
+
+class HandCollision:
+    """Does an open hand alone fit at a pose? A cheap filter before any inverse kinematics.
+
+    Args:
+        model: The robot.
+        hand: Whose gripper.
+        scene: What is around.
+        target: Object that the fingers may touch; the rest of the hand is judged against it elsewhere.
+        extra_margin_m: Added to the margins of the scene.
+    """
+
+    def __init__(
+        self, model: RobotModel, hand: Hand, scene: PlanningScene, target: str, extra_margin_m: float
+    ) -> None:
+        gripper = model.description.grippers[hand]
+        tcp = model.pin.frames[model.frame_id(gripper.tcp_frame)]
+        joint_T_tcp = np.array(tcp.placement.homogeneous)
+        tcp_T_joint = np.linalg.inv(joint_T_tcp)
+        self._parts = [
+            (item.geometry, tcp_T_joint @ np.array(item.placement.homogeneous))
+            for item in model.geometry().geometryObjects
+            if item.parentJoint == tcp.parentJoint
+        ]
+        self._solids = [
+            (coal_shape(item.shape), _coal_transform(item.world_T_object), item.margin_m + extra_margin_m)
+            for item in scene.objects.values()
+            if item.name != target
+        ]
+
+    def collides(self, world_T_tcp: Transform) -> bool:
+        """Tell whether the open hand, TCP at a pose, is too near to anything but the target."""
+        request, result = coal.CollisionRequest(), coal.CollisionResult()
+        for geometry, tcp_T_part in self._parts:
+            placed = _coal_transform(world_T_tcp @ tcp_T_part)
+            for solid, at, margin in self._solids:
+                request.security_margin = margin
+                result.clear()
+                if coal.collide(geometry, placed, solid, at, request, result):
+                    return True
+        return False
+
+
+def _coal_transform(pose: Transform) -> coal.Transform3s:
+    return coal.Transform3s(pose[:3, :3], pose[:3, 3])

@@ -1,0 +1,167 @@
+"""Ways to take hold of a simple solid with a two-sided gripper.
+
+A grasp is a TCP pose: x along the approach, y along the opening. Candidates turn about the vertical
+(yaw), tilt from the side to from above, and roll by half a turn; the order is by what usually works
+(the natural direction of the arm first), the planner decides.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.requests import Grasp
+from kinematics.robot_description import GripperDescription, Hand
+from kinematics.scene import SceneObject
+from kinematics.shapes import Ball, Box, Cylinder
+
+Array = NDArray[np.float64]
+
+# Steps of 15 degrees in yaw and 20 in tilt: neighbours differ by less than the wrist can make up for.
+YAWS_RAD = tuple(math.radians(a) for a in (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90, -90, 110, 130))
+TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 80))
+# Left between pads and object on each side, so that a perception error of this size still fits.
+OPENING_RESERVE_M = 0.006
+# The pads reach at least this far over an object's edge, and a palm keeps this from its top.
+PAD_OVERLAP_M = 0.025
+PALM_GAP_M = 0.012
+# Grasped above the middle: keeps the hand off the support, and the object hangs stably.
+ABOVE_MIDDLE = 0.12
+# An object that stands is upright to within this; a lying one is grasped like a box.
+UPRIGHT_COSINE = math.cos(math.radians(20))
+
+
+@dataclass(frozen=True, slots=True)
+class GraspCandidate:
+    """A grasp with its preference: smaller cost first.
+
+    Attributes:
+        grasp: The grasp itself.
+        cost: How far it is from the natural grasp of that hand; no unit.
+    """
+
+    grasp: Grasp
+    cost: float
+
+
+def grasp_candidates(
+    item: SceneObject, gripper: GripperDescription, natural_yaw_rad: float, approach_m: float
+) -> list[GraspCandidate]:
+    """Candidates for one hand, most natural first.
+
+    Args:
+        item: What is to be grasped.
+        gripper: The hand's gripper.
+        natural_yaw_rad: Heading, in the world, in which this arm reaches that place most easily.
+        approach_m: Length of the straight approach.
+    """
+    # the arm prefers to come from its own outer side: the elbow stays off the trunk
+    outward = 1.0 if gripper.hand == "right" else -1.0
+    found = []
+    for yaw, tilt in product(YAWS_RAD, TILTS_RAD):
+        for placed in _placements(item, gripper, natural_yaw_rad + outward * yaw, tilt):
+            label = f"yaw {math.degrees(outward * yaw):+.0f} tilt {math.degrees(tilt):.0f}{placed.suffix}"
+            grasp = Grasp(
+                hand=gripper.hand,
+                label=label,
+                world_T_tcp=placed.world_T_tcp,
+                approach_m=approach_m,
+                diameter_m=placed.diameter_m,
+            )
+            cost = abs(yaw - math.radians(10)) + 0.6 * abs(tilt - math.radians(20)) + placed.cost
+            found.append(GraspCandidate(grasp, cost))
+    return sorted(found, key=lambda candidate: candidate.cost)
+
+
+def key_of(hand: Hand, label: str) -> str:
+    """How ``PickRequest.excluded`` names a grasp."""
+    return f"{hand} {label}"
+
+
+@dataclass(frozen=True, slots=True)
+class _Placement:
+    world_T_tcp: Array
+    diameter_m: float
+    suffix: str
+    cost: float
+
+
+def _placements(
+    item: SceneObject, gripper: GripperDescription, yaw: float, tilt: float
+) -> Iterator[_Placement]:
+    rotation = poses.rotation_z(yaw) @ poses.rotation_y(tilt)
+    up = item.world_T_object[:3, 2]
+    centre = item.world_T_object[:3, 3]
+    limit = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
+    if isinstance(item.shape, Ball):
+        if 2.0 * item.shape.radius_m <= limit:
+            yield from _rolled(rotation, centre, 2.0 * item.shape.radius_m)
+        return
+    if isinstance(item.shape, Cylinder) and abs(up[2]) >= UPRIGHT_COSINE:
+        diameter = 2.0 * item.shape.radius_m
+        if diameter <= limit:
+            depth = _reach_in(item.shape.height_m, item.shape.radius_m, tilt, gripper)
+            yield from _rolled(rotation, centre + np.array([0.0, 0.0, depth]), diameter)
+        return
+    yield from _box_placements(item, gripper, rotation, tilt, limit)
+
+
+def _box_placements(
+    item: SceneObject, gripper: GripperDescription, rotation: Array, tilt: float, limit: float
+) -> Iterator[_Placement]:
+    """Grasps of a box, or of a cylinder that lies: the opening along one of the horizontal edges."""
+    size = (
+        np.array(item.shape.size_m)
+        if isinstance(item.shape, Box)
+        else np.array([2 * item.shape.radius_m, 2 * item.shape.radius_m, item.shape.height_m])
+    )
+    axes = item.world_T_object[:3, :3]
+    upward = int(np.argmax(np.abs(axes[2])))
+    height = float(size[upward])
+    for edge in range(3):
+        if edge == upward or size[edge] > limit:
+            continue
+        across = axes[:, edge] * np.array([1.0, 1.0, 0.0])
+        across /= np.linalg.norm(across)
+        if across @ rotation[:, 1] < 0.0:
+            across = -across
+        # turn the wanted heading so that the pads are parallel to the faces
+        turn = math.atan2(across[1], across[0]) - math.atan2(rotation[1, 1], rotation[0, 1])
+        turn = (turn + math.pi) % (2 * math.pi) - math.pi
+        turned = poses.rotation_z(turn) @ rotation
+        depth = _reach_in(height, 0.5 * float(size[3 - edge - upward]), tilt, gripper)
+        centre = item.world_T_object[:3, 3] + np.array([0.0, 0.0, depth])
+        for placed in _rolled(turned, centre, float(size[edge])):
+            yield _Placement(
+                placed.world_T_tcp, placed.diameter_m, f" edge {edge}{placed.suffix}", placed.cost + abs(turn)
+            )
+
+
+def _reach_in(height: float, half_depth: float, tilt: float, gripper: GripperDescription) -> float:
+    """Height of the TCP above the object's middle.
+
+    From the side a little above the middle; from above as deep as palm and overlap want, measured
+    along the approach; in between the blend by the tilt's sine.
+    """
+    side = ABOVE_MIDDLE * height
+    deepest = gripper.palm_distance_m - PALM_GAP_M
+    above = 0.5 * height - min(max(PAD_OVERLAP_M, 0.45 * height), deepest)
+    share = math.sin(tilt) ** 2
+    blended = (1.0 - share) * side + share * above
+    if tilt < math.radians(5):
+        return blended
+    # the tilted palm stays clear of the near edge of the top
+    lowest = 0.5 * height - (deepest - half_depth * math.cos(tilt)) / math.sin(tilt)
+    return max(blended, lowest)
+
+
+def _rolled(rotation: Array, centre: Array, diameter: float) -> Iterator[_Placement]:
+    half_turn = poses.rotation_x(math.pi)
+    yield _Placement(poses.transform(rotation, centre), diameter, "", 0.0)
+    yield _Placement(poses.transform(rotation @ half_turn, centre), diameter, " rolled", 0.3)

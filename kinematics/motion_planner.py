@@ -1,0 +1,116 @@
+"""One door to all planning and checking: a request in, an answer out.
+
+Both are frozen values, so that the same planner serves inline and in a worker process.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics import poses
+from kinematics.collision import CollisionWorld
+from kinematics.curves import PolynomialCurve
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.ik import IkTolerance, WholeBodyIk
+from kinematics.path_planner import PathPlanner
+from kinematics.pick_planner import (
+    CARTESIAN_PACE,
+    CARTESIAN_POINTS,
+    PLANNING_RESERVE_M,
+    REACH_PACE,
+    SELF_MARGIN_M,
+    PickPlanner,
+)
+from kinematics.requests import (
+    CheckRequest,
+    MovePlan,
+    MoveRequest,
+    NoPlan,
+    PickPlan,
+    PickRequest,
+    PlannedStep,
+    PlanRequest,
+    RetreatRequest,
+)
+from kinematics.robot_model import RobotModel
+from kinematics.timing import time_curve
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.trajectory_check import TrajectoryChecker
+
+Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+
+
+class MotionPlanner:
+    """Plans and checks for one robot; holds no state between requests."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+        self._pick = PickPlanner(model)
+        self._checker = TrajectoryChecker(model)
+
+    def answer(self, request: PlanRequest) -> Answer:
+        """Answer any request."""
+        if isinstance(request, PickRequest):
+            return self._pick.plan(request)
+        if isinstance(request, MoveRequest):
+            return self._move(request)
+        if isinstance(request, RetreatRequest):
+            return self._retreat(request)
+        return self._checker.check(request.trajectory, request.scene)
+
+    def _move(self, request: MoveRequest) -> MovePlan | NoPlan:
+        model = self._model
+        space = FreeCoordinates(model, request.stance)
+        start = space.from_q(request.q_start)
+        goal = start.copy()
+        if not request.keep_others:
+            goal = space.from_q(_home_on(model, request))
+        for joint, angle in request.joints.items():
+            goal[space.index(joint)] = angle
+        world = CollisionWorld(model, request.scene, 0.0, 0.0)
+        planner = PathPlanner(model, space, request.stance, world)
+        arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]
+        moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
+        curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
+        if curve is None:
+            pair = world.colliding_pair(space.to_q(goal[None, :])[0][0]) or world.colliding_pair(request.q_start)
+            reason = "no collision-free path" if pair is None else f"{pair[0]} collides with {pair[1]}"
+            return NoPlan(f"no motion to the posture was found: {reason}", {reason: 1})
+        trajectory = time_curve(model, space, request.stance, curve, REACH_PACE)
+        if trajectory is None:
+            return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+        return MovePlan(PlannedStep("move", trajectory, request.scene))
+
+    def _retreat(self, request: RetreatRequest) -> MovePlan | NoPlan:
+        model = self._model
+        space = FreeCoordinates(model, request.stance)
+        ik = WholeBodyIk(model, request.stance, request.hand)
+        frame = model.description.grippers[request.hand].tcp_frame
+        start = model.frame_pose(request.q_start, frame)
+        end = start.copy()
+        end[:3, 3] += request.world_offset_m
+        found = [request.q_start]
+        for fraction in np.linspace(0.0, 1.0, CARTESIAN_POINTS)[1:]:
+            result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1])
+            if not result.within(IkTolerance()):
+                return NoPlan("the hand cannot be drawn back in a straight line", {"no inverse kinematics": 1})
+            found.append(result.q)
+        x = np.array([space.from_q(q) for q in found])
+        for joint in model.description.groups["head"]:
+            x[:, space.index(joint)] = x[0, space.index(joint)]
+        curve = PolynomialCurve(x)
+        trajectory = time_curve(model, space, request.stance, curve, CARTESIAN_PACE)
+        if trajectory is None:
+            return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+        return MovePlan(PlannedStep("retreat", trajectory, request.scene))
+
+
+def _home_on(model: RobotModel, request: MoveRequest) -> np.ndarray:
+    """The home posture with the soles at the stance."""
+    soles = [world_T_sole for _, world_T_sole in request.stance.soles]
+    middle = poses.interpolate(soles[0], soles[-1], 0.5)
+    base = poses.transform(poses.rotation_from_quaternion(model.q_home[3:7]), model.q_home[:3])
+    return model.configuration({}, middle @ base)
+
+
+__all__ = ["Answer", "CheckRequest", "MotionPlanner"]

@@ -1,0 +1,212 @@
+"""Find a collision-free path between two configurations of a standing robot.
+
+The straight line when it is free, RRT-Connect else (Kuffner and LaValle, ICRA 2000), then shortcuts.
+Planned over the free coordinates, so the feet stay where they are; counted in iterations and drawn
+from an injected generator, so the same seed gives the same path.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.collision import CollisionWorld
+from kinematics.curves import Curve, RoundedPolyline
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.robot_model import RobotModel
+from kinematics.stance import SupportPolygon
+from kinematics.trajectory import Stance
+
+Array = NDArray[np.float64]
+
+# Weighted distance (about radians) of two checked points of an edge: some 2 cm at the fingertips.
+RESOLUTION = 0.04
+# The longest step of a tree.
+EXTEND = 0.5
+# The pelvis may leave the box between start and goal by so much, m and rad.
+PELVIS_ROOM = np.array([0.04, 0.03, 0.06, 0.05, 0.05, 0.05])
+# Distance of the control points that round a polyline's corners.
+ROUNDING = 0.12
+
+
+@dataclass(frozen=True, slots=True)
+class PathSettings:
+    """How long to search.
+
+    Attributes:
+        iterations: Most extensions of the two trees.
+        shortcuts: Attempts to cut a found path short.
+    """
+
+    iterations: int = 300
+    shortcuts: int = 40
+
+
+class PathPlanner:
+    """Plans between configurations with one stance in one collision world."""
+
+    def __init__(
+        self,
+        model: RobotModel,
+        space: FreeCoordinates,
+        stance: Stance,
+        world: CollisionWorld,
+        settings: PathSettings = PathSettings(),
+    ) -> None:
+        self._space, self._world, self._settings = space, world, settings
+        self._model = model
+        margin = model.description.planning_margin_rad
+        self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
+        self._polygon = SupportPolygon(stance, model.description.soles)
+
+    def plan(self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator) -> Curve | None:
+        """Return a collision-free curve from ``start`` to ``goal``, or None when none was found.
+
+        Args:
+            start: Free coordinates, shape (size,).
+            goal: The same.
+            moving: Columns that may leave the straight line between start and goal.
+            rng: Source of the samples.
+        """
+        line = np.stack([start, goal])
+        if self.curve_is_free(self._rounded(line)):
+            return self._rounded(line)
+        polyline = self._rrt_connect(start, goal, moving, rng)
+        if polyline is None:
+            return None
+        polyline = self._shortened(polyline, rng)
+        curve = self._rounded(polyline)
+        if self.curve_is_free(curve):
+            return curve
+        # rounding touched something: finer control points stay nearer to the free polyline
+        curve = RoundedPolyline(polyline, self._space.weights, ROUNDING / 4)
+        return curve if self.curve_is_free(curve) else None
+
+    def curve_is_free(self, curve: Curve) -> bool:
+        """Check a curve at points no farther apart than the resolution."""
+        grid = curve(np.linspace(0.0, 1.0, 65))
+        length = float(np.sum(np.sqrt(np.sum((np.diff(grid, axis=0) * self._space.weights) ** 2, axis=1))))
+        count = max(3, int(np.ceil(length / RESOLUTION)) + 1)
+        return self._points_are_free(curve(np.linspace(0.0, 1.0, count)))
+
+    def is_free(self, x: Array) -> bool:
+        """Check one point: reach of the legs, limits, balance, collision."""
+        return self._points_are_free(x[None, :])
+
+    def _points_are_free(self, x: Array) -> bool:
+        q, reached = self._space.to_q(x)
+        joints = q[:, 7:]
+        if not reached.all() or np.any(joints < self._lower - 1e-6) or np.any(joints > self._upper + 1e-6):
+            return False
+        margin = self._model.description.com_margin_m + 0.005
+        # both ends first, then the middle: what collides is found early
+        for k in _bisecting(len(q)):
+            if self._world.collides(q[k]):
+                return False
+            if self._polygon.com_margin_m(self._model.com(q[k])) < margin:
+                return False
+        return True
+
+    def _rounded(self, polyline: Array) -> Curve:
+        return RoundedPolyline(polyline, self._space.weights, ROUNDING)
+
+    def _edge_is_free(self, a: Array, b: Array) -> bool:
+        count = max(2, int(np.ceil(self._space.distance(a, b) / RESOLUTION)) + 1)
+        return self._points_are_free(a + (b - a) * np.linspace(0.0, 1.0, count)[1:, None])
+
+    def _rrt_connect(
+        self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
+    ) -> Array | None:
+        if not self.is_free(start) or not self.is_free(goal):
+            return None
+        lower, upper = self._sampling_box(start, goal, moving)
+        trees = [_Tree(start), _Tree(goal)]
+        for iteration in range(self._settings.iterations):
+            grown, other = trees[iteration % 2], trees[1 - iteration % 2]
+            sample = rng.uniform(lower, upper)
+            new = self._extend(grown, sample)
+            if new is None:
+                continue
+            joined = self._connect(other, grown.points[new])
+            if joined is not None:
+                first, second = grown.path_to(new), other.path_to(joined)
+                path = np.array(first + second[::-1])
+                return path if grown is trees[0] else path[::-1]
+        return None
+
+    def _sampling_box(self, start: Array, goal: Array, moving: list[int]) -> tuple[Array, Array]:
+        lower, upper = np.minimum(start, goal), np.maximum(start, goal)
+        lower[:6] -= PELVIS_ROOM
+        upper[:6] += PELVIS_ROOM
+        for column in moving:
+            index = self._model.joint_index(self._space.joints[column - 6])
+            lower[column], upper[column] = self._lower[index], self._upper[index]
+        return lower, upper
+
+    def _extend(self, tree: _Tree, sample: Array) -> int | None:
+        near = tree.nearest(sample, self._space.weights)
+        distance = self._space.distance(tree.points[near], sample)
+        if distance < 1e-9:
+            return None
+        point = tree.points[near] + (sample - tree.points[near]) * min(1.0, EXTEND / distance)
+        return tree.add(point, near) if self._edge_is_free(tree.points[near], point) else None
+
+    def _connect(self, tree: _Tree, point: Array) -> int | None:
+        node = tree.nearest(point, self._space.weights)
+        while True:
+            distance = self._space.distance(tree.points[node], point)
+            here = tree.points[node]
+            step = point if distance <= EXTEND else here + (point - here) * (EXTEND / distance)
+            if not self._edge_is_free(here, step):
+                return None
+            node = tree.add(step, node)
+            if distance <= EXTEND:
+                return node
+
+    def _shortened(self, polyline: Array, rng: np.random.Generator) -> Array:
+        for _ in range(self._settings.shortcuts):
+            if len(polyline) <= 2:
+                break
+            i, j = sorted(rng.choice(len(polyline), 2, replace=False))
+            if j - i < 2:
+                continue
+            if self._edge_is_free(polyline[i], polyline[j]):
+                polyline = np.concatenate([polyline[: i + 1], polyline[j:]])
+        return polyline
+
+
+class _Tree:
+    def __init__(self, root: Array) -> None:
+        self.points = root[None, :].copy()
+        self._parents = [-1]
+
+    def add(self, point: Array, parent: int) -> int:
+        self.points = np.concatenate([self.points, point[None, :]])
+        self._parents.append(parent)
+        return len(self._parents) - 1
+
+    def nearest(self, point: Array, weights: Array) -> int:
+        return int(np.argmin(np.sum(((self.points - point) * weights) ** 2, axis=1)))
+
+    def path_to(self, node: int) -> list[Array]:
+        path = []
+        while node >= 0:
+            path.append(self.points[node])
+            node = self._parents[node]
+        return path[::-1]
+
+
+def _bisecting(count: int) -> list[int]:
+    """Indices 0 to count - 1: the ends first, then the middles of ever smaller gaps."""
+    order, gaps = [0, count - 1][: min(count, 2)], [(0, count - 1)]
+    while gaps:
+        wider = []
+        for low, high in gaps:
+            if high - low > 1:
+                middle = (low + high) // 2
+                order.append(middle)
+                wider += [(low, middle), (middle, high)]
+        gaps = wider
+    return order
