@@ -1,0 +1,57 @@
+"""Errors of the executive package.
+
+ExecutiveError
+├── UserError            something the user gave or the machine lacks; one line says what to do, exit code 2
+│   ├── NotWritableError     a folder or file that cannot be written
+│   ├── UnknownRunError      a recorded run that is not there
+│   ├── ScriptError          a task script that cannot be one: file, key and reason
+│   └── MissingPartError     a library or program that an option needs is not installed
+└── VocabularyError      word lists that contradict the grammar: a defect of the data
+
+What a sentence means, a question and a refusal are return values, not errors.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from pathlib import Path
+
+
+class ExecutiveError(Exception):
+    """Base of every error that the executive package raises."""
+
+
+class UserError(ExecutiveError):
+    """Something that the user gave or the machine lacks; its message is one clear line."""
+
+
+class NotWritableError(UserError):
+    """A folder or file that cannot be written."""
+
+    def __init__(self, path: Path, reason: str, hint: str) -> None:
+        super().__init__(f"cannot write {path}: {reason}; {hint}")
+
+
+class UnknownRunError(UserError):
+    """A recorded run that is not there."""
+
+    def __init__(self, name: str, known: Sequence[str]) -> None:
+        close = difflib.get_close_matches(name, known, n=1, cutoff=0.3)
+        hint = f"; the nearest is {close[0]!r}" if close else f"; {len(known)} runs are recorded"
+        super().__init__(f"no recorded run {name!r}{hint}")
+
+
+class ScriptError(UserError):
+    """A task script that cannot be one."""
+
+    def __init__(self, source: str, key: str, reason: str) -> None:
+        super().__init__(f"{source}: {key}: {reason}" if key else f"{source}: {reason}")
+
+
+class MissingPartError(UserError):
+    """A library or program that an option needs is not installed."""
+
+
+class VocabularyError(ExecutiveError):
+    """Word lists that contradict the grammar: a defect of the data."""

@@ -1,0 +1,113 @@
+"""What a text was understood as: commands, a question, or a refusal; frozen values with a JSON form."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from trees.tasks import GoHomeTask, PickTask, Task
+
+ECHO_LENGTH = 200
+"""Longer input is shortened where it is repeated to the user."""
+
+
+@dataclass(frozen=True, slots=True)
+class StopCommand:
+    """Cancel what is under way and hold; no behavior tree is needed for it."""
+
+    text: str
+
+    action = "stop"
+
+
+Command = Task | StopCommand
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What must be known before anything moves."""
+
+    text: str
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why nothing is done.
+
+    Attributes:
+        message: One sentence for people.
+        word: The words that caused it, or None.
+        nearest: A valid wording near to what was said, or None.
+    """
+
+    message: str
+    word: str | None = None
+    nearest: str | None = None
+
+    def __str__(self) -> str:
+        return self.message + (f"; try {self.nearest!r}" if self.nearest else "")
+
+
+@dataclass(frozen=True, slots=True)
+class Parsed:
+    """What a text was understood as; exactly one of the three is there."""
+
+    text: str
+    commands: tuple[Command, ...] = ()
+    question: Question | None = None
+    refusal: Refusal | None = None
+
+    @property
+    def outcome(self) -> Literal["tasks", "question", "refused"]:
+        """Which of the three it is."""
+        if self.refusal is not None:
+            return "refused"
+        return "question" if self.question is not None else "tasks"
+
+    def to_json(self) -> dict[str, Any]:
+        """As the command-line contract writes the answer of ``parse``."""
+        question, refusal = self.question, self.refusal
+        return {
+            "text": shortened(self.text),
+            "outcome": self.outcome,
+            "tasks": [command_json(command) for command in self.commands],
+            "question": question and {"text": question.text, "choices": list(question.choices)},
+            "refusal": refusal
+            and {"message": refusal.message, "word": refusal.word, "nearest": refusal.nearest},
+        }
+
+
+def command_json(command: Command) -> dict[str, Any]:
+    """One command's slots; absent ones are left out."""
+    slots: dict[str, Any] = {"action": command.action}
+    if isinstance(command, PickTask):
+        slots["object"] = _present({"kind": command.object.kind, "color": command.object.color})
+        slots |= _present({"from": command.source, "hand": command.hand})
+    return slots
+
+
+def wording(command: Command) -> str:
+    """The plainest sentence that means this command."""
+    match command:
+        case PickTask():
+            parts = ["pick up the", str(command.object)]
+            if command.source:
+                parts += ["from the", command.source]
+            if command.hand:
+                parts += ["with the", command.hand, "hand"]
+            return " ".join(parts)
+        case GoHomeTask():
+            return "go home"
+        case StopCommand():
+            return "stop"
+
+
+def shortened(text: str) -> str:
+    """The text, or its beginning when it is too long to repeat."""
+    return text if len(text) <= ECHO_LENGTH else text[:ECHO_LENGTH] + "…"
+
+
+def _present(slots: Mapping[str, str | None]) -> dict[str, str]:
+    return {key: value for key, value in slots.items() if value is not None}
