@@ -107,6 +107,12 @@ def test_two_equal_cups_that_nearly_touch_stay_two():
     assert [round(float(e.odom_T_object[1, 3]), 2) for e in found] == [0.0, 0.04]
 
 
+def test_a_thing_is_counted_at_most_once_a_frame():
+    frames = [[detection(at(0.5))], *[[detection(at(0.5)), detection(at(0.525))] for _ in range(7)]]
+
+    assert [cup.frames_seen for cup in fuse_frames(views(*frames))] == [8, 7]
+
+
 def test_an_unknown_colour_joins_the_known_one_and_another_colour_does_not():
     near, far = at(0.5), at(0.5, 0.2)
     frames = [

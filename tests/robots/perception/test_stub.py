@@ -291,7 +291,8 @@ class TestFirstLookError:
         bench = Bench(thing())
         bench.stub.set_error("cup", self.OFFSET)
         for k in range(600):
-            bench.truth.camera = poses.transform(poses.rotation_z(0.3 - 0.0005 * k) @ FORWARD, (0.0, 0.0, 1.0))
+            turn = poses.rotation_z(0.3 - 0.0005 * k)
+            bench.truth.camera = poses.transform(turn @ FORWARD, (0.0, 0.0, 1.0))
             bench.run(0.002)
 
         assert self.errors(bench, 0.3)[-1, 1] == pytest.approx(0.04)

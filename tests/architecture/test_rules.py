@@ -1,0 +1,193 @@
+"""The rules of the architecture, each shown to catch a breach, then held against every file."""
+
+from __future__ import annotations
+
+import ast
+import re
+
+import pytest
+from source import Module, modules, parse
+
+LAYERS = ("tools", "executive", "trees", "robots", "kinematics")
+
+# Who may import what; a library that is not named here is free. "kinematics" and "robots" are prefixes.
+HEAVY = {
+    "mujoco": ("robots.simulated",),
+    "py_trees": ("trees",),
+    "placo": ("kinematics", "tools"),
+    "pinocchio": ("kinematics", "tools"),
+    "coal": ("kinematics", "tools"),
+    "ruckig": ("kinematics", "tools"),
+    "ompl": ("kinematics", "tools"),
+    "typer": ("executive",),
+    "rich": ("executive", "tools"),
+}
+# The simulator's truth is for sensors that are simulated and for those who judge.
+TRUTH = ("robots.simulated.truth", "robots.perception.truth_view")
+TRUTH_USERS = ("robots.perception.stub", "robots.simulated", "robots.fake", "executive.assembly", "tools")
+NETWORK = ("socket", "ssl", "http", "urllib.request", "requests", "httpx", "aiohttp", "ftplib", "smtplib")
+WALL_CLOCK = re.compile(
+    r"(time\.(time|time_ns|monotonic|monotonic_ns|perf_counter|perf_counter_ns|sleep|process_time|localtime"
+    r"|gmtime|strftime)|datetime\.(datetime\.)?(now|utcnow|today)|datetime\.date\.today)$"
+)
+GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|numpy\.random\.[a-z]\w*$")
+SEALED = ("kinematics.trajectory", "kinematics.trajectory_check")
+
+
+def _within(name: str, places: tuple[str, ...]) -> bool:
+    return any(name == place or name.startswith(f"{place}.") for place in places)
+
+
+def wrong_layer(module: Module) -> list[str]:
+    """Imports of a layer above."""
+    rank = LAYERS.index(module.package)
+    return [
+        f"{module.file}:{line}: {module.package} must not import {name}"
+        for line, name in module.imports()
+        if name.split(".")[0] in LAYERS and LAYERS.index(name.split(".")[0]) < rank
+    ]
+
+
+def wrong_library(module: Module) -> list[str]:
+    """Heavy libraries outside the place that is theirs, and any network."""
+    found = []
+    for line, name in module.imports():
+        library = name.split(".")[0]
+        if library in HEAVY and not _within(module.name, HEAVY[library]):
+            found.append(f"{module.file}:{line}: {library} belongs to {' and '.join(HEAVY[library])}")
+        if _within(name, NETWORK):
+            found.append(f"{module.file}:{line}: nothing here speaks over a network ({name})")
+    return found
+
+
+def wall_clock(module: Module) -> list[str]:
+    """Readings of the wall clock outside robots/clock.py."""
+    if module.name == "robots.clock":
+        return []
+    return [f"{module.file}:{line}: {name}" for line, name in module.calls() if WALL_CLOCK.match(name)]
+
+
+def global_random(module: Module) -> list[str]:
+    """Randomness that nobody injected; making a Generator from a given seed is allowed."""
+    return [f"{module.file}:{line}: {name}" for line, name in module.calls() if _is_global_random(name)] + [
+        f"{module.file}:{node.lineno}: default_rng() without a seed"
+        for node in ast.walk(module.tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr == "default_rng"
+        and not node.args
+        and not node.keywords
+    ]
+
+
+def _is_global_random(name: str) -> bool:
+    return bool(GLOBAL_RANDOM.match(name)) and not name.endswith((".default_rng", ".bit_generator"))
+
+
+def truth(module: Module) -> list[str]:
+    """The simulator's truth in other hands than its allowed users'."""
+    if _within(module.name, (*TRUTH_USERS, *TRUTH)):
+        return []
+    return [f"{module.file}:{line}: {name}" for line, name in module.imports() if _within(name, TRUTH)]
+
+
+def seal(module: Module) -> list[str]:
+    """Use of the seal that makes a trajectory a checked one."""
+    if module.name in SEALED:
+        return []
+    return [
+        f"{module.file}:{node.lineno}: only the checker seals a trajectory"
+        for node in ast.walk(module.tree)
+        if (isinstance(node, ast.Name) and node.id in ("_SEAL", "_Seal"))
+        or (isinstance(node, ast.Attribute) and node.attr in ("_SEAL", "_Seal"))
+        or (isinstance(node, ast.alias) and node.name in ("_SEAL", "_Seal"))
+    ]
+
+
+def commander(module: Module) -> list[str]:
+    """Calls of a robot's ``command`` beside the gate; robots themselves define it."""
+    if module.name == "robots.control.setpoint_gate":
+        return []
+    return [
+        f"{module.file}:{node.lineno}: only the gate commands a robot"
+        for node in ast.walk(module.tree)
+        if isinstance(node, ast.Attribute) and node.attr == "command" and "robot" in ast.unparse(node.value)
+    ]
+
+
+def environment(module: Module) -> list[str]:
+    """Readings of the environment outside executive/config (evaluations set that of their workers)."""
+    if _within(module.name, ("executive.config", "tools", "robots.simulated.rendering")):
+        return []
+    return [
+        f"{module.file}:{line}: {name}"
+        for line, name in module.calls()
+        if name in ("os.environ", "os.getenv", "os.putenv")
+    ]
+
+
+BREACHES = [
+    (wrong_layer, "import trees.tasks", "robots/example.py"),
+    (wrong_layer, "def f():\n    from executive.cli import main", "trees/example.py"),
+    (wrong_layer, "import tools.evaluate", "executive/example.py"),
+    (wrong_library, "import mujoco", "robots/control/example.py"),
+    (wrong_library, "from mujoco import MjModel", "tools/example.py"),
+    (wrong_library, "import py_trees.ports", "executive/example.py"),
+    (wrong_library, "import pinocchio as pin", "robots/control/example.py"),
+    (wrong_library, "from rich.table import Table", "trees/example.py"),
+    (wrong_library, "import socket", "executive/example.py"),
+    (wrong_library, "import urllib.request", "executive/example.py"),
+    (wall_clock, "import time\nt = time.monotonic()", "executive/example.py"),
+    (wall_clock, "from time import perf_counter as now\nnow()", "kinematics/example.py"),
+    (wall_clock, "import datetime\ndatetime.datetime.now()", "executive/example.py"),
+    (wall_clock, "from datetime import datetime as d\nd.now()", "tools/example.py"),
+    (wall_clock, "import time as t\nt.sleep(1)", "trees/example.py"),
+    (global_random, "import random\nrandom.random()", "kinematics/example.py"),
+    (global_random, "from random import choice\nchoice([1])", "kinematics/example.py"),
+    (global_random, "import numpy as np\nnp.random.normal()", "robots/example.py"),
+    (global_random, "import numpy as np\nnp.random.default_rng()", "robots/example.py"),
+    (global_random, "import uuid\nuuid.uuid4()", "executive/example.py"),
+    (truth, "from robots.simulated.truth import SimulatorTruth", "trees/example.py"),
+    (truth, "from robots.perception import truth_view", "executive/session.py"),
+    (truth, "import robots.simulated.truth", "robots/control/example.py"),
+    (seal, "from kinematics.trajectory import _SEAL", "kinematics/motion_planner.py"),
+    (seal, "import kinematics.trajectory as t\nt._SEAL", "robots/control/example.py"),
+    (commander, "self._robot.command(setpoint)", "robots/control/control_loop.py"),
+    (commander, "send = world.robot.command", "executive/example.py"),
+    (environment, "import os\nos.environ['HOME']", "executive/example.py"),
+]
+ALLOWED = [
+    (wrong_layer, "import kinematics.poses", "robots/example.py"),
+    (wrong_library, "import mujoco", "robots/simulated/world.py"),
+    (wrong_library, "import urllib.parse", "executive/example.py"),
+    (wall_clock, "import time\ntime.monotonic()", "robots/clock.py"),
+    (wall_clock, "import datetime\ndatetime.timedelta(1)", "executive/example.py"),
+    (global_random, "import numpy as np\nnp.random.default_rng(3)", "tools/example.py"),
+    (global_random, "import numpy as np\ndef f(rng: np.random.Generator): ...", "robots/example.py"),
+    (truth, "from robots.perception.truth_view import TruthView", "robots/perception/stub.py"),
+    (seal, "from kinematics.trajectory import _SEAL", "kinematics/trajectory_check.py"),
+    (commander, "self._robot.command(setpoint)", "robots/control/setpoint_gate.py"),
+]
+RULES = (wrong_layer, wrong_library, wall_clock, global_random, truth, seal, commander, environment)
+
+
+@pytest.mark.parametrize(("rule", "source", "file"), BREACHES)
+def test_a_rule_catches_its_breach(rule, source, file):
+    assert rule(parse(source, file))
+
+
+@pytest.mark.parametrize(("rule", "source", "file"), ALLOWED)
+def test_a_rule_lets_pass_what_is_allowed(rule, source, file):
+    assert not rule(parse(source, file))
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
+def test_every_file_keeps_the_rule(rule):
+    breaches = [breach for module in modules() for breach in rule(module)]
+
+    assert not breaches, "\n".join(breaches)
+
+
+def test_every_package_is_looked_at():
+    assert {module.package for module in modules()} == set(LAYERS)
+    assert len(modules()) > 40
