@@ -108,7 +108,7 @@ def _feed(state: InteractiveParser, token: Token) -> InteractiveParser | None:
 
 def _finish(state: InteractiveParser) -> ParseTree | None:
     try:
-        tree: ParseTree = copy.copy(state).feed_eof()
+        tree: ParseTree = copy.copy(state).feed_token(Token("$END", ""))
     except UnexpectedInput:
         return None
     return tree

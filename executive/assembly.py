@@ -1,0 +1,96 @@
+"""The one place where concrete parts are put together: a simulated robot in a scene, with a session."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from executive.events import EventSink
+from executive.planning_jobs import PlanningJobs
+from executive.session import PERIOD_S, Session
+from kinematics.motion_planner import MotionPlanner
+from kinematics.robot_model import RobotModel
+from robots.clock import ManualClock
+from robots.control.control_loop import ControlLoop
+from robots.description import load_description
+from robots.perception.stub import PerceptionStub
+from robots.scene_description import SceneDescription
+from robots.simulated.world import SimulatedWorld, build_world
+from trees.build import TaskTree
+from trees.policy import TreePolicy
+from trees.toolbox import Toolbox
+from trees.world_model import WorldModel
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """A robot in a simulated world, ready for its first task.
+
+    Attributes:
+        world: The simulator: its truth is for tests, evaluations and pictures alone.
+        session: Runs tasks.
+        loop: The control loop, for its statistics.
+        perception: The simulated perception, for faults.
+        planning: The planning service, for its counts and times.
+        model: The robot's model.
+        clock: Simulated time.
+    """
+
+    world: SimulatedWorld
+    session: Session
+    loop: ControlLoop
+    perception: PerceptionStub
+    planning: PlanningJobs
+    model: RobotModel
+    clock: ManualClock
+
+
+def assemble(
+    robot: str,
+    scene: SceneDescription,
+    seed: int,
+    *,
+    sink: EventSink = lambda event: None,
+    on_period: Callable[[], None] | None = None,
+    on_tick: Callable[[TaskTree], None] | None = None,
+    policy: TreePolicy | None = None,
+) -> Assembly:
+    """Put a robot into a scene.
+
+    Each consumer of randomness draws from a child of ``seed`` of its own, in a fixed order, so that one
+    that draws more or less does not change what the others see.
+
+    Raises:
+        UnknownRobotError: There is no robot of that name.
+        DescriptionError: The robot's data are incomplete.
+        SceneError: The scene cannot be a world.
+    """
+    for_world, for_perception, for_trees = (
+        np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(3)
+    )
+    description = load_description(robot)
+    model = RobotModel(description)
+    clock = ManualClock()
+    world = build_world(description, scene, for_world)
+    loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
+    perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, for_perception)
+    planning = PlanningJobs(MotionPlanner(model), clock, sink)
+    toolbox = Toolbox(
+        clock=clock,
+        model=model,
+        motion=loop.motion,
+        sensing=loop.sensing,
+        grippers=loop.grippers,
+        detector=perception,
+        planning=planning,
+        world=WorldModel(),
+        events=sink,
+        rng=for_trees,
+        policy=policy or TreePolicy(),
+    )
+    session = Session(
+        toolbox, loop, planning, sink, tick_sensors=perception.tick, on_period=on_period, on_tick=on_tick
+    )
+    return Assembly(world, session, loop, perception, planning, model, clock)

@@ -1,0 +1,108 @@
+"""Planning in lockstep: answered at once, but charged a declared simulated time.
+
+The world moves on while the robot thinks, so that stale plans do occur; and the same run plans the
+same, whatever the machine's speed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Executor, Future
+from typing import Any, Protocol
+
+from executive.events import PlanningAnswered
+from kinematics.requests import PlanRequest
+from kinematics.trajectory import CheckedTrajectory
+from robots.clock import Clock, WallClock
+from trees.toolbox import Job
+
+CHARGED_S = 0.1
+"""Simulated time that a job is charged; above the planner's usual wall time."""
+
+
+class Planner(Protocol):
+    """What answers requests: the motion planner, or a double."""
+
+    def answer(self, request: PlanRequest) -> object:
+        """Answer one request."""
+        ...
+
+
+class InlineExecutor(Executor):
+    """Runs what is submitted at once, in the caller's thread."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Call ``fn`` and return the finished future."""
+        future: Future[Any] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as raised:
+            future.set_exception(raised)
+        return future
+
+
+class PlanningJob:
+    """A request under way; satisfies ``trees.toolbox.Job``."""
+
+    def __init__(self, future: Future[Any], clock: Clock, ready_s: float) -> None:
+        self._future, self._clock, self._ready_s = future, clock, ready_s
+
+    @property
+    def done(self) -> bool:
+        """Whether it is answered and its charged time has passed."""
+        return self._future.done() and self._clock.now_s() >= self._ready_s
+
+    def result(self) -> Any:
+        """The answer.
+
+        Raises:
+            Exception: Whatever the planner raised.
+        """
+        return self._future.result()
+
+    def cancel(self) -> None:
+        """Forget about it."""
+        self._future.cancel()
+
+
+class PlanningJobs:
+    """Submits requests to an executor; satisfies ``trees.toolbox.Planning``.
+
+    Attributes:
+        wall_s: Wall time that answers took so far, for reports only.
+        checked: Trajectories that passed the checker so far.
+    """
+
+    def __init__(
+        self,
+        planner: Planner,
+        clock: Clock,
+        sink: Callable[[PlanningAnswered], None],
+        executor: Executor | None = None,
+        charged_s: float = CHARGED_S,
+    ) -> None:
+        self._planner, self._clock, self._sink = planner, clock, sink
+        self._executor = executor or InlineExecutor()
+        self._charged_s = charged_s
+        self._wall = WallClock()
+        self.wall_s = 0.0
+        self.checked = 0
+
+    def submit(self, request: PlanRequest) -> Job:
+        """Begin to answer a request."""
+        now_s = self._clock.now_s()
+        ready_s = now_s + self._charged_s
+        future = self._executor.submit(self._answer, request)
+        raised = future.exception()
+        answer = type(raised or future.result()).__name__
+        self._sink(PlanningAnswered(now_s, ready_s, type(request).__name__, answer))
+        return PlanningJob(future, self._clock, ready_s)
+
+    def _answer(self, request: PlanRequest) -> object:
+        began_s = self._wall.now_s()
+        try:
+            answer = self._planner.answer(request)
+        finally:
+            self.wall_s += self._wall.now_s() - began_s
+        self.checked += isinstance(answer, CheckedTrajectory)
+        return answer

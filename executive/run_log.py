@@ -1,0 +1,169 @@
+"""Recorded runs: a folder each, with what was asked, every event, and the report.
+
+``run.json`` says what was asked of which robot in which scene, ``scene.toml`` is a copy of the scene's
+file, ``events.jsonl`` holds the canonical events, ``report.json`` the report.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import Any, TextIO
+
+from executive.errors import NotWritableError, UnknownRunError
+from executive.events import Event, EventDigest, canonical_line
+from robots.clock import utc_timestamp
+
+LATEST = "latest"
+
+
+class RunLog:
+    """Writes one run; the digest is kept even when nothing is written.
+
+    Raises:
+        NotWritableError: The folder cannot be made or written.
+    """
+
+    def __init__(self, directory: Path, header: Mapping[str, Any], scene_file: Path | None = None) -> None:
+        self.digest = EventDigest()
+        when = utc_timestamp()
+        try:
+            self.path = _new_folder(directory, when.replace(":", "-"))
+            _write_json(self.path / "run.json", {"started": when, **header})
+            if scene_file is not None:
+                shutil.copyfile(scene_file, self.path / "scene.toml")
+            self._file: TextIO = (self.path / "events.jsonl").open("w", encoding="utf-8")
+        except OSError as failed:
+            raise _not_writable(directory, failed) from failed
+
+    @property
+    def name(self) -> str:
+        """The run's name: the time at which it began."""
+        return self.path.name
+
+    def __enter__(self) -> RunLog:
+        """Begin to write."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, raised: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def add(self, event: Event) -> None:
+        """Write one event down."""
+        self.digest.add(event)
+        self._file.write(canonical_line(event) + "\n")
+
+    def finish(self, report: Mapping[str, Any]) -> None:
+        """Write the report.
+
+        Raises:
+            NotWritableError: The disk is full, or the folder has gone.
+        """
+        try:
+            self._file.flush()
+            _write_json(self.path / "report.json", report)
+        except OSError as failed:
+            raise _not_writable(self.path, failed) from failed
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedRun:
+    """A run on disk; ``report`` is empty when it was cut off."""
+
+    name: str
+    header: Mapping[str, Any]
+    report: Mapping[str, Any]
+
+
+def recorded_runs(directory: Path) -> list[RecordedRun]:
+    """All runs in a folder, the oldest first; folders that are none are passed over."""
+    if not directory.is_dir():
+        return []
+    found = (_read(path) for path in sorted(directory.iterdir()))
+    return [run for run in found if run is not None]
+
+
+def recorded_run(directory: Path, name: str) -> RecordedRun:
+    """One run by its name, or the latest.
+
+    Raises:
+        UnknownRunError: There is none of that name.
+    """
+    runs = recorded_runs(directory)
+    if name == LATEST and runs:
+        return runs[-1]
+    for run in runs:
+        if run.name == name:
+            return run
+    raise UnknownRunError(name, [run.name for run in runs])
+
+
+def write_report(path: Path, report: Mapping[str, Any]) -> None:
+    """Write a report where the user asked for it.
+
+    Raises:
+        NotWritableError: It cannot be written there.
+    """
+    try:
+        _write_json(path, report)
+    except OSError as failed:
+        raise _not_writable(path, failed) from failed
+
+
+def require_writable(path: Path) -> None:
+    """Find out before anything moves whether a file can be written; leaves no trace.
+
+    Raises:
+        NotWritableError: It cannot.
+    """
+    existed = path.exists()
+    try:
+        with path.open("ab"):
+            pass
+        if not existed:
+            path.unlink()
+    except OSError as failed:
+        raise _not_writable(path, failed) from failed
+
+
+def _new_folder(directory: Path, stem: str) -> Path:
+    directory.mkdir(parents=True, exist_ok=True)
+    for number in range(1, 1000):
+        path = directory / (stem if number == 1 else f"{stem}.{number:03d}")
+        try:
+            path.mkdir()
+        except FileExistsError:
+            continue
+        return path
+    raise FileExistsError(f"{directory / stem}: too many runs in one second")
+
+
+def _read(path: Path) -> RecordedRun | None:
+    header = _read_json(path / "run.json")
+    if header is None:
+        return None
+    return RecordedRun(path.name, header, _read_json(path / "report.json") or {})
+
+
+def _read_json(path: Path) -> dict[str, Any] | None:
+    try:
+        document = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError):
+        return None
+    return document if isinstance(document, dict) else None
+
+
+def _write_json(path: Path, document: Mapping[str, Any]) -> None:
+    path.write_text(json.dumps(document, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def _not_writable(path: Path, failed: OSError) -> NotWritableError:
+    hint = "choose a folder that you may write with --record or --report"
+    return NotWritableError(path, failed.strerror or str(failed), hint)

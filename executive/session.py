@@ -1,0 +1,171 @@
+"""One robot in one world, carrying out tasks in lockstep: simulated time passes only when asked."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from typing import Protocol
+
+from executive.events import EventSink, SensorsNoted, TaskAccepted, TaskEnded
+from executive.meaning import Command, StopCommand, command_json
+from executive.planning_jobs import PlanningJobs
+from executive.task_result import Outcome, TaskResult, TaskTimes
+from robots.clock import Clock, WallClock
+from trees.build import TaskTree, build_tree
+from trees.failures import Failure, FailureKind
+from trees.toolbox import Sensing, Toolbox
+
+PERIOD_S = 0.002
+"""The control period."""
+
+PERIODS_A_TICK = 10
+"""Control periods from one tick of the tree to the next: 20 ms."""
+
+SETTLE_TICKS = 10
+"""Ticks before the first task: the body finds its weight, the sensors have something to say."""
+
+HALT_TICKS = 100
+"""Ticks that the loop goes on after a cancel: more than the longest braking takes."""
+
+NOTED_EVERY_TICKS = 25
+"""Ticks from one noted hash of the sensors to the next: 0.5 s."""
+
+TASK_TIMEOUT_S = 180.0
+"""Simulated time after which a task is given up; several times the longest recovery."""
+
+
+class Steps(Protocol):
+    """What lets one control period pass: the control loop."""
+
+    @property
+    def sensing(self) -> Sensing:
+        """What the robot knows about itself."""
+        ...
+
+    def step(self) -> None:
+        """Let one control period pass."""
+        ...
+
+
+class Session:
+    """Runs commands one after another.
+
+    Args:
+        toolbox: What the trees' leaves may call.
+        loop: Steps the robot.
+        planning: The planning service of ``toolbox``, for its times.
+        sink: Takes every event.
+        tick_sensors: Called each control period: simulated sensors that run beside the loop.
+        on_period: Called after each control period: an evaluation's monitor, a camera.
+        on_tick: Called after each tick with the tree: a display.
+    """
+
+    def __init__(
+        self,
+        toolbox: Toolbox,
+        loop: Steps,
+        planning: PlanningJobs,
+        sink: EventSink,
+        *,
+        tick_sensors: Callable[[], None] | None = None,
+        on_period: Callable[[], None] | None = None,
+        on_tick: Callable[[TaskTree], None] | None = None,
+    ) -> None:
+        self._toolbox, self._loop, self._planning, self._sink = toolbox, loop, planning, sink
+        self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
+        self._on_tick = on_tick
+        self._clock: Clock = toolbox.clock
+        self._ticks = 0
+        self._settled = False
+        self._cancel_reason: str | None = None
+
+    @property
+    def now_s(self) -> float:
+        """Simulated time."""
+        return self._clock.now_s()
+
+    def cancel(self, reason: str) -> None:
+        """Ask for the running task to be halted; safe to call from a signal handler."""
+        self._cancel_reason = reason
+
+    def watch_periods(self, call: Callable[[], None]) -> None:
+        """Have something called after each control period."""
+        self._periodic.append(call)
+
+    def hold(self, seconds: float) -> None:
+        """Let simulated time pass while the robot holds what it does."""
+        for _ in range(round(seconds / (PERIOD_S * PERIODS_A_TICK))):
+            self._advance()
+
+    def run_task(self, command: Command, timeout_s: float = TASK_TIMEOUT_S) -> TaskResult:
+        """Carry out one command to its end.
+
+        Whatever happens, the robot is left standing, and holding still or at rest.
+        """
+        wall = WallClock()
+        self._settle()
+        began_s, planned_s = self.now_s, self._planning.wall_s
+        self._sink(TaskAccepted(began_s, command.text, command_json(command)))
+        if isinstance(command, StopCommand):
+            outcome, tree = self._halted_nothing(), None
+        else:
+            tree = build_tree(command, self._toolbox)
+            outcome = self._run(tree, began_s + timeout_s)
+        status, failure = outcome
+        evidence = dict(tree.evidence) if tree is not None else {}
+        attempts = tree.attempts if tree is not None else 0
+        self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
+        times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
+        return TaskResult(command.text, command.action, status, attempts, failure, evidence, times)
+
+    def _run(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+        while True:
+            if self._cancel_reason is not None:
+                reason, self._cancel_reason = self._cancel_reason, None
+                return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
+            if self.now_s >= deadline_s:
+                return "failed", self._halt(tree, FailureKind.TIMEOUT, "the task took longer than allowed")
+            tree.tick()
+            if self._on_tick is not None:
+                self._on_tick(tree)
+            if tree.status != "running":
+                break
+            self._advance()
+        return ("done", None) if tree.status == "success" else ("failed", tree.failure)
+
+    def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
+        tree.halt(reason)
+        for _ in range(HALT_TICKS):
+            self._advance()
+        if self._on_tick is not None:
+            self._on_tick(tree)
+        cause = tree.failure
+        return Failure(kind, reason, cause=cause if cause is not None and cause.kind is not kind else None)
+
+    def _halted_nothing(self) -> tuple[Outcome, Failure | None]:
+        """A spoken stop with nothing under way: the robot stands and holds already."""
+        self._advance()
+        return "done", None
+
+    def _settle(self) -> None:
+        if not self._settled:
+            for _ in range(SETTLE_TICKS):
+                self._advance()
+            self._settled = True
+
+    def _advance(self) -> None:
+        for _ in range(PERIODS_A_TICK):
+            self._loop.step()
+            for call in self._periodic:
+                call()
+        self._ticks += 1
+        if self._ticks % NOTED_EVERY_TICKS == 0:
+            self._sink(SensorsNoted(self.now_s, self._sensors_sha256()))
+
+    def _sensors_sha256(self) -> str:
+        state = self._loop.sensing.state()
+        readings = state.readings
+        digest = hashlib.sha256()
+        for array in (state.q, readings.q, readings.v, readings.effort, readings.foot_wrench):
+            digest.update(array.tobytes())
+        return digest.hexdigest()
