@@ -1,0 +1,288 @@
+"""What a scene must be like to be a world: nothing impossible, nothing inside anything else."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+from robots import furniture
+from robots.errors import SceneError
+from robots.scene_description import Furniture, PerceptionModel, Person, SceneDescription, SceneItem
+from robots.scene_words import COLORS, OBJECT_KINDS, nearest_word
+
+SMALLEST_SIZE_M = 0.001
+SMALLEST_MASS_KG = 0.001
+"""Below these a contact simulation at 1 ms has no meaning."""
+TOUCH_TOLERANCE_M = 0.0005
+"""Deeper than this two things overlap; shallower they touch."""
+GAP_TOLERANCE_M = 0.002
+"""An object that would fall further than this hangs in the air."""
+START_HALF_WIDTH_M = 0.30
+START_REACH_M = (-0.15, 0.215)
+"""Floor that a standing humanoid covers around the middle of its feet: behind, ahead to the knees."""
+PERSON_RADIUS_M = 0.22
+PERSON_HEIGHT_M = 1.75
+
+
+@dataclass(frozen=True, slots=True)
+class _Solid:
+    label: str
+    shape: Shape
+    world_T_solid: Transform
+
+
+def validate(scene: SceneDescription, source: str) -> None:
+    """Check that a scene can be a world.
+
+    Args:
+        scene: Any scene, read from a file or made by a program.
+        source: Where it comes from, for the message (a file name).
+
+    Raises:
+        SceneError: With the key (``object[0].mass_kg``, counted from 0) and the reason of the first
+            rule that it breaks.
+    """
+    _check_perception(scene.perception, source)
+    start = scene.robot_start
+    for key, value in (("x_m", start.x_m), ("y_m", start.y_m), ("yaw_rad", start.yaw_rad)):
+        _require(math.isfinite(value), source, f"robot_start.{key}", f"must be finite, not {value}")
+    for i, piece in enumerate(scene.furniture):
+        _check_furniture(piece, source, f"furniture[{i}]")
+    for i, item in enumerate(scene.objects):
+        _check_item(item, source, f"object[{i}]")
+    for i, person in enumerate(scene.people):
+        numbers = (*person.position_m, person.yaw_rad)
+        _require(all(map(math.isfinite, numbers)), source, f"person[{i}].position_m", "must be finite")
+    _check_names(scene, source)
+    _check_places(scene, source)
+
+
+def _require(condition: bool, source: str, key: str, reason: str) -> None:
+    if not condition:
+        raise SceneError(source, key, reason)
+
+
+def _check_perception(model: PerceptionModel, source: str) -> None:
+    if model.kind != "stub":
+        reason = f"unknown kind {model.kind!r}; the nearest is {nearest_word(model.kind, ['stub'])!r}"
+        raise SceneError(source, "perception.kind", reason)
+    for key in (
+        "bias_m", "noise_m", "orientation_noise_rad", "size_noise", "latency_s", "false_rate",
+        "merge_distance_m", "rate_hz", "dropout", "merge_chance", "min_visible",
+    ):  # fmt: skip
+        value = getattr(model, key)
+        _require(
+            math.isfinite(value) and value >= 0.0, source, f"perception.{key}", f"must be 0 or more, not {value}"
+        )
+    for key in ("dropout", "merge_chance", "min_visible"):
+        value = getattr(model, key)
+        _require(value <= 1.0, source, f"perception.{key}", f"must be at most 1, not {value}")
+    _require(model.rate_hz > 0.0, source, "perception.rate_hz", "must be above 0")
+
+
+def _check_furniture(piece: Furniture, source: str, key: str) -> None:
+    if piece.kind not in furniture.FURNITURE_KINDS:
+        near = nearest_word(piece.kind, furniture.FURNITURE_KINDS)
+        raise SceneError(source, f"{key}.kind", f"unknown kind {piece.kind!r}; the nearest is {near!r}")
+    smallest = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
+    for axis, value, least in zip(("depth", "width", "height"), piece.size_m, smallest, strict=True):
+        ok = math.isfinite(value) and value >= least
+        reason = f"{piece.name!r}: {axis} must be at least {least:g} m, not {value:g}"
+        _require(ok, source, f"{key}.size_m", reason)
+    finite = all(map(math.isfinite, (*piece.position_m, piece.yaw_rad)))
+    _require(finite, source, f"{key}.position_m", f"{piece.name!r}: must be finite")
+    _check_friction(piece.friction, piece.name, source, key)
+
+
+def _check_friction(value: float, name: str, source: str, key: str) -> None:
+    ok = math.isfinite(value) and value > 0.0
+    _require(ok, source, f"{key}.friction", f"{name!r}: must be above 0, not {value:g}")
+
+
+def _check_item(item: SceneItem, source: str, key: str) -> None:
+    if item.kind not in OBJECT_KINDS:
+        near = nearest_word(item.kind, OBJECT_KINDS)
+        raise SceneError(source, f"{key}.kind", f"unknown kind {item.kind!r}; the nearest is {near!r}")
+    if item.color is not None and item.color not in COLORS:
+        near = nearest_word(item.color, COLORS)
+        raise SceneError(source, f"{key}.color", f"unknown colour {item.color!r}; the nearest is {near!r}")
+    for name, value in _sizes(item.shape):
+        ok = math.isfinite(value) and value >= SMALLEST_SIZE_M
+        reason = f"{item.name!r}: must be at least {SMALLEST_SIZE_M:g} m, not {value:g}"
+        _require(ok, source, f"{key}.{name}", reason)
+    ok = math.isfinite(item.mass_kg) and item.mass_kg >= SMALLEST_MASS_KG
+    reason = f"{item.name!r}: must be at least {SMALLEST_MASS_KG:g} kg, not {item.mass_kg:g}"
+    _require(ok, source, f"{key}.mass_kg", reason)
+    _check_friction(item.friction, item.name, source, key)
+    finite = bool(np.all(np.isfinite(item.world_T_object)))
+    _require(finite, source, f"{key}.position_m", f"{item.name!r}: must be finite")
+
+
+def _sizes(shape: Shape) -> Iterator[tuple[str, float]]:
+    match shape:
+        case Box(size_m=size):
+            for value in size:
+                yield "size_m", value
+        case Cylinder(radius_m=radius, height_m=height):
+            yield "radius_m", radius
+            yield "height_m", height
+        case Ball(radius_m=radius):
+            yield "radius_m", radius
+
+
+def _check_names(scene: SceneDescription, source: str) -> None:
+    seen: dict[str, str] = {}
+    for group, items in (("furniture", scene.furniture), ("object", scene.objects), ("person", scene.people)):
+        named: Sequence[Furniture | SceneItem | Person] = items
+        for i, item in enumerate(named):
+            key = f"{group}[{i}].name"
+            _require(bool(item.name.strip()), source, key, "must not be empty")
+            _require("/" not in item.name, source, key, f"{item.name!r} must not contain '/'")
+            _require(item.name not in seen, source, key, f"{item.name!r} is also {seen.get(item.name)}")
+            seen[item.name] = key
+
+
+def _check_places(scene: SceneDescription, source: str) -> None:
+    pieces = [(f"furniture[{i}]", _outline(piece)) for i, piece in enumerate(scene.furniture)]
+    people = [(f"person[{i}]", _mannequin(person)) for i, person in enumerate(scene.people)]
+    items = [
+        (f"object[{i}]", _Solid(f"object {item.name!r}", item.shape, item.world_T_object))
+        for i, item in enumerate(scene.objects)
+    ]
+    start = scene.robot_start
+    world_T_start = poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
+    back, ahead = START_REACH_M
+    body = _Solid(
+        "the robot's start",
+        Box((ahead - back, 2.0 * START_HALF_WIDTH_M, PERSON_HEIGHT_M)),
+        world_T_start @ poses.translation(0.5 * (ahead + back), 0.0, 0.5 * PERSON_HEIGHT_M),
+    )
+    large = [*pieces, *people]
+    for key, solid in large:
+        _require(
+            not _overlap(body, solid), source, "robot_start",
+            f"stands inside {solid.label} ({key}.position_m)",
+        )  # fmt: skip
+    for i, (key, solid) in enumerate(large):
+        for _, other in large[:i]:
+            _require(not _overlap(solid, other), source, f"{key}.position_m", f"overlaps {other.label}")
+    parts = [
+        _Solid(f"furniture {piece.name!r}", part.shape, part.world_T_solid)
+        for piece in scene.furniture
+        for part in furniture.solids(piece)
+    ]
+    fixed = [*parts, *(solid for _, solid in people), body]
+    for i, (key, solid) in enumerate(items):
+        key = f"{key}.position_m"
+        low = _lowest(solid)
+        _require(low >= -TOUCH_TOLERANCE_M, source, key, f"{solid.label} is {-low:.4f} m deep in the floor")
+        for other in (*fixed, *(former for _, former in items[:i])):
+            _require(not _overlap(solid, other), source, key, f"{solid.label} overlaps {other.label}")
+        gap = _fall(solid, [*parts, *(other for j, (_, other) in enumerate(items) if j != i)])
+        _require(gap <= GAP_TOLERANCE_M, source, key, f"{solid.label} hangs {gap:.4f} m in the air")
+
+
+def _outline(piece: Furniture) -> _Solid:
+    """The whole room that a piece of furniture takes, the space between its legs too."""
+    lift = poses.translation(0.0, 0.0, 0.5 * piece.size_m[2])
+    return _Solid(f"furniture {piece.name!r}", Box(piece.size_m), furniture.floor_pose(piece) @ lift)
+
+
+def _mannequin(person: Person) -> _Solid:
+    pose = poses.translation(*person.position_m, 0.5 * PERSON_HEIGHT_M)
+    return _Solid(f"person {person.name!r}", Cylinder(PERSON_RADIUS_M, PERSON_HEIGHT_M), pose)
+
+
+def _extent(shape: Shape, world_T_solid: Transform) -> float:
+    """Half of a solid's height in the world."""
+    z = world_T_solid[2, :3]
+    match shape:
+        case Box(size_m=size):
+            return float(0.5 * np.abs(z) @ np.asarray(size))
+        case Cylinder(radius_m=radius, height_m=height):
+            return float(0.5 * height * abs(z[2]) + radius * math.hypot(z[0], z[1]))
+        case Ball(radius_m=radius):
+            return radius
+
+
+def _lowest(solid: _Solid) -> float:
+    return float(solid.world_T_solid[2, 3]) - _extent(solid.shape, solid.world_T_solid)
+
+
+def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
+    """How far a solid is above what is under its centre: floor, furniture or another object."""
+    low = _lowest(solid)
+    gap = low
+    for other in others:
+        top = float(other.world_T_solid[2, 3]) + _extent(other.shape, other.world_T_solid)
+        if top <= low + TOUCH_TOLERANCE_M and _above(solid.world_T_solid[:3, 3], other):
+            gap = min(gap, low - top)
+    return gap
+
+
+def _above(point: NDArray[np.float64], solid: _Solid) -> bool:
+    """Tell whether a point is straight above an (upright) solid."""
+    local = poses.inverse(solid.world_T_solid) @ np.array([point[0], point[1], solid.world_T_solid[2, 3], 1.0])
+    match solid.shape:
+        case Box(size_m=size):
+            return bool(abs(local[0]) <= 0.5 * size[0] and abs(local[1]) <= 0.5 * size[1])
+        case Cylinder(radius_m=radius) | Ball(radius_m=radius):
+            return math.hypot(local[0], local[1]) <= radius
+
+
+def _overlap(a: _Solid, b: _Solid) -> bool:
+    """Tell whether two solids share room deeper than the tolerance."""
+    reach = _radius(a.shape) + _radius(b.shape)
+    if float(np.linalg.norm(a.world_T_solid[:3, 3] - b.world_T_solid[:3, 3])) > reach:
+        return False
+    return _some_point_inside(a, b) or _some_point_inside(b, a)
+
+
+def _radius(shape: Shape) -> float:
+    match shape:
+        case Box(size_m=size):
+            return 0.5 * math.sqrt(sum(value * value for value in size))
+        case Cylinder(radius_m=radius, height_m=height):
+            return math.hypot(radius, 0.5 * height)
+        case Ball(radius_m=radius):
+            return radius
+
+
+def _some_point_inside(probe: _Solid, target: _Solid) -> bool:
+    points = _samples(probe.shape) @ probe.world_T_solid[:3, :3].T + probe.world_T_solid[:3, 3]
+    local = (points - target.world_T_solid[:3, 3]) @ target.world_T_solid[:3, :3]
+    match target.shape:
+        case Box(size_m=size):
+            depth = np.min(0.5 * np.asarray(size) - np.abs(local), axis=1)
+        case Cylinder(radius_m=radius, height_m=height):
+            depth = np.minimum(radius - np.hypot(local[:, 0], local[:, 1]), 0.5 * height - np.abs(local[:, 2]))
+        case Ball(radius_m=radius):
+            depth = radius - np.linalg.norm(local, axis=1)
+    return bool(np.max(depth) > TOUCH_TOLERANCE_M)
+
+
+def _samples(shape: Shape) -> NDArray[np.float64]:
+    """Points that fill a solid and its surface densely enough to meet anything that overlaps it."""
+    steps = np.linspace(-1.0, 1.0, 25)
+    match shape:
+        case Box(size_m=size):
+            grid = np.stack(np.meshgrid(steps, steps, steps, indexing="ij"), axis=-1).reshape(-1, 3)
+            return np.asarray(grid * (0.5 * np.asarray(size)), dtype=np.float64)
+        case Cylinder(radius_m=radius, height_m=height):
+            angles = np.linspace(0.0, 2.0 * math.pi, 180, endpoint=False)
+            rings = np.linspace(0.0, radius, 7)
+            r, angle, z = (axis.ravel() for axis in np.meshgrid(rings, angles, 0.5 * height * steps))
+            return np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1)
+        case Ball(radius_m=radius):
+            angles = np.linspace(0.0, 2.0 * math.pi, 90, endpoint=False)
+            polar = np.linspace(0.0, math.pi, 46)
+            shells = np.linspace(0.0, radius, 5)
+            r, a, p = (axis.ravel() for axis in np.meshgrid(shells, angles, polar))
+            return np.stack([r * np.sin(p) * np.cos(a), r * np.sin(p) * np.sin(a), r * np.cos(p)], axis=-1)

@@ -1,0 +1,168 @@
+"""Things that go wrong in the world on purpose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+from robots.scene_description import SceneItem
+from robots.simulated.body_model import pad_name
+from robots.simulated.physics import Physics
+from robots.simulated.scene_model import PATCH_RADIUS_M, friction_row, pair_name
+from robots.simulated.truth import SimulatorTruth
+
+Array = NDArray[np.float64]
+
+AWAY_M = 30.0
+"""Objects that were taken out of the world wait on the floor this far behind the robot."""
+GRAVITY_M_S2 = 9.81
+
+
+class FaultInjector:
+    """Changes the world behind the robot's back: at once, at a time, or when a condition holds."""
+
+    def __init__(self, physics: Physics, truth: SimulatorTruth) -> None:
+        self._physics, self._truth = physics, truth
+        self._items: dict[str, SceneItem] = {item.name: item for item in physics.scene.objects}
+        self._waiting: list[tuple[Callable[[], bool], Callable[[], None]]] = []
+
+    # --- when ---------------------------------------------------------------------------------
+
+    def at(self, time_s: float, action: Callable[[], None]) -> None:
+        """Do something at a simulated time, once, before the control period that begins then."""
+        self.when(lambda: self._truth.time_s >= time_s - 1e-9, action)
+
+    def when(self, condition: Callable[[], bool], action: Callable[[], None]) -> None:
+        """Do something once, at the beginning of the first control period in which a condition holds."""
+        self._waiting.append((condition, action))
+
+    def tick(self) -> None:
+        """Do what is due; called at the beginning of each control period by the robot."""
+        if not self._waiting:
+            return
+        due = [item for item in self._waiting if item[0]()]
+        if due:
+            self._waiting = [item for item in self._waiting if item not in due]
+            for _, action in due:
+                action()
+
+    # --- what ---------------------------------------------------------------------------------
+
+    def teleport(self, name: str, world_T_object: Transform) -> None:
+        """Put an object somewhere else, at rest.
+
+        Raises:
+            KeyError: The scene has no such object.
+        """
+        physics = self._physics
+        start, speed = physics.object_qpos[name], physics.object_qvel[name]
+        x, y, z, w = poses.quaternion_from_rotation(world_T_object[:3, :3])
+        physics.data.qpos[start : start + 7] = (*world_T_object[:3, 3], w, x, y, z)
+        physics.data.qvel[speed : speed + 6] = 0.0
+        physics.refresh_after_change()
+        self._truth.remember(name)
+
+    def remove(self, name: str) -> None:
+        """Take an object out of the world: from its place, or from the hand that holds it.
+
+        Raises:
+            KeyError: The scene has no such object.
+        """
+        index = list(self._items).index(name) if name in self._items else -1
+        height = 0.5 * self._items[name].shape.height_m
+        self.teleport(name, poses.translation(-AWAY_M, 2.0 * index, height))
+        self._truth.forget(name)
+
+    def displace(self, name: str, offset_m: tuple[float, float]) -> None:
+        """Move an object that stands somewhere by a step in the world's x and y, upright as it was."""
+        self.teleport(name, poses.translation(*offset_m, 0.0) @ self._truth.world_T_object(name))
+
+    def push(self, name: str, impulse_ns: tuple[float, float, float], height_m: float = 0.0) -> None:
+        """Hit an object: a momentum in the world, given at a height above its centre.
+
+        Args:
+            name: The object.
+            impulse_ns: Momentum, kg m/s.
+            height_m: Where it hits, above the object's centre, along the world's z.
+        """
+        physics = self._physics
+        physics.refresh()
+        body, speed = physics.object_body[name], physics.object_qvel[name]
+        impulse = np.asarray(impulse_ns, dtype=np.float64)
+        rotation = physics.data.ximat[body].reshape(3, 3)
+        torque = np.cross((0.0, 0.0, height_m), impulse)
+        spin = (rotation.T @ torque) / physics.model.body_inertia[body]
+        # A free joint's velocity: linear in the world, angular in the body.
+        body_R_inertia = physics.data.xmat[body].reshape(3, 3).T @ rotation
+        physics.data.qvel[speed : speed + 3] += impulse / physics.model.body_mass[body]
+        physics.data.qvel[speed + 3 : speed + 6] += body_R_inertia @ spin
+
+    def knock(self, name: str, direction_rad: float, distance_m: float = 0.05) -> None:
+        """Push an object along what it stands on so that it slides about a distance and stays standing.
+
+        The momentum passes through the height at which friction and inertia do not tip it.
+
+        Args:
+            name: The object.
+            direction_rad: Heading of the push in the world.
+            distance_m: About how far it slides.
+        """
+        friction = self._ground_friction()
+        speed = float(np.sqrt(2.0 * friction * GRAVITY_M_S2 * distance_m))
+        momentum = speed * self._items[name].mass_kg
+        heading = (float(np.cos(direction_rad)), float(np.sin(direction_rad)))
+        self.push(name, (momentum * heading[0], momentum * heading[1], 0.0))
+
+    def tip_over(self, name: str, direction_rad: float) -> None:
+        """Push an object at its top, just hard enough that it falls over and lies.
+
+        Args:
+            name: The object.
+            direction_rad: Heading in which it falls.
+        """
+        item, body = self._items[name], self._physics.object_body[name]
+        half_base, half_height = _half_base(item.shape), 0.5 * item.shape.height_m
+        mass, inertia = item.mass_kg, float(self._physics.model.body_inertia[body].max())
+        # Energy to lift the centre over the edge of the base, half as much again, as spin about that edge.
+        radius = float(np.hypot(half_base, half_height))
+        rise = radius - half_height
+        about_edge = inertia + mass * radius * radius
+        spin = float(np.sqrt(2.0 * 1.5 * mass * GRAVITY_M_S2 * max(rise, 0.002) / about_edge))
+        axis = np.array([-np.sin(direction_rad), np.cos(direction_rad), 0.0])
+        heading = np.array([np.cos(direction_rad), np.sin(direction_rad), 0.0])
+        to_centre = np.array([0.0, 0.0, half_height]) - half_base * heading
+        self._physics.refresh()
+        start = self._physics.object_qvel[name]
+        world_R_body = self._physics.data.xmat[body].reshape(3, 3)
+        self._physics.data.qvel[start : start + 3] += np.cross(spin * axis, to_centre)
+        self._physics.data.qvel[start + 3 : start + 6] += world_R_body.T @ (spin * axis)
+
+    def set_pad_friction(self, name: str, friction: float) -> None:
+        """Make an object slippery or rough to the finger pads.
+
+        Args:
+            name: The object.
+            friction: Coefficient of sliding friction, above 0.
+        """
+        model = self._physics.model
+        for gripper in self._physics.description.grippers.values():
+            for link in gripper.pad_links:
+                pair = self._physics.pair_id(pair_name(pad_name(link), name))
+                model.pair_friction[pair] = friction_row(friction, PATCH_RADIUS_M)
+
+    def _ground_friction(self) -> float:
+        pieces = self._physics.scene.furniture
+        return max((piece.friction for piece in pieces), default=0.7)
+
+
+def _half_base(shape: Shape) -> float:
+    match shape:
+        case Box(size_m=size):
+            return 0.5 * max(size[0], size[1])
+        case Cylinder(radius_m=radius) | Ball(radius_m=radius):
+            return radius

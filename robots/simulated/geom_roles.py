@@ -1,0 +1,58 @@
+"""Which kind of thing a simulated geom belongs to, and what may touch what."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+
+class Role(IntEnum):
+    """What a colliding geom is part of."""
+
+    NONE = 0
+    """Drawn only; touches nothing."""
+    FLOOR = 1
+    BODY = 2
+    """The robot, but for its fingers: convex hulls and soles."""
+    FINGER = 3
+    """Finger hulls. They fill the concave fingers, so that they would hold an object without friction;
+    they touch furniture, persons and the robot, never objects."""
+    PAD = 4
+    """Finger pads: the only part of the robot that grasps."""
+    FURNITURE = 5
+    OBJECT = 6
+    PERSON = 7
+
+
+_BODY_BIT, _FINGER_BIT, _WORLD_BIT, _OBJECT_BIT = 1, 2, 4, 8
+
+CONTYPE: dict[Role, int] = {
+    Role.NONE: 0,
+    Role.FLOOR: _WORLD_BIT,
+    Role.BODY: _BODY_BIT,
+    Role.FINGER: _FINGER_BIT,
+    Role.PAD: _BODY_BIT,
+    Role.FURNITURE: _WORLD_BIT,
+    Role.OBJECT: _OBJECT_BIT,
+    Role.PERSON: _WORLD_BIT,
+}
+CONAFFINITY: dict[Role, int] = {
+    Role.NONE: 0,
+    Role.FLOOR: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
+    Role.BODY: _BODY_BIT | _FINGER_BIT,
+    Role.FINGER: _FINGER_BIT,
+    Role.PAD: _BODY_BIT | _FINGER_BIT,
+    Role.FURNITURE: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
+    Role.OBJECT: _BODY_BIT | _OBJECT_BIT,
+    Role.PERSON: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
+}
+
+DRAWN_GROUP = 2
+"""Visual meshes."""
+FINGER_DRAWN_GROUP = 1
+"""Visual meshes of the fingers: also what hides things from the camera, their hulls being too thick."""
+WORLD_GROUP = 0
+"""Floor, furniture, objects, persons: drawn and colliding."""
+HULL_GROUP = 3
+"""The robot's collision shapes."""
+UNSEEN_GROUP = 4
+"""Collision shapes that hide nothing from the camera: its own head, and the finger hulls."""

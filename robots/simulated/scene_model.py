@@ -1,0 +1,167 @@
+"""A scene as MuJoCo bodies: floor, furniture, objects, persons, and who grips what how well."""
+
+from __future__ import annotations
+
+import mujoco
+
+from kinematics.poses import Transform, quaternion_from_rotation, rotation_z, transform
+from kinematics.robot_description import RobotDescription
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+from robots import furniture
+from robots.scene_description import Person, SceneDescription, SceneItem
+from robots.scene_words import COLORS
+from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, pad_name, set_role
+from robots.simulated.geom_roles import WORLD_GROUP, Role
+
+FLOOR = "floor"
+FLOOR_FRICTION = 0.8
+PATCH_RADIUS_M = 0.02
+"""Torsional friction of a contact is its friction times this: the size of a soft pad's contact patch."""
+REST_PATCH_M = 0.01
+"""The same for an object that stands on something hard."""
+ROLLING_M = 0.0005
+"""Rolling friction of a ball: a felt-covered table."""
+
+
+def joint_name(item: str) -> str:
+    """Name of an object's free joint."""
+    return f"free:{item}"
+
+
+def pair_name(first: str, second: str) -> str:
+    """Name of the contact pair of two geoms."""
+    return f"{first}|{second}"
+
+
+def friction_row(sliding: float, patch_m: float) -> list[float]:
+    """MuJoCo's five friction coefficients of a pair from the one of sliding."""
+    return [sliding, sliding, sliding * patch_m, ROLLING_M, ROLLING_M]
+
+
+def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDescription) -> None:
+    """Put everything but the robot into its world."""
+    _add_floor(spec)
+    for piece in scene.furniture:
+        for solid in furniture.solids(piece):
+            geom = spec.worldbody.add_geom(name=solid.name, rgba=[0.62, 0.47, 0.32, 1.0], group=WORLD_GROUP)
+            _shape(geom, solid.shape)
+            _place(geom, solid.world_T_solid)
+            set_role(geom, Role.FURNITURE)
+            geom.friction = [piece.friction, 0.005, 0.0001]
+    for person in scene.people:
+        _add_person(spec, person)
+    for item in scene.objects:
+        _add_object(spec, item)
+    pads = [link for gripper in description.grippers.values() for link in gripper.pad_links]
+    for item in scene.objects:
+        condim = 6 if isinstance(item.shape, Ball) else 4
+        for link in pads:
+            spec.add_pair(
+                name=pair_name(pad_name(link), item.name),
+                geomname1=pad_name(link),
+                geomname2=item.name,
+                condim=4,
+                friction=friction_row(item.friction, PATCH_RADIUS_M),
+                solref=list(PAD_SOLREF),
+                solimp=list(PAD_SOLIMP),
+            )
+        for piece in scene.furniture:
+            for solid in furniture.solids(piece):
+                spec.add_pair(
+                    name=pair_name(solid.name, item.name),
+                    geomname1=solid.name,
+                    geomname2=item.name,
+                    condim=condim,
+                    friction=friction_row(piece.friction, REST_PATCH_M),
+                )
+
+
+def _add_floor(spec: mujoco.MjSpec) -> None:
+    spec.add_texture(
+        name=FLOOR,
+        type=mujoco.mjtTexture.mjTEXTURE_2D,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
+        width=300,
+        height=300,
+        rgb1=[0.42, 0.46, 0.50],
+        rgb2=[0.50, 0.54, 0.58],
+    )
+    material = spec.add_material(name=FLOOR, texrepeat=[2, 2], texuniform=True)
+    textures = list(material.textures)
+    textures[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] = FLOOR
+    material.textures = textures
+    floor = spec.worldbody.add_geom(
+        name=FLOOR,
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        size=[6.0, 6.0, 0.1],
+        material=FLOOR,
+        friction=[FLOOR_FRICTION, 0.01, 0.0001],
+        group=WORLD_GROUP,
+    )
+    set_role(floor, Role.FLOOR)
+    spec.worldbody.add_light(pos=[0.5, -1.5, 3.0], dir=[0.0, 0.4, -1.0])
+    spec.worldbody.add_light(pos=[1.8, 1.8, 3.0], dir=[-0.4, -0.4, -1.0], castshadow=False)
+
+
+def _add_object(spec: mujoco.MjSpec, item: SceneItem) -> None:
+    body = spec.worldbody.add_body(name=item.name)
+    _place(body, item.world_T_object)
+    body.add_freejoint(name=joint_name(item.name))
+    color = COLORS.get(item.color or "", COLORS["grey"])
+    geom = body.add_geom(
+        name=item.name,
+        mass=item.mass_kg,
+        rgba=[*color, 1.0],
+        condim=6 if isinstance(item.shape, Ball) else 4,
+        friction=[item.friction, item.friction * REST_PATCH_M, ROLLING_M],
+        group=WORLD_GROUP,
+    )
+    _shape(geom, item.shape)
+    set_role(geom, Role.OBJECT)
+
+
+def _add_person(spec: mujoco.MjSpec, person: Person) -> None:
+    """A mannequin that stands still: legs, trunk and arms as capsules, a head."""
+    body = spec.worldbody.add_body(name=person.name)
+    _place(body, transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0)))
+    capsules = (
+        (0.08, (0.0, 0.10, 0.08), (0.0, 0.09, 0.85)),
+        (0.08, (0.0, -0.10, 0.08), (0.0, -0.09, 0.85)),
+        (0.13, (0.0, 0.0, 0.95), (0.0, 0.0, 1.35)),
+        (0.05, (0.0, 0.19, 1.40), (0.0, 0.17, 0.85)),
+        (0.05, (0.0, -0.19, 1.40), (0.0, -0.17, 0.85)),
+    )
+    for i, (radius, start, end) in enumerate(capsules):
+        geom = body.add_geom(
+            name=f"{person.name}/{i}",
+            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
+            size=[radius, 0.0, 0.0],
+            fromto=[*start, *end],
+            rgba=[0.30, 0.45, 0.60, 1.0],
+            group=WORLD_GROUP,
+        )
+        set_role(geom, Role.PERSON)
+    head = body.add_geom(
+        name=f"{person.name}/head",
+        type=mujoco.mjtGeom.mjGEOM_SPHERE,
+        size=[0.11, 0.0, 0.0],
+        pos=[0.0, 0.0, 1.62],
+        rgba=[0.85, 0.68, 0.55, 1.0],
+        group=WORLD_GROUP,
+    )
+    set_role(head, Role.PERSON)
+
+
+def _shape(geom: mujoco.MjsGeom, shape: Shape) -> None:
+    match shape:
+        case Box(size_m=size):
+            geom.type, geom.size = mujoco.mjtGeom.mjGEOM_BOX, [0.5 * value for value in size]
+        case Cylinder(radius_m=radius, height_m=height):
+            geom.type, geom.size = mujoco.mjtGeom.mjGEOM_CYLINDER, [radius, 0.5 * height, 0.0]
+        case Ball(radius_m=radius):
+            geom.type, geom.size = mujoco.mjtGeom.mjGEOM_SPHERE, [radius, 0.0, 0.0]
+
+
+def _place(item: mujoco.MjsBody | mujoco.MjsGeom, world_T_item: Transform) -> None:
+    x, y, z, w = quaternion_from_rotation(world_T_item[:3, :3])
+    item.pos, item.quat = world_T_item[:3, 3], [w, x, y, z]

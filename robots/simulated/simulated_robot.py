@@ -1,0 +1,151 @@
+"""A robot in MuJoCo, seen through its sensors and moved by its servos."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_description import RobotDescription
+from robots.errors import SetpointRefusedError
+from robots.interface import JointSetpoint, RobotState
+from robots.simulated.body_model import ACCELEROMETER, GYRO
+from robots.simulated.physics import TIMESTEP_S, Physics
+
+Array = NDArray[np.float64]
+
+
+class SimulatedRobot:
+    """The simulated body as ``robots.interface.Robot``.
+
+    Each joint has a position servo; a setpoint is folded into its one input:
+    ``ctrl = q + (tau + kv v) / kp``, so that at rest the servo gives ``tau`` and nothing is fought.
+    Inputs go from the former setpoint to the new one in a straight line across the period: steps at
+    500 Hz would shake the stiff servos, and sampled efforts would be off by 10 to 20 N at the hand.
+    """
+
+    def __init__(
+        self, physics: Physics, rng: np.random.Generator, before_period: Callable[[], None] | None = None
+    ) -> None:
+        self._physics, self._rng, self._before_period = physics, rng, before_period
+        description = physics.description
+        model, data = physics.model, physics.data
+        self._data, self._model = data, model
+        gains = [description.gains[name] for name in description.actuated]
+        self._count = len(gains)
+        self._inverse_stiffness = np.array([1.0 / item.stiffness for item in gains])
+        self._damping_ratio = np.array([item.damping / item.stiffness for item in gains])
+        self._joint_qpos, self._joint_qvel = physics.joint_qpos, physics.joint_qvel
+        # Views into MuJoCo's memory, valid as long as ``data`` is: no attribute look-ups in the loop.
+        self._qpos, self._qvel = data.qpos, data.qvel
+        self._ctrl, self._force, self._sensors = data.ctrl, data.actuator_force, data.sensordata
+        self._sensor_order = _sensor_order(physics)
+        # MuJoCo tells what a sole presses on the floor, negated; a robot tells what the floor gives it.
+        self._sensor_sign = np.array([1.0] * 6 + [-1.0] * 6 * len(description.soles))
+        self._sigma = _sigmas(description)
+        self._effort = np.zeros(self._count)
+        self._target = np.array(self._qpos[self._joint_qpos])
+        self._former = self._target.copy()
+        self._ctrl[:] = self._target
+        self._commanded = False
+        self._steps = 0
+        self._reading: RobotState | None = None
+
+    @property
+    def description(self) -> RobotDescription:
+        """The robot's data."""
+        return self._physics.description
+
+    def read(self) -> RobotState:
+        """Return the readings of the last control period; the same ones until the next period."""
+        if self._reading is None:
+            n = self._count
+            noise = self._rng.standard_normal(self._sigma.shape[0])
+            noise *= self._sigma
+            noise[:n] += self._qpos[self._joint_qpos]
+            noise[n : 2 * n] += self._qvel[self._joint_qvel]
+            noise[2 * n : 3 * n] += self._effort
+            noise[3 * n :] += self._sensors[self._sensor_order] * self._sensor_sign
+            self._reading = RobotState(
+                stamp_s=self._steps * _TIMESTEP_NS * 1e-9,
+                q=noise[:n],
+                v=noise[n : 2 * n],
+                effort=noise[2 * n : 3 * n],
+                gyro=noise[3 * n : 3 * n + 3],
+                accelerometer=noise[3 * n + 3 : 3 * n + 6],
+                foot_wrench=noise[3 * n + 6 :].reshape(-1, 6),
+            )
+        return self._reading
+
+    def command(self, setpoint: JointSetpoint) -> None:
+        """Take a setpoint; it holds until the next one.
+
+        Raises:
+            SetpointRefusedError: A wrong shape or a value that is not finite: a defect upstream. The
+                robot keeps the setpoint that it had.
+        """
+        try:
+            target = setpoint.v * self._damping_ratio
+            target += setpoint.tau * self._inverse_stiffness
+            target += setpoint.q
+        except (TypeError, ValueError) as wrong:
+            raise SetpointRefusedError(f"a setpoint needs arrays of {self._count}: {wrong}") from wrong
+        if target.shape != (self._count,):
+            raise SetpointRefusedError(f"a setpoint of shape {target.shape}, not ({self._count},)")
+        # A sum is finite only if all its terms are, or if they overflow: both are refused.
+        if not np.isfinite(target.sum()):
+            raise SetpointRefusedError(f"setpoint {setpoint.sequence} is not finite")
+        self._former = self._target if self._commanded else target
+        self._target, self._commanded = target, True
+
+    def advance(self, period_s: float) -> None:
+        """Let the physics run for one control period.
+
+        Raises:
+            ValueError: The period is no whole number of physics steps.
+        """
+        steps = round(period_s / TIMESTEP_S)
+        if steps < 1 or abs(steps * TIMESTEP_S - period_s) > 1e-9:
+            raise ValueError(f"a period of {period_s} s is no multiple of {TIMESTEP_S} s")
+        if self._before_period is not None:
+            self._before_period()
+        model, data, ctrl, force = self._model, self._data, self._ctrl, self._force
+        change = (self._target - self._former) / steps
+        effort = np.zeros(self._count)
+        ctrl[:] = self._former
+        for _ in range(steps):
+            ctrl += change
+            mujoco.mj_step(model, data)
+            effort += force
+        effort /= steps
+        self._effort = effort
+        self._former = self._target
+        self._steps += steps
+        self._reading = None
+
+
+_TIMESTEP_NS = round(TIMESTEP_S * 1e9)
+
+
+def _sensor_order(physics: Physics) -> NDArray[np.intp]:
+    """Where gyro, accelerometer and each sole's force and torque stand in MuJoCo's sensor array."""
+    soles = [f"{kind}:{sole.side}" for sole in physics.description.soles for kind in ("force", "torque")]
+    starts = [int(physics.model.sensor(name).adr[0]) for name in (GYRO, ACCELEROMETER, *soles)]
+    return np.concatenate([np.arange(start, start + 3) for start in starts]).astype(np.intp)
+
+
+def _sigmas(description: RobotDescription) -> Array:
+    """Standard deviations of all readings in the order of ``read``; efforts: of each joint's limit."""
+    noise, n = description.noise, len(description.actuated)
+    efforts = [noise.joint_effort_fraction * description.limits[name].effort for name in description.actuated]
+    sole = [noise.foot_force_n] * 3 + [noise.foot_torque_nm] * 3
+    return np.array(
+        [noise.joint_position_rad] * n
+        + [noise.joint_velocity_rad_s] * n
+        + efforts
+        + [noise.gyro_rad_s] * 3
+        + [noise.accelerometer_m_s2] * 3
+        + sole * len(description.soles)
+    )

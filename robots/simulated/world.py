@@ -1,0 +1,51 @@
+"""Build a simulated world: one robot in one scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.robot_description import RobotDescription
+from robots.scene_description import SceneDescription
+from robots.simulated.faults import FaultInjector
+from robots.simulated.physics import Physics
+from robots.simulated.simulated_robot import SimulatedRobot
+from robots.simulated.truth import SimulatorTruth
+
+
+@dataclass(frozen=True, slots=True)
+class SimulatedWorld:
+    """A world that goes on only when its robot's ``advance`` is called.
+
+    Attributes:
+        robot: The body, as the control loop knows it.
+        truth: What really is the case; for the perception stub, evaluation and tests only.
+        faults: Things that go wrong on purpose.
+        physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
+    """
+
+    robot: SimulatedRobot
+    truth: SimulatorTruth
+    faults: FaultInjector
+    physics: Physics
+
+
+def build_world(
+    description: RobotDescription, scene: SceneDescription, rng: np.random.Generator
+) -> SimulatedWorld:
+    """Build a world with the robot standing at the scene's ``robot_start`` in its home posture.
+
+    Args:
+        description: The robot.
+        scene: Everything else; ``robots.scene_file.validate`` has judged it.
+        rng: Source of the sensors' noise; used by nothing else.
+
+    Raises:
+        SceneError: The robot would start in contact with something, or the simulator refuses the scene.
+        DescriptionError: The URDF lacks what the description names.
+    """
+    physics = Physics(description, scene)
+    truth = SimulatorTruth(physics)
+    faults = FaultInjector(physics, truth)
+    return SimulatedWorld(SimulatedRobot(physics, rng, faults.tick), truth, faults, physics)
