@@ -1,7 +1,7 @@
 """``python -m tools.requirements_report``: which requirements are proven by a test, and which are not.
 
-The rows are those of ``docs/requirements.md``. A row is proven when at least one test that carries its id ran and
-every one that ran passed; skipped tests prove nothing.
+The rows are those of ``docs/requirements.md``. A row is proven when at least one test that carries its id
+ran and every one that ran passed; skipped tests prove nothing.
 """
 
 from __future__ import annotations

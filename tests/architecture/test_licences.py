@@ -26,7 +26,6 @@ def licence_of(name):
     return " | ".join(text for text in texts if text)
 
 
-@pytest.mark.requirement("U5")
 @pytest.mark.parametrize("name", locked())
 def test_a_locked_dependency_is_permissive(name):
     if name in EXPLAINED:
@@ -37,7 +36,6 @@ def test_a_locked_dependency_is_permissive(name):
     assert not COPYLEFT.search(licence), f"{name}: {licence}"
 
 
-@pytest.mark.requirement("U5")
 def test_locks_pin_every_dependency_and_name_no_host():
     for file in ("requirements.lock", "requirements-dev.lock"):
         text = (ROOT / file).read_text("utf-8")

@@ -21,7 +21,8 @@ def test_a_mark_that_names_no_row_is_a_failure():
 
 
 def test_rows_are_read_with_every_column():
-    text = "| id | fault | expected |\n| --- | --- | --- |\n| F7 | battery low | put down |\n| U5 | installs |\nF8"
+    table = ["| id | fault | expected |", "| --- | --- | --- |", "| F7 | battery low | put down |"]
+    text = "\n".join([*table, "| U5 | installs |", "F8"])
 
     assert requirement_rows(text) == {"F7": "battery low: put down", "U5": "installs"}
 

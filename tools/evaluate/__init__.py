@@ -1,0 +1,1 @@
+"""Random episodes, judged by the simulator's truth."""
