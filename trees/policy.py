@@ -18,7 +18,31 @@ class TreePolicy:
         lift_m: How far an object is lifted.
         lifted_min_m: Least rise of the object, as seen, that counts as lifted.
         furniture_margin_m: Kept from furniture; three times the usual perception bias.
-        object_margin_m: Kept from objects that are not the target.
+        object_margin_m: Kept from every object, unless the plan lets the pair touch.
+        search_gazes_rad: (tilt down, pan left) of the head, in the order in which a search looks: a
+            table ahead first, its sides, then what is close to the body.
+        gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
+        same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
+            the distance at which two cups can still be grasped apart.
+        same_furniture_m: The same for furniture, whose pieces are larger and farther apart.
+        hidden_by_hand_m: Something whose line of sight passes a hand nearer than this may be hidden by it.
+        support_gap_m: Between an object's lowest point and the furniture it stands on, at most: both
+            carry a perception bias.
+        planning_deadline_s, checking_deadline_s: A job that has not answered by then hangs.
+        motion_slack_s: A motion may take this much longer than planned, settling included.
+        arrival_tolerance_rad: Every joint is this near the end of its trajectory; three times the lag
+            of a loaded wrist.
+        gripper_deadline_s: Opening or closing takes about one second.
+        grasp_settle_s: Between the end of the closing and the reading that counts.
+        opening_tolerance_m: Difference of the gripper's opening from the object's diameter that size
+            estimate and finger geometry explain; more means that something else is held.
+        lost_grip_s: The gripper may read "not holding" for this long before it counts; a few readings.
+        slip_max_m: An object that moves more than this in the hand, as seen between the two halves of
+            the hold, is slipping; four times the error of a half's mean.
+        in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
+            fingers move an object by up to the clearance of the open hand.
+        unseen_hold_factor: A hold that cannot be seen must last this much longer.
+        task_timeout_s: A whole task takes less.
     """
 
     look_frames: int = 8
@@ -30,3 +54,28 @@ class TreePolicy:
     lifted_min_m: float = 0.10
     furniture_margin_m: float = 0.015
     object_margin_m: float = 0.010
+    search_gazes_rad: tuple[tuple[float, float], ...] = (
+        (0.6, 0.0),
+        (0.6, 0.5),
+        (0.6, -0.5),
+        (0.77, 0.0),
+        (0.77, 0.7),
+        (0.77, -0.7),
+    )
+    gaze_tolerance_rad: float = 0.05
+    same_object_m: float = 0.05
+    same_furniture_m: float = 0.20
+    hidden_by_hand_m: float = 0.15
+    support_gap_m: float = 0.05
+    planning_deadline_s: float = 20.0
+    checking_deadline_s: float = 10.0
+    motion_slack_s: float = 1.0
+    arrival_tolerance_rad: float = 0.05
+    gripper_deadline_s: float = 4.0
+    grasp_settle_s: float = 0.2
+    opening_tolerance_m: float = 0.012
+    lost_grip_s: float = 0.05
+    slip_max_m: float = 0.008
+    in_hand_tolerance_m: float = 0.04
+    unseen_hold_factor: float = 2.0
+    task_timeout_s: float = 180.0

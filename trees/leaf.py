@@ -1,0 +1,154 @@
+"""The one life cycle that every leaf has."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, ClassVar
+
+from py_trees.common import Status
+from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
+
+from trees.contract import Contract
+from trees.events import LeafFailed, Measured
+from trees.failure_chain import place_of
+from trees.failures import Failure, FailureKind, Number
+from trees.toolbox import Toolbox
+
+RUNNING = Status.RUNNING
+DONE = Status.SUCCESS
+
+
+class Leaf(BehaviourWithPorts):
+    """A behavior that does one thing.
+
+    A subclass declares ``INPUT_PORTS``, ``OUTPUT_PORTS`` and ``CONTRACT``, and fills in ``begin``,
+    ``step`` and ``release``. This class owns the rest: the deadline on the injected clock, an
+    exception becoming a failure, the failure's place in the tree, events, and that whatever was
+    started is released when the leaf ends in any way but success.
+
+    Attributes:
+        failure: Why it failed or was cancelled, since its last start; None otherwise.
+        halt_reason: What a halt is reported with; set by whoever halts the tree.
+        wiring: Port name to the key it is wired to; ports that are left out have a key of their name.
+    """
+
+    INPUT_PORTS: dict[str, PortInformation]
+    OUTPUT_PORTS: dict[str, PortInformation]
+    CONTRACT: ClassVar[Contract]
+
+    def __init__(self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None) -> None:
+        super().__init__(name=name)
+        self.toolbox = toolbox
+        self.wiring = dict(wiring or {})
+        self.failure: Failure | None = None
+        self.halt_reason = "halted"
+        self._started_s = 0.0
+        self._start_error: Exception | None = None
+
+    # what a leaf fills in
+
+    def begin(self) -> None:
+        """Start anew: called once before the first ``step`` of each run."""
+
+    def step(self) -> Status | Failure:
+        """One tick: ``RUNNING``, ``DONE``, or why it failed.
+
+        Raises:
+            Exception: Anything; it becomes this leaf's failure.
+        """
+        raise NotImplementedError
+
+    def release(self, reason: str) -> None:
+        """Stop and give back whatever was started; called after a failure and on a halt."""
+
+    @property
+    def deadline_s(self) -> float:
+        """Seconds from the start after which it has failed."""
+        return self.CONTRACT.deadline_s
+
+    # what a leaf may use
+
+    @property
+    def elapsed_s(self) -> float:
+        """Seconds on the injected clock since this run began."""
+        return self.toolbox.clock.now_s() - self._started_s
+
+    @property
+    def where(self) -> str:
+        """Its place in the tree."""
+        return place_of(self)
+
+    def optional(self, port: str) -> Any | None:
+        """The value of an input port, or None when nobody has written it yet."""
+        try:
+            return self.get_input(port)
+        except NoDataAvailable:
+            return None
+
+    def measured(self, **numbers: Number) -> None:
+        """Tell what was measured."""
+        self.toolbox.events(Measured(self.toolbox.clock.now_s(), self.where, numbers))
+
+    def wire(self, namespace: str) -> None:
+        """Connect the ports inside a tree's namespace."""
+        ports = [*self.INPUT_PORTS, *self.OUTPUT_PORTS]
+        self.setup_ports({port: self.wiring.get(port, port) for port in ports}, namespace)
+
+    # py_trees' side
+
+    def initialise(self) -> None:
+        """Start the run; an exception is kept for ``update`` to report."""
+        self.failure = None
+        self._start_error = None
+        self._started_s = self.toolbox.clock.now_s()
+        self.feedback_message = ""
+        try:
+            self.begin()
+        except Exception as error:
+            self._start_error = error
+
+    def update(self) -> Status:
+        """Run one tick, with every exception contained."""
+        try:
+            if self._start_error is not None:
+                raise self._start_error
+            outcome = self.step()
+            if outcome is RUNNING and self.elapsed_s > self.deadline_s:
+                outcome = Failure.timeout(
+                    f"{self.name} took longer than its deadline",
+                    deadline_s=self.deadline_s,
+                    elapsed_s=self.elapsed_s,
+                )
+        except Exception as error:
+            outcome = from_exception(error)
+        if isinstance(outcome, Failure):
+            self.failure = outcome if outcome.where else outcome.at(self.where)
+            self.feedback_message = outcome.message
+            self.toolbox.events(LeafFailed(self.toolbox.clock.now_s(), self.failure))
+            return Status.FAILURE
+        return outcome
+
+    def terminate(self, new_status: Status) -> None:
+        """Release what was started, unless the leaf succeeded or had ended before."""
+        halted = new_status is Status.INVALID and self.status is RUNNING
+        if halted:
+            self.failure = Failure(FailureKind.CANCELED, self.halt_reason, where=self.where)
+        if not halted and new_status is not Status.FAILURE:
+            return
+        try:
+            self.release(self.halt_reason if halted else self.feedback_message)
+        except Exception as error:
+            self.failure = from_exception(error, cause=self.failure).at(self.where)
+            self.toolbox.events(LeafFailed(self.toolbox.clock.now_s(), self.failure))
+
+
+def from_exception(error: Exception, cause: Failure | None = None) -> Failure:
+    """Turn an exception into a failure that names it and the line that raised it."""
+    frames = traceback.extract_tb(error.__traceback__)
+    raised_at = f"{Path(frames[-1].filename).name}:{frames[-1].lineno}" if frames else "unknown"
+    what = str(error) or "no message"
+    return Failure.error(
+        f"{type(error).__name__}: {what}", cause, exception=type(error).__name__, raised_at=raised_at
+    )

@@ -1,0 +1,45 @@
+"""Tell the world model that the hand holds the object."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from kinematics import poses
+from kinematics.requests import Grasp
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE, Leaf
+from trees.steps import Step, Target
+
+
+class Attach(Leaf):
+    """Move the target from the world into the hand, and put the lift before the scene that results."""
+
+    INPUT_PORTS = {
+        "grasp": PortInformation(Grasp),
+        "target": PortInformation(Target),
+        "lift": PortInformation(Step),
+    }
+    OUTPUT_PORTS = {"held_lift": PortInformation(Step)}
+    CONTRACT = Contract(
+        precondition="the hand was measured to hold the target",
+        postcondition="the target is an attached body of the scene; the lift is to be checked with it",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Attach at the pose that the object has in the measured hand."""
+        grasp, target = self.get_input("grasp"), self.get_input("target")
+        lift: Step = self.get_input("lift")
+        gripper = self.toolbox.model.description.grippers[grasp.hand]
+        world_T_tcp = self.toolbox.model.frame_pose(self.toolbox.sensing.state().q, gripper.tcp_frame)
+        tcp_T_object = poses.inverse(world_T_tcp) @ target.odom_T_object
+        tcp_T_object[1, 3] = 0.0  # the closing fingers have centred it along the opening
+        world = self.toolbox.world
+        world.update(
+            world.scene.with_attached(target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
+        )
+        scene = world.scene.allowing((min(pair), max(pair)) for pair in lift.scene.allowed)
+        self._set_output("held_lift", Step(lift.name, lift.trajectory, scene, world.scene.version))
+        return DONE

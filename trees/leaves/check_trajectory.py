@@ -1,0 +1,51 @@
+"""Have a planned step judged."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.ports import PortInformation
+
+from kinematics.requests import CheckRequest
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.job_leaf import JobLeaf
+from trees.planned_motion_leaf import stale_failure, unsafe_failure
+from trees.steps import CheckedStep, Step
+
+
+class CheckTrajectory(JobLeaf):
+    """Ask the trajectory checker for its judgement of one step."""
+
+    INPUT_PORTS = {"step": PortInformation(Step)}
+    OUTPUT_PORTS = {"checked": PortInformation(CheckedStep)}
+    CONTRACT = Contract(
+        precondition="the step was planned for the present scene",
+        postcondition="the checker found no defect, and the scene has not changed meanwhile",
+        deadline_s=10.0,
+    )
+
+    def request(self) -> CheckRequest:
+        """The step's trajectory against the step's scene."""
+        self._judged: Step = self.get_input("step")
+        return CheckRequest(self._judged.trajectory, self._judged.scene)
+
+    def accept(self, answer: Any) -> Failure | None:
+        """Write the checked step, unless it was made for a scene of the past."""
+        step, version = self._judged, self.toolbox.world.scene.version
+        if isinstance(answer, Unsafe):
+            return unsafe_failure(step.name, answer)
+        if not isinstance(answer, CheckedTrajectory):
+            raise TypeError(f"the checker answered {type(answer).__name__}")
+        if version != step.world_version:
+            return stale_failure(step.name, step.world_version, version)
+        self._set_output("checked", CheckedStep(step.name, answer, step.world_version))
+        self.feedback_message = f"{step.name} is safe"
+        self.measured(
+            step=step.name,
+            duration_s=answer.trajectory.duration_s,
+            min_distance_m=answer.min_distance_m,
+            min_com_margin_m=answer.min_com_margin_m,
+        )
+        return None

@@ -1,0 +1,47 @@
+"""Learn from a failed attempt which grasp not to try again."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from kinematics.requests import Grasp
+from trees.contract import Contract
+from trees.failures import Failure, FailureKind
+from trees.leaf import DONE, Leaf
+
+# Parts of a pick in which a failure says something about the grasp.
+_GRASP_STAGES = frozenset({"approach", "grasp", "lift"})
+
+
+class ExcludeGrasp(Leaf):
+    """Add the grasp to those tried in vain when it is to blame; start afresh when none is left."""
+
+    INPUT_PORTS = {
+        "failure": PortInformation(Failure),
+        "grasp": PortInformation(Grasp, required=False),
+        "tried": PortInformation(frozenset, default_value=frozenset()),
+    }
+    OUTPUT_PORTS = {"tried_now": PortInformation(frozenset)}
+    CONTRACT = Contract(
+        precondition="an attempt has failed",
+        postcondition="the next plan uses another grasp if this one was to blame",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Judge the failed attempt."""
+        failure: Failure = self.get_input("failure")
+        grasp: Grasp | None = self.optional("grasp")
+        tried: frozenset[str] = self.get_input("tried")
+        if failure.kind is FailureKind.INFEASIBLE:
+            tried = frozenset()
+        elif grasp is not None and _blames_grasp(failure):
+            tried = tried | {f"{grasp.hand} {grasp.label}"}
+        self._set_output("tried_now", tried)
+        self.feedback_message = f"{len(tried)} grasps excluded"
+        return DONE
+
+
+def _blames_grasp(failure: Failure) -> bool:
+    return failure.kind is FailureKind.UNSAFE or bool(_GRASP_STAGES & set(failure.where.split("/")))

@@ -1,0 +1,40 @@
+"""Bring the body to its home posture."""
+
+from __future__ import annotations
+
+from py_trees.ports import PortInformation
+
+from kinematics.requests import MoveRequest
+from trees.arrival import largest_error
+from trees.contract import Contract
+from trees.planned_motion_leaf import PlannedMotionLeaf
+
+# A reference nearer than this to home is home.
+_HOME_RAD = 0.01
+
+
+class GoHome(PlannedMotionLeaf):
+    """Bring arms, trunk and head home; hands stay as they are, with what they hold."""
+
+    INPUT_PORTS: dict[str, PortInformation] = {}
+    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="every body joint is measured to be at home",
+        deadline_s=30.0,
+        moves="body",
+        on_success="the robot holds the home posture",
+    )
+
+    def goal(self) -> MoveRequest | None:
+        """The home posture, unless it is commanded already."""
+        toolbox = self.toolbox
+        reference = toolbox.motion.reference()
+        if largest_error(toolbox.model, reference, toolbox.model.q_home)[1] <= _HOME_RAD:
+            return None
+        return MoveRequest(
+            q_start=reference,
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            seed=int(toolbox.rng.integers(2**31)),
+        )

@@ -1,0 +1,48 @@
+"""Open the gripper that a grasp needs."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from kinematics.requests import Grasp
+from robots.control.motion_handle import MotionHandle
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE, RUNNING
+from trees.motion_leaf import MotionLeaf
+
+# The pads' zero and the encoder's noise leave the last tenth uncertain.
+_OPEN_SHARE = 0.9
+
+
+class OpenGripper(MotionLeaf):
+    """Open the hand of the grasp fully."""
+
+    INPUT_PORTS = {"grasp": PortInformation(Grasp)}
+    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    CONTRACT = Contract(
+        precondition="the hand holds nothing that could fall",
+        postcondition="the gripper measures nine tenths of its largest opening or more",
+        deadline_s=4.0,
+        moves="gripper",
+        on_success="the gripper is open",
+        on_failure="the gripper holds its present opening",
+        on_cancel="the gripper holds its present opening",
+    )
+
+    def start(self) -> MotionHandle | Failure:
+        """Open."""
+        grasp: Grasp = self.get_input("grasp")
+        if self.toolbox.world.scene.attached:
+            held = ", ".join(self.toolbox.world.scene.attached)
+            return Failure.postcondition(f"a hand still holds the {held}", hand=grasp.hand)
+        return self.toolbox.grippers[grasp.hand].open()
+
+    def finish(self) -> Status | Failure:
+        """Measure the opening; ``RUNNING`` until it is wide enough, the deadline ends that."""
+        grasp: Grasp = self.get_input("grasp")
+        opening = self.toolbox.grippers[grasp.hand].reading().opening_m
+        widest = self.toolbox.model.description.grippers[grasp.hand].max_opening_m
+        self.feedback_message = f"{grasp.hand} hand {opening * 1000:.0f} mm open"
+        return DONE if opening >= _OPEN_SHARE * widest else RUNNING

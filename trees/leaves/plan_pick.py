@@ -1,0 +1,67 @@
+"""Choose a grasp and plan the whole pick."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.ports import PortInformation
+
+from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
+from kinematics.robot_description import HANDS
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.job_leaf import JobLeaf
+from trees.steps import Step, Target
+from trees.tasks import PickTask
+
+
+class PlanPick(JobLeaf):
+    """Have the planner choose hand and grasp, and plan reach, approach and lift from the present posture."""
+
+    INPUT_PORTS = {
+        "task": PortInformation(PickTask),
+        "target": PortInformation(Target),
+        "tried": PortInformation(frozenset, default_value=frozenset()),
+    }
+    OUTPUT_PORTS = {
+        "grasp": PortInformation(Grasp),
+        "reach": PortInformation(Step),
+        "approach": PortInformation(Step),
+        "lift": PortInformation(Step),
+    }
+    CONTRACT = Contract(
+        precondition="the target is an object of the world model; the robot is at rest",
+        postcondition="reach starts at the reference, approach and lift follow on, all for the present scene",
+        deadline_s=20.0,
+    )
+
+    def request(self) -> PickRequest:
+        """Either hand, unless the task names one; no grasp that was tried in vain."""
+        toolbox, task = self.toolbox, self.get_input("task")
+        self._world_version = toolbox.world.scene.version
+        return PickRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            target=self.get_input("target").name,
+            hands=HANDS if task.hand is None else (task.hand,),
+            excluded=self.get_input("tried"),
+            lift_m=toolbox.policy.lift_m,
+            seed=int(toolbox.rng.integers(2**31)),
+        )
+
+    def accept(self, answer: Any) -> Failure | None:
+        """Write grasp and steps."""
+        if isinstance(answer, NoPlan):
+            return Failure.infeasible(answer.message, None, **answer.numbers, **answer.reasons)
+        if not isinstance(answer, PickPlan):
+            raise TypeError(f"the planner answered {type(answer).__name__} to a pick")
+        self._set_output("grasp", answer.grasp)
+        for port, step in (("reach", answer.reach), ("approach", answer.approach), ("lift", answer.lift)):
+            self._set_output(port, self._versioned(step))
+        self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
+        self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
+        return None
+
+    def _versioned(self, step: PlannedStep) -> Step:
+        return Step(step.name, step.trajectory, step.scene, self._world_version)

@@ -1,0 +1,66 @@
+"""Open the hand after a failed attempt, unless something would fall."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from kinematics.requests import Grasp
+from robots.control.motion_handle import MotionHandle
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE
+from trees.motion_leaf import MotionLeaf
+
+# An object let go nearer than this to where it stood still stands.
+_SAFE_DROP_M = 0.015
+
+
+class Release(MotionLeaf):
+    """Open the hand of the last grasp, and forget what the scene says that it holds.
+
+    What the gripper measures to hold in the air is kept, and the leaf fails saying so.
+    """
+
+    INPUT_PORTS = {"grasp": PortInformation(Grasp, required=False)}
+    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the hand is open and nothing is attached to it",
+        deadline_s=4.0,
+        moves="gripper",
+        on_success="the gripper is open",
+        on_failure="the gripper keeps what it holds",
+        on_cancel="the gripper holds its present opening",
+    )
+
+    def start(self) -> MotionHandle | Failure | None:
+        """Open, keep, or do nothing when no hand was used yet."""
+        grasp: Grasp | None = self.optional("grasp")
+        if grasp is None:
+            return None
+        gripper, attached = self.toolbox.grippers[grasp.hand], self._attached(grasp)
+        if attached and gripper.reading().holding and self._height_m(grasp) > _SAFE_DROP_M:
+            return Failure.postcondition(
+                f"the {grasp.hand} hand still holds the {attached[0]} in the air; it is kept",
+                opening_m=gripper.reading().opening_m,
+            )
+        return gripper.open()
+
+    def finish(self) -> Status | Failure:
+        """What was attached is no longer: the next look says where it is."""
+        world = self.toolbox.world
+        for name in self._attached(self.get_input("grasp")):
+            body = world.scene.attached[name]
+            scene = world.scene.with_detached(name, body.body.world_T_object)
+            world.update(scene.without_object(name))
+        return DONE
+
+    def _attached(self, grasp: Grasp) -> list[str]:
+        frame = self.toolbox.model.description.grippers[grasp.hand].tcp_frame
+        return [name for name, body in self.toolbox.world.scene.attached.items() if body.frame == frame]
+
+    def _height_m(self, grasp: Grasp) -> float:
+        frame = self.toolbox.model.description.grippers[grasp.hand].tcp_frame
+        tcp = self.toolbox.model.frame_pose(self.toolbox.motion.reference(), frame)
+        return float(tcp[2, 3] - grasp.world_T_tcp[2, 3])

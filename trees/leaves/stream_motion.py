@@ -1,0 +1,47 @@
+"""Carry out a checked step."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from robots.control.motion_handle import MotionHandle
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.motion_leaf import MotionLeaf
+from trees.planned_motion_leaf import arrival, stale_failure
+from trees.steps import CheckedStep
+
+
+class StreamMotion(MotionLeaf):
+    """Stream one checked trajectory, and measure that the joints arrived."""
+
+    INPUT_PORTS = {"checked": PortInformation(CheckedStep)}
+    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    CONTRACT = Contract(
+        precondition="the step was checked for the present scene and starts at the reference",
+        postcondition="every joint is measured to be at the trajectory's end",
+        deadline_s=5.0,
+        moves="body",
+        on_success="the robot holds the end of the trajectory",
+    )
+
+    def start(self) -> MotionHandle | Failure:
+        """Start, unless the world model has changed since the check."""
+        step: CheckedStep = self.get_input("checked")
+        version = self.toolbox.world.scene.version
+        if version != step.world_version:
+            return stale_failure(step.name, step.world_version, version)
+        self._step = step
+        return self.toolbox.motion.start(step.checked)
+
+    def finish(self) -> Status | Failure:
+        """Wait for the joints to settle at the end."""
+        duration_s = self._step.checked.trajectory.duration_s
+        return arrival(self, self._step.checked, duration_s + self.toolbox.policy.motion_slack_s)
+
+    @property
+    def deadline_s(self) -> float:
+        """The contract's deadline, longer by the motion's duration."""
+        step: CheckedStep = self.get_input("checked")
+        return self.CONTRACT.deadline_s + step.checked.trajectory.duration_s

@@ -1,0 +1,153 @@
+"""Measure that the object was lifted and stays held."""
+
+from __future__ import annotations
+
+import numpy as np
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.requests import Grasp
+from kinematics.scene import AttachedBody
+from trees.contract import Contract
+from trees.failures import Failure, Number
+from trees.grip import grip_failure
+from trees.leaf import DONE, RUNNING
+from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.recognition import nearest_sighting
+from trees.steps import Target
+
+
+class VerifyLift(LookLeaf):
+    """Watch gripper and camera while the object is held in the air.
+
+    The gripper must say "holding", at the object's size, all the time; nothing outweighs that. What the
+    camera sees must agree: the object has risen, is in the hand, and does not move in it. When it
+    cannot be seen, the gripper has to hold on for longer, and the evidence says that it was not seen.
+    """
+
+    INPUT_PORTS = {"grasp": PortInformation(Grasp), "target": PortInformation(Target)}
+    OUTPUT_PORTS = {"evidence": PortInformation(dict)}
+    CONTRACT = Contract(
+        precondition="the lift has ended; the target is an attached body",
+        postcondition="the gripper said holding for the whole time; as far as it was seen, the object has "
+        "risen, is in the hand and stays there",
+        deadline_s=2.0,
+        on_success="the hand holds the object",
+        on_failure="the gripper goes on pressing on whatever it holds",
+        on_cancel="the gripper goes on pressing",
+    )
+
+    @property
+    def deadline_s(self) -> float:
+        """The longest hold that the policy may ask for, and the contract's allowance."""
+        policy = self.toolbox.policy
+        return policy.hold_s * policy.unseen_hold_factor + self.CONTRACT.deadline_s
+
+    def begin(self) -> None:
+        """Start to watch."""
+        super().begin()
+        self._lost_since_s: float | None = None
+
+    def step(self) -> Status | Failure:
+        """Watch the grip at each tick, and judge the pictures at the end of the hold."""
+        if (lost := self._lost_grip()) is not None:
+            return lost
+        self.gather()
+        policy = self.toolbox.policy
+        if self.elapsed_s < policy.hold_s:
+            self.feedback_message = f"held for {self.elapsed_s:.1f} of {policy.hold_s:.1f} s"
+            return RUNNING
+        seen = self._seen()
+        if isinstance(seen, Failure):
+            return seen
+        if not seen and self.elapsed_s < policy.hold_s * policy.unseen_hold_factor:
+            self.feedback_message = "not seen; held for longer instead"
+            return RUNNING
+        if self._lost_since_s is not None:
+            return RUNNING  # never end on a doubtful reading
+        return self._succeed(seen)
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """Not used: this leaf looks for as long as it holds."""
+        raise NotImplementedError
+
+    def _lost_grip(self) -> Failure | None:
+        grasp: Grasp = self.get_input("grasp")
+        reading = self.toolbox.grippers[grasp.hand].reading()
+        failure = grip_failure(reading, grasp, self.toolbox.policy.opening_tolerance_m)
+        if failure is None:
+            self._lost_since_s = None
+            return None
+        if self._lost_since_s is None:
+            self._lost_since_s = self.elapsed_s
+        if self.elapsed_s - self._lost_since_s < self.toolbox.policy.lost_grip_s:
+            return None
+        target: Target = self.get_input("target")
+        return Failure.postcondition(f"the {target.name} was lost after the lift", failure, held_s=self.elapsed_s)
+
+    def _seen(self) -> dict[str, Number] | Failure:
+        """What the pictures say; empty when the object is not to be seen in them."""
+        target, body, policy = self.get_input("target"), self._body(), self.toolbox.policy
+        half = len(self._views) // 2
+        if half == 0:
+            return {}
+        early, late = self._in_tcp(self._views[:half]), self._in_tcp(self._views[half:])
+        if late is None:
+            return {}
+        odom_T_tcp = self._odom_T_tcp(self._views[-1])
+        off_m = float(np.linalg.norm(late - body.frame_T_object[:3, 3]))
+        rise_m = float((odom_T_tcp[:3, :3] @ late + odom_T_tcp[:3, 3])[2] - target.odom_T_object[2, 3])
+        numbers: dict[str, Number] = {"lift_m": rise_m, "off_m": off_m}
+        if off_m > policy.in_hand_tolerance_m:
+            return Failure.postcondition(
+                f"the {target.name} is seen outside the hand", tolerance_m=policy.in_hand_tolerance_m, **numbers
+            )
+        if rise_m < policy.lifted_min_m:
+            return Failure.postcondition(
+                f"the {target.name} has not risen enough", needed_m=policy.lifted_min_m, **numbers
+            )
+        if early is not None:
+            numbers["slip_m"] = float(np.linalg.norm(late - early))
+            if numbers["slip_m"] > policy.slip_max_m:
+                return Failure.postcondition(
+                    f"the {target.name} is slipping", tolerance_m=policy.slip_max_m, **numbers
+                )
+        return numbers
+
+    def _succeed(self, seen: dict[str, Number]) -> Status:
+        grasp: Grasp = self.get_input("grasp")
+        reading = self.toolbox.grippers[grasp.hand].reading()
+        evidence: dict[str, Number] = {
+            "hand": grasp.hand,
+            "gripper_opening_m": reading.opening_m,
+            "effort_nm": reading.effort_nm,
+            "held_s": self.elapsed_s,
+            "seen": bool(seen),
+            **{key: value for key, value in seen.items() if key != "off_m"},
+        }
+        self._set_output("evidence", evidence)
+        self.measured(**evidence)
+        rise = f", risen {float(evidence['lift_m']) * 100:.0f} cm" if seen else ", not seen"
+        self.feedback_message = f"held for {self.elapsed_s:.1f} s{rise}"
+        return DONE
+
+    def _in_tcp(self, views: list[View]) -> np.ndarray | None:
+        """Where the object is seen in the TCP's frame, shape (3,)."""
+        target, body = self.get_input("target"), self._body()
+        odom_T_tcp = self._odom_T_tcp(views[-1])
+        expected = (odom_T_tcp @ body.frame_T_object)[:3, 3]
+        scene, near = self.toolbox.world.scene, self.toolbox.policy.same_object_m
+        found = nearest_sighting(target, expected, estimates_of(views), scene, near)
+        if found is None:
+            return None
+        place: np.ndarray = (poses.inverse(odom_T_tcp) @ found[0].odom_T_object)[:3, 3]
+        return place
+
+    def _body(self) -> AttachedBody:
+        return self.toolbox.world.scene.attached[self.get_input("target").name]
+
+    def _odom_T_tcp(self, view: View) -> Transform:
+        q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
+        return self.toolbox.model.frame_pose(q, self._body().frame)

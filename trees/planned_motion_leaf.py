@@ -1,0 +1,133 @@
+"""A leaf that plans one simple motion, has it checked, and makes it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.common import Status
+
+from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, PlannedStep, RetreatRequest
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from trees.arrival import largest_error, not_arrived
+from trees.failures import Failure
+from trees.leaf import DONE, RUNNING, Leaf
+from trees.motion_leaf import motion_failure
+from trees.toolbox import Job
+
+
+class PlannedMotionLeaf(Leaf):
+    """Plan, check, stream and measure the arrival of one motion, in one leaf.
+
+    For motions that are a means to something else: looking somewhere, backing out, going home.
+    """
+
+    _job: Job | None = None
+    _step: PlannedStep | None = None
+    _checked: CheckedTrajectory | None = None
+    _handle: MotionHandle | None = None
+    _arrived_by_s: float = 0.0
+    _world_version: int = 0
+
+    def goal(self) -> MoveRequest | RetreatRequest | None:
+        """What to plan; None when the robot is there already."""
+        raise NotImplementedError
+
+    @property
+    def deadline_s(self) -> float:
+        """The contract's deadline, longer by the motion's own duration once that is known."""
+        extra = 0.0 if self._checked is None else self._checked.trajectory.duration_s
+        return self.CONTRACT.deadline_s + extra
+
+    def begin(self) -> None:
+        """Submit the planning job."""
+        self._job = self._step = self._checked = self._handle = None
+        self._world_version = self.toolbox.world.scene.version
+        goal = self.goal()
+        if goal is not None:
+            self._job = self.toolbox.planning.submit(goal)
+            self.feedback_message = "planning"
+
+    def step(self) -> Status | Failure:
+        """Plan, check, move; whichever is under way."""
+        if self._handle is not None:
+            return self._follow(self._handle)
+        if self._job is None:
+            self.feedback_message = "already there"
+            return DONE
+        if not self._job.done:
+            return RUNNING
+        answer: Any = self._job.result()
+        self._job = None
+        if isinstance(answer, NoPlan):
+            return Failure.infeasible(answer.message, None, **answer.numbers, **answer.reasons)
+        if isinstance(answer, Unsafe):
+            return unsafe_failure(self.name, answer)
+        if isinstance(answer, MovePlan):
+            self._step = answer.step
+            self._job = self.toolbox.planning.submit(CheckRequest(answer.step.trajectory, answer.step.scene))
+            self.feedback_message = "checking"
+            return RUNNING
+        if isinstance(answer, CheckedTrajectory):
+            return self._start(answer)
+        raise TypeError(f"the planner answered {type(answer).__name__} to {self.name}")
+
+    def release(self, reason: str) -> None:
+        """Forget the job; brake and hold."""
+        if self._job is not None:
+            self._job.cancel()
+        if self._handle is not None and not self._handle.finished:
+            self.toolbox.motion.cancel(self._handle, reason)
+
+    def _start(self, checked: CheckedTrajectory) -> Status | Failure:
+        now = self.toolbox.world.scene.version
+        if now != self._world_version:
+            return stale_failure(self.name, self._world_version, now)
+        self._checked = checked
+        self._arrived_by_s = self.elapsed_s + checked.trajectory.duration_s + self.toolbox.policy.motion_slack_s
+        self._handle = self.toolbox.motion.start(checked)
+        return RUNNING
+
+    def _follow(self, handle: MotionHandle) -> Status | Failure:
+        if (ended := motion_failure(handle)) is not None:
+            return ended
+        if handle.status is MotionStatus.RUNNING:
+            self.feedback_message = f"moving {handle.progress:.0%}"
+            return RUNNING
+        if self._checked is None:
+            raise RuntimeError(f"{self.name} moves without a checked trajectory")
+        return arrival(self, self._checked, self._arrived_by_s)
+
+
+def arrival(leaf: Leaf, checked: CheckedTrajectory, by_s: float) -> Status | Failure:
+    """After a motion is done: ``RUNNING`` while the joints settle, then success or who did not follow."""
+    toolbox = leaf.toolbox
+    tolerance = toolbox.policy.arrival_tolerance_rad
+    joint, error = largest_error(toolbox.model, toolbox.sensing.state().q, checked.trajectory.q[-1])
+    if error <= tolerance:
+        return DONE
+    if leaf.elapsed_s < by_s:
+        return RUNNING
+    return not_arrived(leaf.name, joint, error, tolerance)
+
+
+def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:
+    """The checker's refusal as a failure, with the numbers of its first finding."""
+    first = unsafe.findings[0]
+    return Failure.unsafe(
+        f"{unsafe}",
+        step=name,
+        finding=first.kind.value,
+        subject=" and ".join(first.subject),
+        t_s=first.t_s,
+        value=first.value,
+        limit=first.limit,
+        findings=len(unsafe.findings),
+    )
+
+
+def stale_failure(name: str, planned_for: int, now: int) -> Failure:
+    """A plan that was made for a scene that is no longer believed."""
+    return Failure.execution(
+        f"the plan of {name} is stale: the scene has changed since", planned_for=planned_for, scene_version=now
+    )

@@ -1,0 +1,153 @@
+"""Fold what a look saw into the planning scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Ball, Box, Cylinder
+from robots.perception.object_estimate import ObjectEstimate
+from trees.policy import TreePolicy
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class SceneUpdate:
+    """The new scene, and the estimates of this look by the names that they have in it."""
+
+    scene: PlanningScene
+    seen: Mapping[str, ObjectEstimate]
+
+
+def kind_of(name: str) -> str:
+    """The words of an object's name without its number: "red cup 2" is a "red cup"."""
+    return name.rstrip("0123456789").rstrip()
+
+
+def words_for(estimate: ObjectEstimate) -> str:
+    """How a thing is called: colour, if known, and kind; furniture by its kind alone."""
+    if estimate.category == "furniture" or estimate.color is None:
+        return estimate.kind
+    return f"{estimate.color} {estimate.kind}"
+
+
+def updated_scene(
+    scene: PlanningScene,
+    estimates: Iterable[ObjectEstimate],
+    policy: TreePolicy,
+    could_be_unseen: Callable[[Array], bool],
+) -> SceneUpdate:
+    """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
+
+    Names are kept from look to look. Furniture is never dropped: it does not walk away, and a
+    robot that forgets a table runs into it. An object that was not seen is kept only where it may be
+    out of view or hidden, and only while no other of its kind and colour has appeared (then it moved).
+
+    Args:
+        scene: What was believed before.
+        estimates: What this look saw, in the odometry frame.
+        policy: Margins, and how far apart two sightings of one object may be.
+        could_be_unseen: Whether something at a point, shape (3,), could be there without being seen.
+    """
+    groups: dict[str, list[ObjectEstimate]] = {}
+    for estimate in estimates:
+        groups.setdefault(words_for(estimate), []).append(estimate)
+    objects: dict[str, SceneObject] = {}
+    seen: dict[str, ObjectEstimate] = {}
+    known_words = [kind_of(name) for name in scene.objects]
+    for words in sorted({*groups, *known_words}):
+        known = {name: item for name, item in scene.objects.items() if kind_of(name) == words}
+        fresh = groups.get(words, [])
+        furniture = any(not item.movable for item in known.values())
+        matched = _match(known, fresh, policy.same_furniture_m if furniture else policy.same_object_m)
+        strangers = [estimate for estimate in fresh if not any(estimate is m for m in matched.values())]
+        for name, item in known.items():
+            if name in matched:
+                continue
+            stays = not item.movable or (not strangers and could_be_unseen(item.world_T_object[:3, 3]))
+            if stays:
+                objects[name] = item
+        taken = {*objects, *matched, *scene.attached}
+        for estimate in strangers:
+            name = _free_name(words, taken)
+            taken.add(name)
+            matched[name] = estimate
+        for name, estimate in matched.items():
+            objects[name] = _scene_object(name, estimate, policy)
+            seen[name] = estimate
+    return SceneUpdate(scene.with_objects(objects.values()), seen)
+
+
+def _match(
+    known: Mapping[str, SceneObject], fresh: list[ObjectEstimate], within_m: float
+) -> dict[str, ObjectEstimate]:
+    """Pair names with estimates, nearest pairs first, each at most once."""
+    pairs = sorted(
+        (float(np.linalg.norm(item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3])), name, i)
+        for name, item in known.items()
+        for i, estimate in enumerate(fresh)
+    )
+    matched: dict[str, ObjectEstimate] = {}
+    used: set[int] = set()
+    for distance, name, i in pairs:
+        if distance <= within_m and name not in matched and i not in used:
+            matched[name] = fresh[i]
+            used.add(i)
+    return matched
+
+
+def _free_name(words: str, taken: set[str]) -> str:
+    number = 1
+    name = words
+    while name in taken:
+        number += 1
+        name = f"{words} {number}"
+    return name
+
+
+def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
+    furniture = estimate.category == "furniture"
+    return SceneObject(
+        name=name,
+        shape=estimate.shape,
+        world_T_object=estimate.odom_T_object,
+        margin_m=policy.furniture_margin_m if furniture else policy.object_margin_m,
+        movable=not furniture,
+    )
+
+
+def lowest_point_m(item: SceneObject) -> float:
+    """Height of an object's lowest point."""
+    return float(item.world_T_object[2, 3]) - half_height_m(item)
+
+
+def half_height_m(item: SceneObject) -> float:
+    """Half the vertical extent of an object as it stands or lies."""
+    shape, up = item.shape, item.world_T_object[2, :3]
+    if isinstance(shape, Ball):
+        return shape.radius_m
+    if isinstance(shape, Box):
+        return 0.5 * float(np.abs(up) @ np.array(shape.size_m))
+    if isinstance(shape, Cylinder):
+        lean = float(np.sqrt(max(0.0, 1.0 - up[2] ** 2)))
+        return 0.5 * shape.height_m * abs(float(up[2])) + shape.radius_m * lean
+    raise TypeError(f"no shape {type(shape).__name__}")
+
+
+def support_of(item: SceneObject, scene: PlanningScene, gap_m: float) -> SceneObject | None:
+    """The piece of furniture that an object stands on, as far as the scene knows."""
+    place, bottom = item.world_T_object[:3, 3], lowest_point_m(item)
+    for other in scene.objects.values():
+        if other.movable or not isinstance(other.shape, Box):
+            continue
+        top = float(other.world_T_object[2, 3]) + half_height_m(other)
+        local = other.world_T_object[:3, :3].T @ (place - other.world_T_object[:3, 3])
+        inside = np.all(np.abs(local[:2]) <= 0.5 * np.array(other.shape.size_m[:2]) + gap_m)
+        if inside and abs(bottom - top) <= gap_m:
+            return other
+    return None

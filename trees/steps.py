@@ -1,0 +1,57 @@
+"""Values that travel between leaves: planned and checked steps, and the object that is meant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinematics.poses import Transform
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Shape
+from kinematics.trajectory import CheckedTrajectory, Trajectory
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """The object that a task is about, as it was last seen.
+
+    Attributes:
+        name: Its name in the planning scene.
+        kind, color: As perception tells them.
+        shape: Its solid.
+        odom_T_object: Its pose, shape (4, 4).
+        confidence: Of the detection, in [0, 1].
+    """
+
+    name: str
+    kind: str
+    color: str | None
+    shape: Shape
+    odom_T_object: Transform
+    confidence: float
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A planned motion with the scene it was made for.
+
+    Attributes:
+        name: What it is: "reach", "approach", "lift", ...
+        trajectory: The motion.
+        scene: The scene that it is to be judged by (what may touch, what is held).
+        world_version: Version of the world model's scene that it was planned from; when the world
+            model has moved on, the step is stale.
+    """
+
+    name: str
+    trajectory: Trajectory
+    scene: PlanningScene
+    world_version: int
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedStep:
+    """A step that the checker let pass."""
+
+    name: str
+    checked: CheckedTrajectory
+    world_version: int
