@@ -1,0 +1,183 @@
+"""Balance and effort along a trajectory: CoM, ZMP and joint torques.
+
+The CoM's projection has to stay inside the support polygon by the robot's margin, the ZMP (from
+the whole body's momentum, Pinocchio's inverse dynamics) inside it by the checker's. Torques are
+those of the smallest sole wrenches that carry the motion.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics.check_kinematics import BatchedKinematics, BodyPoses
+from kinematics.check_settings import CheckSettings
+from kinematics.check_timeline import Timeline
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Finding, FindingKind, Stance, Trajectory
+
+Array = NDArray[np.float64]
+
+_FIRST_JOINT = 2
+# moments under a sole are dearer than forces: they are limited by its size
+_MOMENT_WEIGHT = 0.1
+
+
+class SupportPolygon:
+    """The convex hull of the soles' corners on the floor; frames that are no soles do not carry."""
+
+    def __init__(self, model: RobotModel, stance: Stance) -> None:
+        soles = {sole.frame: sole for sole in model.description.soles}
+        corners = [
+            (world_T_sole @ np.array([x, y, 0.0, 1.0]))[:2]
+            for name, world_T_sole in stance.soles
+            if name in soles
+            for x in soles[name].x_m
+            for y in soles[name].y_m
+        ]
+        self._edges = _edges(corners) if corners else None
+
+    def margin_m(self, points: Array) -> Array:
+        """Distance of points, shape (n, 2), to the nearest edge, positive inside, shape (n,)."""
+        if self._edges is None:
+            return np.full(len(points), -np.inf)
+        normals, offsets = self._edges
+        return np.asarray((offsets - points @ normals.T).min(axis=1))
+
+
+def _edges(corners: list[Array]) -> tuple[Array, Array]:
+    """Outward normals, shape (m, 2), and offsets of a convex hull's edges (Andrew's monotone chain)."""
+    hull: list[Array] = []
+    ordered = sorted(corners, key=lambda corner: (float(corner[0]), float(corner[1])))
+    for way in (ordered, ordered[::-1]):
+        chain: list[Array] = []
+        for corner in way:
+            while len(chain) > 1 and _turn(chain[-2], chain[-1], corner) <= 0.0:
+                chain.pop()
+            chain.append(corner)
+        hull += chain[:-1]
+    points = np.array(hull)
+    along = np.roll(points, -1, axis=0) - points
+    normals = np.column_stack([along[:, 1], -along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
+    return normals, np.einsum("mi,mi->m", normals, points)
+
+
+def _turn(a: Array, b: Array, c: Array) -> float:
+    """Positive when the way a, b, c turns left."""
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+
+
+class DynamicsCheck:
+    """Balance and effort of trajectories of one robot."""
+
+    def __init__(self, model: RobotModel, kinematics: BatchedKinematics, settings: CheckSettings) -> None:
+        self._model = model
+        self._kinematics = kinematics
+        self._settings = settings
+        self._data = model.pin.createData()
+
+    def findings(self, trajectory: Trajectory, timeline: Timeline) -> tuple[list[Finding], float]:
+        """Judge balance and effort.
+
+        Returns:
+            The findings, and the smallest CoM margin in m.
+        """
+        settings = self._settings
+        times = timeline.knots(settings.dynamics_period_s)
+        configurations = timeline.at(times)
+        placed = self._kinematics.poses(configurations)
+        polygon = SupportPolygon(self._model, trajectory.stance)
+        margin = polygon.margin_m(self._kinematics.com(placed)[:, :2])
+        least = self._model.description.com_margin_m
+        findings = _first_below("CoM", times, margin, least, least - settings.com_tolerance_m)
+        q = np.hstack(
+            [configurations.base_position_m, configurations.base_quaternion, configurations.joints_rad]
+        )
+        efforts = self._inverse_dynamics(trajectory, times, q)
+        force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
+        lift = np.maximum(force[:, 2], 1e-6)
+        zmp = np.column_stack([-moment[:, 1], moment[:, 0]]) / lift[:, None]
+        zmp_margin = polygon.margin_m(zmp)
+        findings += _first_below("ZMP", times, zmp_margin, settings.zmp_margin_m, settings.zmp_margin_m)
+        torques = self._torques(trajectory.stance, efforts, force, moment, placed)
+        findings += self._effort(times, torques)
+        return findings, float(margin.min())
+
+    def _inverse_dynamics(self, trajectory: Trajectory, times: Array, q: Array) -> Array:
+        """Generalised forces without contacts, shape (n, nv)."""
+        window = self._settings.acceleration_window_s
+        end = trajectory.duration_s
+        before, after = np.maximum(times - window, 0.0), np.minimum(times + window, end)
+        v, early, late = (_interpolate(trajectory, t) for t in (times, before, after))
+        a = (late - early) / np.maximum(after - before, 1e-9)[:, None]
+        model, data = self._model.pin, self._data
+        return np.array([pin.rnea(model, data, q[i], v[i], a[i]).copy() for i in range(len(times))])
+
+    @staticmethod
+    def _ground_wrench(base: Array, rotation: Array, position: Array) -> tuple[Array, Array]:
+        """Force and moment about the world's origin that the ground has to give."""
+        force = np.einsum("nij,nj->ni", rotation, base[:, :3])
+        moment = np.einsum("nij,nj->ni", rotation, base[:, 3:]) + np.cross(position, force)
+        return force, moment
+
+    def _torques(
+        self, stance: Stance, efforts: Array, force: Array, moment: Array, placed: BodyPoses
+    ) -> Array:
+        """Joint torques when the soles carry the wrench with the least forces and moments."""
+        torques = efforts[:, 6:].copy()
+        if not stance.soles:
+            return torques
+        points = np.array([world_T_sole[:3, 3] for _, world_T_sole in stance.soles])
+        grasp = np.zeros((6, 6 * len(points)))
+        for k, (x, y, z) in enumerate(points):
+            arm = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+            grasp[:3, 6 * k : 6 * k + 3] = np.eye(3)
+            grasp[3:, 6 * k : 6 * k + 3] = arm
+            grasp[3:, 6 * k + 3 : 6 * k + 6] = np.eye(3)
+        weight = np.diag([1.0, 1.0, 1.0, *[_MOMENT_WEIGHT] * 3] * len(points))
+        share = weight @ np.linalg.pinv(grasp @ weight)
+        wrenches = np.hstack([force, moment]) @ share.T
+        for k, (name, _) in enumerate(stance.soles):
+            foot = int(self._model.pin.frames[self._model.frame_id(name)].parentJoint)
+            f, n = wrenches[:, 6 * k : 6 * k + 3], wrenches[:, 6 * k + 3 : 6 * k + 6]
+            for body in self._kinematics.chain(foot):
+                if body < _FIRST_JOINT:
+                    continue
+                axis = placed.rotation[body] @ self._kinematics.axis[body]
+                pull = n + np.cross(points[k] - placed.origin_m[body], f)
+                torques[:, body - _FIRST_JOINT] -= np.einsum("ni,ni->n", axis, pull)
+        return torques
+
+    def _effort(self, times: Array, torques: Array) -> list[Finding]:
+        over = np.abs(torques) > self._model.effort
+        findings = []
+        for joint in np.flatnonzero(over.any(axis=0)):
+            bad = np.flatnonzero(over[:, joint])
+            value = float(np.abs(torques[bad, joint]).max())
+            findings.append(
+                Finding(
+                    FindingKind.EFFORT_LIMIT,
+                    float(times[bad[0]]),
+                    (self._model.joints[joint],),
+                    value,
+                    float(self._model.effort[joint]),
+                )
+            )
+        return findings
+
+
+def _interpolate(trajectory: Trajectory, times: Array) -> Array:
+    """Velocities between the samples, shape (n, nv)."""
+    t = trajectory.t_s
+    i = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    u = ((times - t[i]) / (t[i + 1] - t[i]))[:, None]
+    return np.asarray((1.0 - u) * trajectory.v[i] + u * trajectory.v[i + 1])
+
+
+def _first_below(subject: str, times: Array, values: Array, limit: float, least: float) -> list[Finding]:
+    bad = np.flatnonzero(values < least)
+    if not len(bad):
+        return []
+    worst = float(values[bad].min())
+    return [Finding(FindingKind.BALANCE, float(times[bad[0]]), (subject,), worst, limit)]

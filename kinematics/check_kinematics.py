@@ -1,0 +1,108 @@
+"""Forward kinematics of many configurations in one pass, for the trajectory checker."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.check_timeline import Configurations
+from kinematics.errors import ModelError
+from kinematics.robot_model import RobotModel
+
+Array = NDArray[np.float64]
+
+WORLD = 0
+"""Index of the world among the bodies."""
+BASE = 1
+"""Index of the floating base."""
+_FIRST_JOINT = 2
+
+
+@dataclass(frozen=True, slots=True)
+class BodyPoses:
+    """Poses of all bodies (Pinocchio's joint frames; 0 is the world) at n instants.
+
+    Attributes:
+        rotation: ``world_R_body``, shape (bodies, n, 3, 3).
+        origin_m: Origin of the body's frame in the world, shape (bodies, n, 3).
+    """
+
+    rotation: Array
+    origin_m: Array
+
+
+class BatchedKinematics:
+    """The kinematic tree as arrays.
+
+    Attributes:
+        parent: Parent body of each body.
+        offset_m: Origin of each body in its parent's frame, shape (bodies, 3).
+        axis: Joint axis in the body's own frame, shape (bodies, 3).
+
+    Raises:
+        ModelError: A joint other than the floating base is not a hinge.
+    """
+
+    def __init__(self, model: RobotModel) -> None:
+        tree = model.pin
+        self.count = int(tree.njoints)
+        self.parent = [int(parent) for parent in tree.parents]
+        self.offset_m = np.array([np.array(place.translation) for place in tree.jointPlacements])
+        self.axis = np.zeros((self.count, 3))
+        self._fixed = np.zeros((self.count, 3, 3))
+        self._sine = np.zeros((self.count, 3, 3))
+        self._versine = np.zeros((self.count, 3, 3))
+        for body in range(_FIRST_JOINT, self.count):
+            subspace = np.array(tree.joints[body].createData().S).reshape(6, -1)
+            hinge = subspace.shape[1] == 1 and not subspace[:3].any()
+            if not hinge or abs(np.linalg.norm(subspace[3:]) - 1.0) > 1e-9:
+                raise ModelError(f"joint {tree.names[body]!r} is not a hinge")
+            axis = subspace[3:, 0]
+            skew = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+            placement = np.array(tree.jointPlacements[body].rotation)
+            self.axis[body] = axis
+            # Rodrigues' formula with the constant placement multiplied in
+            self._fixed[body] = placement
+            self._sine[body] = placement @ skew
+            self._versine[body] = placement @ skew @ skew
+        self._mass = np.array([float(inertia.mass) for inertia in tree.inertias])
+        self._lever = np.array([np.array(inertia.lever) for inertia in tree.inertias])
+
+    def chain(self, body: int) -> list[int]:
+        """Bodies from ``body`` up to the floating base, both included; empty for the world."""
+        chain = []
+        while body != WORLD:
+            chain.append(body)
+            body = self.parent[body]
+        return chain
+
+    def poses(self, configurations: Configurations, bodies: frozenset[int] | None = None) -> BodyPoses:
+        """Poses of all bodies, or of some and all that they hang on; the rest is left undefined."""
+        n = len(configurations.t_s)
+        rotation = np.empty((self.count, n, 3, 3))
+        origin = np.empty((self.count, n, 3))
+        rotation[WORLD], origin[WORLD] = np.eye(3), 0.0
+        rotation[BASE] = configurations.base_rotation
+        origin[BASE] = configurations.base_position_m
+        wanted = range(self.count) if bodies is None else {b for body in bodies for b in self.chain(body)}
+        angles = configurations.joints_rad.T
+        sine, versine = np.sin(angles), 1.0 - np.cos(angles)
+        for body in sorted(wanted):
+            if body < _FIRST_JOINT:
+                continue
+            k, parent = body - _FIRST_JOINT, self.parent[body]
+            turn = sine[k][:, None, None] * self._sine[body]
+            turn += versine[k][:, None, None] * self._versine[body]
+            turn += self._fixed[body]
+            np.matmul(rotation[parent], turn, out=rotation[body])
+            np.matmul(rotation[parent], self.offset_m[body], out=origin[body])
+            origin[body] += origin[parent]
+        return BodyPoses(rotation, origin)
+
+    def com(self, poses: BodyPoses) -> Array:
+        """Centre of mass in the world, shape (n, 3)."""
+        levers = np.einsum("b,bnij,bj->ni", self._mass, poses.rotation, self._lever, optimize=True)
+        origins = np.einsum("b,bni->ni", self._mass, poses.origin_m)
+        return np.asarray((levers + origins) / self._mass.sum(), dtype=np.float64)

@@ -1,0 +1,157 @@
+"""Which solids must stay apart, by how much, and how fast they can approach each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.check_kinematics import BASE, WORLD, BatchedKinematics
+from kinematics.check_solids import Solid, plain_solid, robot_solids
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+from kinematics.trajectory import FindingKind
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+# rows of a rate: the base's path and turn, then the hinges; a hinge's row is its body's index
+_BASE_PATH, _BASE_TURN = 0, 1
+
+FLOOR = "floor"
+_FLOOR_SIZE_M = (40.0, 40.0, 2.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Pairs:
+    """All pairs of solids that one check judges.
+
+    Attributes:
+        solids: Every solid of robot, hands and scene.
+        first, second: Indices of the pairs' solids, shape (p,).
+        clearance_m: Distance that each pair has to keep, shape (p,).
+        kinds: What a pair's contact is called.
+        rate: Displacement of one solid relative to the other for one unit of each path length of
+            ``Timeline.path_lengths``, a bound from above, shape (2 + k, p).
+    """
+
+    solids: tuple[Solid, ...]
+    first: Indices
+    second: Indices
+    clearance_m: Array
+    kinds: tuple[FindingKind, ...]
+    rate: Array
+
+
+class PairBuilder:
+    """Makes the pairs of a scene; what depends on the robot alone is prepared once.
+
+    Raises:
+        ModelError: A collision geometry of the robot cannot be judged.
+    """
+
+    def __init__(self, model: RobotModel, kinematics: BatchedKinematics) -> None:
+        self._model = model
+        self._kinematics = kinematics
+        self._robot = robot_solids(model, kinematics)
+        geometry = model.geometry()
+        self._self_pairs = [
+            (int(pair.first), int(pair.second))
+            for pair in geometry.collisionPairs
+            if self._robot[pair.first].body != self._robot[pair.second].body
+        ]
+        self._robot_rates: dict[tuple[int, int], Array] = {}
+        self._self_rate = self._rates(self._robot, self._self_pairs)
+        self._sole_links = {sole.link for sole in model.description.soles}
+
+    def pairs(self, scene: PlanningScene) -> Pairs:
+        """Pairs that may not touch in a scene: robot, held objects, scene objects and the floor."""
+        robot, kinematics = self._robot, self._kinematics
+        held = []
+        for body in scene.attached.values():
+            frame = self._model.pin.frames[self._model.frame_id(body.frame)]
+            joint_T_object = np.array(frame.placement.homogeneous) @ body.frame_T_object
+            held.append(
+                plain_solid(
+                    body.body.name, int(frame.parentJoint), joint_T_object, body.body.shape, kinematics
+                )
+            )
+        things = list(scene.objects.values())
+        if FLOOR not in scene.objects:
+            things.append(
+                SceneObject(FLOOR, Box(_FLOOR_SIZE_M), poses.translation(0, 0, -0.5 * _FLOOR_SIZE_M[2]))
+            )
+        world = [
+            plain_solid(item.name, WORLD, item.world_T_object, item.shape, kinematics) for item in things
+        ]
+        solids = [*robot, *held, *world]
+        first_held, first_world = len(robot), len(robot) + len(held)
+        allowed = scene.allowed
+
+        def may_touch(i: int, j: int) -> bool:
+            return frozenset((solids[i].name, solids[j].name)) in allowed
+
+        own = [k for k, (i, j) in enumerate(self._self_pairs) if not (allowed and may_touch(i, j))]
+        pairs = [self._self_pairs[k] for k in own]
+        clearance = [0.0] * len(pairs)
+        kinds = [FindingKind.SELF_COLLISION] * len(pairs)
+        others: list[tuple[int, int]] = []
+        touching = list(scene.attached.values())
+        for i in range(first_held, first_world):
+            touch_links = touching[i - first_held].touch_links
+            others += [(j, i) for j in range(i) if solids[j].name not in touch_links and not may_touch(i, j)]
+        clearance += [0.0] * len(others)
+        for i in range(first_world, len(solids)):
+            for j in range(first_world):
+                standing = solids[i].name == FLOOR and solids[j].name in self._sole_links
+                if not standing and not may_touch(i, j):
+                    others.append((j, i))
+                    clearance.append(things[i - first_world].margin_m)
+        for j, i in others:
+            by_hand = j >= first_held or first_held <= i < first_world
+            kinds.append(FindingKind.HELD_OBJECT_COLLISION if by_hand else FindingKind.SCENE_COLLISION)
+        index = np.array(pairs + others, dtype=np.intp).reshape(-1, 2)
+        rate = np.hstack([self._self_rate[:, own], self._rates(solids, others)])
+        return Pairs(tuple(solids), index[:, 0], index[:, 1], np.array(clearance), tuple(kinds), rate)
+
+    def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
+        rate = np.zeros((self._kinematics.count, len(pairs)))
+        held_rates: dict[tuple[int, int], Array] = {}
+        for column, (i, j) in enumerate(pairs):
+            meeting = self._meeting(solids[i].body, solids[j].body)
+            for k in (i, j):
+                known = self._robot_rates if k < len(self._robot) else held_rates
+                if (k, meeting) not in known:
+                    known[k, meeting] = self._reach(solids[k], meeting)
+                rate[:, column] += known[k, meeting]
+        return rate
+
+    def _meeting(self, first: int, second: int) -> int:
+        """The body nearest to both on the way to the world."""
+        above = set(self._kinematics.chain(first))
+        return next((body for body in self._kinematics.chain(second) if body in above), WORLD)
+
+    def _reach(self, solid: Solid, root: int) -> Array:
+        """How far any point of a solid can be from each axis between it and ``root``, shape (2 + k,).
+
+        The base's path carries everything along (1), its turn acts about its origin. The
+        farthest distance over all configurations: offsets along the chain add up.
+        """
+        kinematics = self._kinematics
+        rate = np.zeros(kinematics.count)
+        body, reach, from_axis = solid.body, solid.reach_m, solid.axis_reach_m
+        while body != root:
+            if body == BASE:
+                rate[_BASE_PATH], rate[_BASE_TURN] = 1.0, reach
+                break
+            rate[body] = from_axis
+            parent, offset = kinematics.parent[body], kinematics.offset_m[body]
+            axis = kinematics.axis[parent]
+            from_axis = float(np.linalg.norm(offset - axis * (axis @ offset))) + reach
+            reach += float(np.linalg.norm(offset))
+            body = parent
+        return rate

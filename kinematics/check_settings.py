@@ -1,0 +1,57 @@
+"""What the trajectory checker tolerates, and how finely it looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class CheckSettings:
+    """Tolerances of the trajectory checker; the limits themselves are the robot's data.
+
+    Attributes:
+        position_rad: A joint may pass its position limit by this much (numerical noise only).
+        velocity_fraction: A joint's speed may pass its limit by this fraction.
+        acceleration_fraction: The same for the acceleration. Cubic pieces through exact samples of a
+            motion that rides on both its acceleration and its jerk limit overshoot the former by up
+            to 8/27 of jerk times spacing; half of a percent covers that at control rate.
+        jerk_fraction: The same for the jerk.
+        jerk_window_s: A sudden change of acceleration at a sample is spread over the spacing of the
+            samples, but over no more than this, to be judged as jerk.
+        discontinuity_factor: Two neighbouring samples that could only be joined with this many times
+            the acceleration limit are a jump, not a motion.
+        stance_m, stance_rad: A sole may stray this far from where the stance says it stands.
+        base_jump_m, base_jump_rad: Two neighbouring base poses may depart this far from what the base
+            velocities of both samples say.
+        collision_m: Two solids nearer than this (beyond the margin to keep) count as touching. It
+            also ends the refinement: nearer pairs are findings, farther ones are certified.
+        cell_s: Length of the time intervals that the collision check starts from.
+        subdivision: Into how many an interval is split that could not be certified.
+        dynamics_period_s: Spacing of the configurations at which CoM, ZMP and efforts are computed.
+            Joints within their acceleration limit bend a path by less than 0.4 mrad in that time.
+        acceleration_window_s: Accelerations for ZMP and efforts are differences of velocities over
+            this time to both sides.
+        com_tolerance_m: The CoM margin may be undercut by this much (numerical noise only).
+        zmp_margin_m: The ZMP stays this far inside the support polygon. At zero the feet begin to tip.
+    """
+
+    position_rad: float = 1e-5
+    velocity_fraction: float = 2e-3
+    acceleration_fraction: float = 5e-3
+    jerk_fraction: float = 5e-3
+    jerk_window_s: float = 0.02
+    discontinuity_factor: float = 4.0
+    stance_m: float = 1e-3
+    stance_rad: float = 2e-3
+    base_jump_m: float = 1e-3
+    base_jump_rad: float = 2e-3
+    collision_m: float = 2e-5
+    cell_s: float = 0.04
+    subdivision: int = 4
+    dynamics_period_s: float = 0.02
+    acceleration_window_s: float = 0.01
+    com_tolerance_m: float = 1e-4
+    zmp_margin_m: float = 0.0
+
+
+DEFAULT_SETTINGS = CheckSettings()

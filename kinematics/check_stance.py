@@ -1,0 +1,71 @@
+"""Whether the feet stay where the stance says they stand."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_settings import CheckSettings
+from kinematics.check_timeline import Timeline
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Finding, FindingKind, Stance
+
+Array = NDArray[np.float64]
+
+# a foot hangs about a metre below the base: a bend of this many radians moves it as many metres
+_LEG_M = 1.0
+
+
+def stance_findings(
+    model: RobotModel,
+    kinematics: BatchedKinematics,
+    timeline: Timeline,
+    stance: Stance,
+    settings: CheckSettings,
+) -> list[Finding]:
+    """Judge every sole of the stance at every sample, and between them where the motion bends.
+
+    Raises:
+        UnknownNameError: The stance names a frame that the model does not have.
+    """
+    if not stance.soles:
+        return []
+    frames = [model.pin.frames[model.frame_id(name)] for name, _ in stance.soles]
+    feet = frozenset(int(frame.parentJoint) for frame in frames)
+    legs = sorted({body - 2 for foot in feet for body in kinematics.chain(foot) if body >= 2})
+    configurations = timeline.at(_instants(timeline, legs, settings))
+    placed = kinematics.poses(configurations, feet)
+    findings = []
+    for (name, world_T_sole), frame in zip(stance.soles, frames, strict=True):
+        body, local = int(frame.parentJoint), np.array(frame.placement.homogeneous)
+        position = placed.rotation[body] @ local[:3, 3] + placed.origin_m[body]
+        slip = np.linalg.norm(position - world_T_sole[:3, 3], axis=1)
+        # Frobenius distance of two rotations is 2 sqrt(2) sin(angle / 2)
+        apart = placed.rotation[body] @ local[:3, :3] - world_T_sole[:3, :3]
+        sine = np.linalg.norm(apart.reshape(-1, 9), axis=1) / (2.0 * np.sqrt(2.0))
+        tilt = 2.0 * np.arcsin(np.minimum(sine, 1.0))
+        for subject, value, limit in (
+            ((name,), slip, settings.stance_m),
+            ((name, "orientation"), tilt, settings.stance_rad),
+        ):
+            bad = np.flatnonzero(value > limit)
+            if len(bad):
+                t_s = float(configurations.t_s[bad[0]])
+                findings.append(Finding(FindingKind.STANCE, t_s, subject, float(value[bad].max()), limit))
+    return findings
+
+
+def _instants(timeline: Timeline, legs: list[int], settings: CheckSettings) -> Array:
+    """Samples, and more between them where base or legs bend by more than a part of the tolerance."""
+    bend = timeline.bend()
+    moving = np.ptp(timeline.joints_rad[:, legs], axis=0).any() or timeline.base_turn_rad.any()
+    if not (moving or np.ptp(timeline.base_position_m, axis=0).any() or bend[:, [0]].any()):
+        return timeline.t_s[:1]
+    stray = bend[:, 0] + _LEG_M * bend[:, [1 + k for k in legs]].sum(axis=1)
+    parts = np.ceil(np.sqrt(stray / (0.25 * settings.stance_m))).astype(np.intp)
+    extra = [
+        np.linspace(timeline.t_s[i], timeline.t_s[i + 1], min(int(parts[i]), 200) + 1)[1:-1]
+        for i in np.flatnonzero(parts > 1)
+    ]
+    return np.union1d(timeline.t_s, np.concatenate(extra)) if extra else timeline.t_s

@@ -1,0 +1,98 @@
+"""The judge of planned motions: the only maker of a ``CheckedTrajectory``.
+
+It shares the robot model, the planning scene and the trajectory's definition with the planner and
+nothing else. Everything is judged over the whole duration, not at the samples: joint limits in
+closed form, collisions with a certificate for every interval, the stance wherever it bends, CoM,
+ZMP and efforts densely enough for joints that keep their acceleration limit.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.check_collision import CollisionCheck
+from kinematics.check_dynamics import DynamicsCheck
+from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_limits import base_findings, limit_findings
+from kinematics.check_pairs import PairBuilder
+from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
+from kinematics.check_stance import stance_findings
+from kinematics.check_timeline import Timeline
+from kinematics.errors import InvalidMotionError
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import _SEAL, CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe
+
+__all__ = ["CheckSettings", "TrajectoryChecker"]
+
+_UNIT_QUATERNION_TOLERANCE = 1e-3
+
+
+class TrajectoryChecker:
+    """Judges trajectories of one robot. Holds working memory: one thread at a time.
+
+    Args:
+        model: The robot.
+        settings: Tolerances and fineness.
+
+    Raises:
+        ModelError: The robot has joints or collision shapes that cannot be judged.
+    """
+
+    def __init__(self, model: RobotModel, settings: CheckSettings = DEFAULT_SETTINGS) -> None:
+        self._model = model
+        self._settings = settings
+        self._kinematics = BatchedKinematics(model)
+        self._pairs = PairBuilder(model, self._kinematics)
+        self._dynamics = DynamicsCheck(model, self._kinematics, settings)
+
+    def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
+        """Judge one motion in one scene.
+
+        Returns:
+            The checked trajectory, or every finding in order of time: one for each kind and subject.
+
+        Raises:
+            InvalidMotionError: The trajectory is not one of this robot.
+            UnknownNameError: Stance or scene name a frame that the model does not have.
+        """
+        if trajectory.joints != self._model.joints:
+            raise InvalidMotionError(
+                f"the joints of the trajectory are not those of {self._model.description.name}"
+            )
+        model, settings = self._model, self._settings
+        timeline = Timeline(trajectory)
+        findings = _quaternion_findings(trajectory)
+        findings += limit_findings(model, timeline, settings)
+        findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
+        findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
+        unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)
+        findings += unbalanced
+        collision = CollisionCheck(self._kinematics, timeline, self._pairs.pairs(scene), settings)
+        findings += collision.findings()
+        if findings:
+            return Unsafe(tuple(sorted(findings, key=lambda finding: finding.t_s)))
+        return CheckedTrajectory(
+            trajectory=trajectory,
+            scene_version=scene.version,
+            min_distance_m=collision.min_distance_m,
+            min_com_margin_m=com_margin_m,
+            seal=_SEAL,
+        )
+
+
+def _quaternion_findings(trajectory: Trajectory) -> list[Finding]:
+    """Judge whether every base orientation is a unit quaternion."""
+    stray = np.abs(np.linalg.norm(trajectory.q[:, 3:7], axis=1) - 1.0)
+    bad = np.flatnonzero(stray > _UNIT_QUATERNION_TOLERANCE)
+    if not len(bad):
+        return []
+    return [
+        Finding(
+            FindingKind.DISCONTINUITY,
+            float(trajectory.t_s[bad[0]]),
+            ("base quaternion",),
+            float(stray.max()),
+            _UNIT_QUATERNION_TOLERANCE,
+        )
+    ]
