@@ -25,12 +25,14 @@ Array = NDArray[np.float64]
 
 # Steps of 15 degrees in yaw and 20 in tilt: neighbours differ by less than the wrist can make up for.
 YAWS_RAD = tuple(math.radians(a) for a in (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90, -90, 110, 130))
-TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 80))
+TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 75, 90))
 # Left between pads and object on each side, so that a perception error of this size still fits.
 OPENING_RESERVE_M = 0.006
 # The pads reach at least this far over an object's edge, and a palm keeps this from its top.
 PAD_OVERLAP_M = 0.025
 PALM_GAP_M = 0.012
+# Pointing down, the TCP stays this far above the object's foot: the fingertips reach 2 to 3 cm beyond.
+TIP_GAP_M = 0.055
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
 # An object that stands is upright to within this; a lying one is grasped like a box.
@@ -151,7 +153,8 @@ def _reach_in(height: float, half_depth: float, tilt: float, gripper: GripperDes
     """
     side = ABOVE_MIDDLE * height
     deepest = gripper.palm_distance_m - PALM_GAP_M
-    above = 0.5 * height - min(max(PAD_OVERLAP_M, 0.45 * height), deepest)
+    overlap = max(PAD_OVERLAP_M, min(0.45 * height, height - TIP_GAP_M))
+    above = 0.5 * height - min(overlap, deepest)
     share = math.sin(tilt) ** 2
     blended = (1.0 - share) * side + share * above
     if tilt < math.radians(5):
