@@ -52,7 +52,7 @@ def assemble(
     scene: SceneDescription,
     seed: int,
     *,
-    sink: EventSink = lambda event: None,
+    sink: EventSink = lambda _event: None,
     on_period: Callable[[], None] | None = None,
     on_tick: Callable[[TaskTree], None] | None = None,
     policy: TreePolicy | None = None,

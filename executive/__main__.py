@@ -1,0 +1,5 @@
+"""``python -m executive``."""
+
+from executive.cli import main
+
+main()

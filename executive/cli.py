@@ -1,0 +1,81 @@
+"""The command line. Heavy libraries are imported by the commands that need them, not here."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import typer
+from typer.core import TyperGroup
+
+from executive.commands import doctor, list_, parse, run, runs, tree, why
+from executive.errors import UserError
+from executive.exit_codes import ExitCode
+from robots.errors import DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError
+
+_ENVIRONMENT = (UserError, DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError)
+"""Faults of what was asked or of the machine: one line and exit code 2."""
+
+
+class ExecutiveGroup(TyperGroup):
+    """Turns whatever a command raises into a line and an exit code: no traceback reaches a user."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the chosen command."""
+        try:
+            return super().invoke(ctx)
+        except _ENVIRONMENT as fault:
+            _complain(" ".join(str(fault).split()))
+            raise typer.Exit(ExitCode.INVALID) from None
+        except KeyboardInterrupt:
+            _complain("cancelled from the keyboard")
+            raise typer.Exit(ExitCode.CANCELLED) from None
+        except BrokenPipeError:
+            raise
+        except Exception as defect:
+            if _is_for_typer(defect):
+                raise
+            raise typer.Exit(_defect(defect)) from None
+
+
+app = typer.Typer(
+    name="executive",
+    cls=ExecutiveGroup,
+    help="One sentence in, a verified physical result out, or a clear reason why not.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+app.command("run")(run.run)
+app.command("parse")(parse.parse)
+app.command("tree")(tree.tree)
+app.command("why")(why.why)
+app.command("runs")(runs.runs)
+app.command("list")(list_.list_)
+app.command("doctor")(doctor.doctor)
+
+
+def main() -> None:
+    """Entry point of the console script."""
+    app()
+
+
+def _is_for_typer(raised: Exception) -> bool:
+    """Whether typer itself knows what to do: its own exits and usage errors."""
+    return isinstance(raised, (typer.Exit, typer.Abort)) or hasattr(raised, "exit_code")
+
+
+def _defect(defect: Exception) -> ExitCode:
+    from executive.crash_report import write_crash_report
+
+    path = write_crash_report(defect)
+    where = f"a crash report is in {path}" if path else "no folder was writable for a crash report"
+    _complain(f"a defect of this program ({type(defect).__name__}); {where}")
+    return ExitCode.DEFECT
+
+
+def _complain(line: str) -> None:
+    encoding = sys.stderr.encoding or "utf-8"
+    shown = f"executive: {line}".encode(encoding, "backslashreplace").decode(encoding)
+    typer.echo(shown, err=True)

@@ -1,0 +1,159 @@
+"""Checks of the machine, each with the fix for what it finds missing."""
+
+from __future__ import annotations
+
+import ctypes.util
+import importlib.metadata
+import importlib.util
+import platform
+import shutil
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from executive.config import runs_directory
+from executive.errors import ExecutiveError
+
+MIN_PYTHON = (3, 11)
+_DISTRIBUTIONS = {
+    "numpy": "numpy",
+    "mujoco": "mujoco",
+    "pin": "pinocchio",
+    "placo": "placo",
+    "coal": "coal",
+    "example-robot-data": None,
+    "ruckig": "ruckig",
+    "py_trees": "py_trees",
+    "lark": "lark",
+    "rich": "rich",
+    "typer": "typer",
+    "pillow": "PIL",
+}
+"""What the product runs on, with the module that must be there."""
+
+_OPENGL = ("EGL", "OSMesa")
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that was looked at.
+
+    Attributes:
+        name: What.
+        ok: Whether it is there and works.
+        detail: What was found.
+        fix: What to do when it is not.
+        needed: Whether the main job needs it.
+    """
+
+    name: str
+    ok: bool
+    detail: str
+    fix: str = ""
+    needed: bool = True
+
+
+def diagnose() -> list[Finding]:
+    """Look at everything that the product needs."""
+    findings = [_python(), *(_package(name, module) for name, module in _DISTRIBUTIONS.items())]
+    findings += [_data("robots", _robots), _data("scenes", _scenes), _data("words", _words)]
+    return [*findings, _writable(), _opengl(), _ffmpeg()]
+
+
+def warm_up() -> str:
+    """Load the robot and the planner once, so that everything is compiled and cached."""
+    from executive.assembly import assemble
+    from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+    from robots.scene_file import load_scene
+
+    assembly = assemble(DEFAULT_ROBOT, load_scene(DEFAULT_SCENE), 0)
+    assembly.session.hold(0.1)
+    return f"warm: {DEFAULT_ROBOT} stands in {DEFAULT_SCENE}"
+
+
+def _python() -> Finding:
+    wanted = ".".join(map(str, MIN_PYTHON))
+    return Finding(
+        "Python",
+        sys.version_info >= MIN_PYTHON,
+        platform.python_version(),
+        f"install Python {wanted} or newer",
+    )
+
+
+def _package(name: str, module: str | None) -> Finding:
+    try:
+        version = importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return Finding(name, False, "not installed", f"pip install {name}")
+    if module is not None and importlib.util.find_spec(module) is None:
+        return Finding(
+            name,
+            False,
+            f"{version}, but the module {module} is gone",
+            f"pip install --force-reinstall {name}",
+        )
+    return Finding(name, True, version)
+
+
+def _data(name: str, count: Callable[[], int]) -> Finding:
+    fix = "pip install --force-reinstall humanoid-executive"
+    try:
+        number = count()
+    except (OSError, ValueError, ImportError, ExecutiveError) as broken:
+        return Finding(name, False, str(broken), fix)
+    return Finding(name, number > 0, f"{number} found", fix)
+
+
+def _robots() -> int:
+    from robots.description import known_robots
+
+    return len(known_robots())
+
+
+def _scenes() -> int:
+    from robots.scene_file import known_scenes
+
+    return len(known_scenes())
+
+
+def _words() -> int:
+    from executive.vocabulary import load_vocabulary
+
+    return len(load_vocabulary().single_words)
+
+
+def _writable() -> Finding:
+    folder = runs_directory()
+    probe = folder / ".probe"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe.write_text("")
+        probe.unlink()
+    except OSError as failed:
+        return Finding(
+            "runs folder", False, f"{folder}: {failed.strerror}", "use --record DIR, or set XDG_DATA_HOME"
+        )
+    return Finding("runs folder", True, str(folder))
+
+
+def _opengl() -> Finding:
+    found = [name for name in _OPENGL if ctypes.util.find_library(name)]
+    return Finding(
+        "OpenGL",
+        bool(found),
+        ", ".join(found) or "none; only --snapshot and --video need it",
+        "apt-get install libegl1, or libosmesa6",
+        needed=False,
+    )
+
+
+def _ffmpeg() -> Finding:
+    path = shutil.which("ffmpeg")
+    return Finding(
+        "ffmpeg",
+        path is not None,
+        path or "none; only --video needs it",
+        "apt-get install ffmpeg",
+        needed=False,
+    )

@@ -1,0 +1,128 @@
+"""What is told to people: one line for each event worth telling, and the line at the end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from executive.events import (
+    Event,
+    PlanningAnswered,
+    QuestionAsked,
+    SensorsNoted,
+    TaskAccepted,
+    TaskEnded,
+    TaskRefused,
+)
+from executive.task_result import TaskResult, chain
+from robots.control.events import MotionEnded, MotionStarted, SetpointRefused, StopStarted
+from trees.events import LeafFailed, Measured, NodeChanged
+from trees.failures import Failure, Number
+
+_UNITS = (
+    ("_rad_s", "rad/s"),
+    ("_m_s", "m/s"),
+    ("_rad", "rad"),
+    ("_nm", "Nm"),
+    ("_mm", "mm"),
+    ("_m", "m"),
+    ("_s", "s"),
+    ("_kg", "kg"),
+    ("_n", "N"),
+)
+
+
+def line_for(event: Event) -> str | None:
+    """What an event tells to people, or None when it is only for the log."""
+    match event:
+        case TaskAccepted():
+            return f"accepted: {_meaning(event.meaning)}"
+        case TaskRefused():
+            return f"refused: {event.message}"
+        case QuestionAsked():
+            return f"question: {event.question}"
+        case NodeChanged(status="running") if event.where:
+            return f"EXECUTING: {event.where}"
+        case LeafFailed():
+            return f"failed: {sentence(event.failure)}"
+        case SetpointRefused():
+            return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {event.value:.4g}, limit {event.bound:.4g}"
+        case StopStarted():
+            return f"stop category {event.category}: {event.reason}"
+        case MotionEnded(reason=reason) if reason:
+            return f"motion {event.motion} {event.status}: {reason}"
+        case NodeChanged() | Measured() | MotionStarted() | MotionEnded():
+            return None
+        case TaskEnded() | PlanningAnswered() | SensorsNoted():
+            return None
+
+
+def sentence(failure: Failure) -> str:
+    """One link of a failure chain as a sentence with its numbers and place."""
+    numbers = ", ".join(f"{quantity(key, value)}" for key, value in failure.numbers.items())
+    place = f" [{failure.kind.value}{' at ' + failure.where if failure.where else ''}]"
+    return failure.message + (f" ({numbers})" if numbers else "") + place
+
+
+def quantity(key: str, value: Number) -> str:
+    """A named number as people read it: "gripper opening 61 mm"."""
+    for suffix, unit in _UNITS:
+        if key.endswith(suffix) and isinstance(value, (int, float)) and not isinstance(value, bool):
+            name = key.removesuffix(suffix).replace("_", " ")
+            if unit == "m" and abs(value) < 0.1:
+                return f"{name} {value * 1000.0:.1f} mm"
+            return f"{name} {value:.3g} {unit}"
+    name = key.replace("_", " ")
+    return f"{name} {value:.4g}" if isinstance(value, float) else f"{name} {value}"
+
+
+def failure_lines(failure: Failure | None) -> list[str]:
+    """A failure chain, the top first, each cause indented below what it caused."""
+    return [
+        f"{'   ' * (depth - 1) + '└─ ' if depth else ''}{sentence(link)}"
+        for depth, link in enumerate(chain(failure))
+    ]
+
+
+def result_line(result: TaskResult) -> str:
+    """The last line: what happened, from the robot's own sensors."""
+    times = f" ({result.times.simulated_s:.1f} s simulated, {result.times.wall_s:.1f} s wall)"
+    if result.outcome == "done":
+        return f"done: {_claim(result)}{times}"
+    links = chain(result.failure)
+    if not links:
+        return f"{result.outcome}: {result.text}{times}"
+    reason = links[0].message
+    if links[-1] is not links[0] and links[-1].message not in reason:
+        reason += f", because {links[-1].message}"
+    return f"{result.outcome}: {reason} [{links[-1].kind.value}]{times}"
+
+
+def _claim(result: TaskResult) -> str:
+    evidence = result.evidence
+    if result.action != "pick":
+        return {"go_home": "at the home posture", "stop": "nothing was under way; holding"}.get(
+            result.action, result.text
+        )
+    parts = [
+        f"{evidence.get('object', 'object')} held in the {evidence.get('hand', '')} hand".replace("  ", " ")
+    ]
+    for key, form in (
+        ("gripper_opening_m", lambda value: f"opening {value * 1000.0:.0f} mm"),
+        ("effort_nm", lambda value: f"effort {value:.1f} Nm"),
+        ("lift_m", lambda value: f"lifted {value:.2f} m"),
+    ):
+        value = evidence.get(key)
+        if isinstance(value, (int, float)):
+            parts.append(form(value))
+    return ", ".join(parts)
+
+
+def _meaning(meaning: Mapping[str, object]) -> str:
+    words = [str(meaning.get("action", "")).replace("_", " ")]
+    item = meaning.get("object")
+    if isinstance(item, Mapping):
+        words += [str(item[key]) for key in ("color", "kind") if key in item] if item else ["thing"]
+    for key in ("from", "hand"):
+        if key in meaning:
+            words.append(f"from the {meaning[key]}" if key == "from" else f"with the {meaning[key]} hand")
+    return " ".join(words)

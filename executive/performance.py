@@ -1,0 +1,227 @@
+"""One run from its request to its report: refuse early, then move, then say what happened."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING
+
+from executive.events import Event, QuestionAsked, TaskRefused
+from executive.exit_codes import ExitCode
+from executive.feedback import result_line
+from executive.outputs.report import Report, SafetyCounts
+from executive.run_log import RunLog, require_writable, write_report
+from executive.run_request import RunRequest
+from executive.session import TASK_TIMEOUT_S
+from executive.statement import Statement
+from executive.task_result import TaskResult
+from robots.control.events import SetpointRefused, StopStarted
+from robots.description import known_robots
+from robots.errors import UnknownRobotError
+from robots.scene_description import SceneDescription
+from robots.scene_file import known_scenes, load_scene
+
+if TYPE_CHECKING:
+    from executive.assembly import Assembly
+    from executive.outputs.display import Display
+    from executive.outputs.pictures import Pictures
+
+FINAL_HOLD_S = 0.5
+"""Simulated time that a film goes on after the last task."""
+
+
+@dataclass(frozen=True, slots=True)
+class Performance:
+    """How a run ended: the line for people, the exit code, and the report."""
+
+    line: str
+    exit_code: ExitCode
+    report: Report
+    run_name: str
+
+
+@dataclass(slots=True)
+class _Tally:
+    """Counts what checker, gate and stop profile did, from their events."""
+
+    refused: int = 0
+    stops: tuple[str, ...] = ()
+
+    def add(self, event: Event) -> None:
+        if isinstance(event, SetpointRefused):
+            self.refused += 1
+        elif isinstance(event, StopStarted):
+            self.stops = (*self.stops, event.reason)
+
+
+def perform(request: RunRequest, display: Display) -> Performance:
+    """Carry a request out.
+
+    Everything that can be wrong with it, or with the machine, is found before anything moves.
+
+    Raises:
+        UserError: An option, the scene or the machine is not good for it.
+        RobotsError: The robot's or the scene's data are not.
+    """
+    scene = _preflight(request)
+    pictures = _pictures(request)
+    header = {
+        "input": request.input,
+        "robot": request.robot,
+        "scene": request.scene,
+        "seed": request.seed,
+    }
+    scene_path = None if request.scene in known_scenes() else Path(request.scene)
+    tally = _Tally()
+    with RunLog(request.record, header, scene_path) as log:
+
+        def sink(event: Event) -> None:
+            log.add(event)
+            tally.add(event)
+            display.event(event)
+
+        results, checked = _results(request, scene, sink, display, pictures)
+        line, outcome, code = _verdict(request, results)
+        report = Report(
+            input=request.input,
+            seed=request.seed,
+            robot=request.robot,
+            scene=request.scene,
+            outcome=outcome,
+            exit_code=code,
+            message=line,
+            events_sha256=log.digest.hexdigest(),
+            tasks=[result for _, results_of in results for result in results_of],
+            safety=SafetyCounts(checked, tally.refused, tally.stops),
+        )
+        log.finish(report.to_json())
+    if request.report is not None:
+        write_report(request.report, report.to_json())
+    return Performance(line, code, report, log.name)
+
+
+Said = tuple[Statement, list[TaskResult]]
+"""A statement with the results of its tasks."""
+
+
+def _preflight(request: RunRequest) -> SceneDescription:
+    """Find what is wrong with the request before anything is built."""
+    if request.robot not in known_robots():
+        raise UnknownRobotError(request.robot, known_robots())
+    scene = load_scene(request.scene)
+    for path in (request.report, request.snapshot, request.video):
+        if path is not None:
+            require_writable(path)
+    return scene
+
+
+def _pictures(request: RunRequest) -> Pictures | None:
+    if request.snapshot is None and request.video is None:
+        return None
+    from executive.outputs.pictures import Pictures
+
+    return Pictures(request.snapshot, request.video)
+
+
+def _results(
+    request: RunRequest,
+    scene: SceneDescription,
+    sink: Callable[[Event], None],
+    display: Display,
+    pictures: Pictures | None,
+) -> tuple[list[Said], int]:
+    """Run every statement; a sentence that is not understood, and not expected so, stops all before it moves."""
+    spoiled = [one for one in request.statements if not _may_start(one)]
+    if spoiled or not any(one.parsed.commands for one in request.statements):
+        statements = spoiled[:1] or request.statements
+        return [(one, [_not_understood(one, 0.0, sink)]) for one in statements], 0
+    from executive.assembly import assemble
+
+    assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick)
+    if pictures is not None:
+        pictures.begin(assembly.world, assembly.session)
+    results: list[Said] = []
+    with _interrupts(assembly.session.cancel):
+        for statement in request.statements:
+            said = _run_statement(statement, assembly, sink)
+            results.append((statement, said))
+            if said[-1].outcome == "cancelled":
+                break
+            if said[-1].outcome != statement.expect and statement.on_failure != "continue":
+                break
+    if pictures is not None:
+        assembly.session.hold(FINAL_HOLD_S)
+        pictures.finish(assembly.world)
+    return results, assembly.planning.checked
+
+
+def _may_start(statement: Statement) -> bool:
+    outcome = statement.parsed.outcome
+    return outcome == "tasks" or outcome == statement.expect
+
+
+def _run_statement(
+    statement: Statement, assembly: Assembly, sink: Callable[[Event], None]
+) -> list[TaskResult]:
+    if not statement.parsed.commands:
+        return [_not_understood(statement, assembly.session.now_s, sink)]
+    results: list[TaskResult] = []
+    for _ in range(2 if statement.on_failure == "retry" else 1):
+        for command in statement.parsed.commands:
+            results.append(assembly.session.run_task(command, statement.timeout_s or TASK_TIMEOUT_S))
+            if results[-1].outcome != "done":
+                break
+        if results[-1].outcome in (statement.expect, "cancelled"):
+            break
+    return results
+
+
+def _not_understood(statement: Statement, now_s: float, sink: Callable[[Event], None]) -> TaskResult:
+    parsed = statement.parsed
+    text = parsed.to_json()["text"]
+    if parsed.refusal is not None:
+        sink(TaskRefused(now_s, text, str(parsed.refusal), parsed.refusal.word))
+        return TaskResult(text, "none", "refused")
+    question = parsed.question.text if parsed.question is not None else ""
+    sink(QuestionAsked(now_s, text, question))
+    return TaskResult(text, "none", "question")
+
+
+def _verdict(request: RunRequest, results: list[Said]) -> tuple[str, str, ExitCode]:
+    """The line for people, the outcome, and the exit code of the first unexpected result."""
+    for statement, said in results:
+        last = said[-1]
+        if last.outcome != statement.expect:
+            code = last.exit_code if last.exit_code is not ExitCode.DONE else ExitCode.FAILED
+            return _line(statement, last), last.outcome, code
+    statement, said = results[-1]
+    line = _line(statement, said[-1])
+    if len(request.statements) > 1:
+        line = f"script done: {len(results)} statements as expected; last {line}"
+    return line, "done", ExitCode.DONE
+
+
+def _line(statement: Statement, result: TaskResult) -> str:
+    if result.outcome == "refused" and statement.parsed.refusal is not None:
+        return f"refused: {statement.parsed.refusal}"
+    if result.outcome == "question" and statement.parsed.question is not None:
+        return f"question: {statement.parsed.question.text}"
+    return result_line(result)
+
+
+@contextmanager
+def _interrupts(cancel: Callable[[str], None]) -> Iterator[None]:
+    """Let Ctrl-C cancel the task; the robot brakes and holds before the program ends."""
+
+    def interrupted(_number: int, _frame: FrameType | None) -> None:
+        cancel("cancelled from the keyboard")
+
+    before = signal.signal(signal.SIGINT, interrupted)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
