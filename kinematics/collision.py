@@ -71,9 +71,7 @@ class CollisionWorld:
     def collides(self, q: Array) -> bool:
         """Tell whether any pair that may not touch is nearer than its margin."""
         return bool(
-            pin.computeCollisions(
-                self._model.pin, self._data, self._geometry, self._geometry_data, q, True
-            )
+            pin.computeCollisions(self._model.pin, self._data, self._geometry, self._geometry_data, q, True)
         )
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:

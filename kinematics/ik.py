@@ -193,7 +193,7 @@ def _trunk(model: RobotModel) -> str:
     """Link that the last joint of the torso moves."""
     joint = model.pin.getJointId(model.description.groups["torso"][-1])
     return next(
-        frame.name for frame in model.pin.frames if frame.parentJoint == joint and frame.type == pin.BODY
+        str(frame.name) for frame in model.pin.frames if frame.parentJoint == joint and frame.type == pin.BODY
     )
 
 

@@ -59,9 +59,9 @@ class _Leg:
         ids = [model.pin.getJointId(name) for name in model.description.groups[group]]
         axes = tuple(model.pin.joints[i].shortname() for i in ids)
         offsets = [np.array(model.pin.jointPlacements[i].translation) for i in ids]
-        straight = all(
-            np.allclose(offsets[k][:2], 0.0) for k in (3, 4)
-        ) and all(np.allclose(offsets[k], 0.0) for k in (1, 2, 5))
+        straight = all(np.allclose(offsets[k][:2], 0.0) for k in (3, 4)) and all(
+            np.allclose(offsets[k], 0.0) for k in (1, 2, 5)
+        )
         turned = any(not np.allclose(model.pin.jointPlacements[i].rotation, np.eye(3)) for i in ids)
         if axes != AXES or not straight or turned:
             raise ModelError(f"{group}: no closed form for axes {axes} with offsets {offsets}")

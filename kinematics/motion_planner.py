@@ -16,13 +16,10 @@ from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import (
     CARTESIAN_PACE,
     CARTESIAN_POINTS,
-    PLANNING_RESERVE_M,
     REACH_PACE,
-    SELF_MARGIN_M,
     PickPlanner,
 )
 from kinematics.requests import (
-    CheckRequest,
     MovePlan,
     MoveRequest,
     NoPlan,
@@ -64,7 +61,7 @@ class MotionPlanner:
         start = space.from_q(request.q_start)
         goal = start.copy()
         if not request.keep_others:
-            goal = space.from_q(_home_on(model, request))
+            goal = space.from_q(model.home_over(request.stance))
         for joint, angle in request.joints.items():
             goal[space.index(joint)] = angle
         world = CollisionWorld(model, request.scene, 0.0, 0.0)
@@ -73,7 +70,9 @@ class MotionPlanner:
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
         curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
         if curve is None:
-            pair = world.colliding_pair(space.to_q(goal[None, :])[0][0]) or world.colliding_pair(request.q_start)
+            pair = world.colliding_pair(space.to_q(goal[None, :])[0][0]) or world.colliding_pair(
+                request.q_start
+            )
             reason = "no collision-free path" if pair is None else f"{pair[0]} collides with {pair[1]}"
             return NoPlan(f"no motion to the posture was found: {reason}", {reason: 1})
         trajectory = time_curve(model, space, request.stance, curve, REACH_PACE)
@@ -93,7 +92,8 @@ class MotionPlanner:
         for fraction in np.linspace(0.0, 1.0, CARTESIAN_POINTS)[1:]:
             result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1])
             if not result.within(IkTolerance()):
-                return NoPlan("the hand cannot be drawn back in a straight line", {"no inverse kinematics": 1})
+                reasons = {"no inverse kinematics": 1}
+                return NoPlan("the hand cannot be drawn back in a straight line", reasons)
             found.append(result.q)
         x = np.array([space.from_q(q) for q in found])
         for joint in model.description.groups["head"]:
@@ -103,14 +103,3 @@ class MotionPlanner:
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         return MovePlan(PlannedStep("retreat", trajectory, request.scene))
-
-
-def _home_on(model: RobotModel, request: MoveRequest) -> np.ndarray:
-    """The home posture with the soles at the stance."""
-    soles = [world_T_sole for _, world_T_sole in request.stance.soles]
-    middle = poses.interpolate(soles[0], soles[-1], 0.5)
-    base = poses.transform(poses.rotation_from_quaternion(model.q_home[3:7]), model.q_home[:3])
-    return model.configuration({}, middle @ base)
-
-
-__all__ = ["Answer", "CheckRequest", "MotionPlanner"]

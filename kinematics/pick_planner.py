@@ -91,20 +91,22 @@ class _PickTask:
         self._reach_world = CollisionWorld(model, request.scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
         self._grasp_worlds: dict[Hand, tuple[PlanningScene, CollisionWorld]] = {}
         self._x_start = self._space.from_q(request.q_start)
+        # the search starts at home, which keeps elbows where they belong
+        self._seed = model.home_over(request.stance)
 
     def candidates(self, reasons: Counter[str]) -> list[GraspCandidate]:
         """Grasps of all allowed hands that the open hand alone could reach, best first."""
         found = []
         for hand in self._request.hands:
-            gripper = self._model.description.grippers[hand]
+            model, gripper = self._model, self._model.description.grippers[hand]
             shoulder = self._shoulder(hand)
             offset = self._target.world_T_object[:3, 3] - shoulder
             natural = float(np.arctan2(offset[1], offset[0]))
             distance = float(np.linalg.norm(offset[:2]))
-            fits = HandCollision(self._model, hand, self._request.scene, self._target.name, PLANNING_RESERVE_M)
             if distance > FARTHEST_M:
                 reasons["out of reach"] += 1
                 continue
+            fits = HandCollision(model, hand, self._request.scene, self._target.name, PLANNING_RESERVE_M)
             for candidate in grasp_candidates(self._target, gripper, natural, APPROACH_M):
                 if key_of(hand, candidate.grasp.label) in self._request.excluded:
                     reasons["tried before"] += 1
@@ -119,7 +121,7 @@ class _PickTask:
         ik = self._ik_of(grasp.hand)
         pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
         _, world = self._grasp_world(grasp.hand)
-        first = ik.solve(grasp.world_T_tcp, self._seed(grasp.hand), IkTolerance())
+        first = ik.solve(grasp.world_T_tcp, self._seed, IkTolerance())
         if not first.within(IkTolerance()):
             reasons["no inverse kinematics at the grasp"] += 1
             return None
@@ -203,31 +205,13 @@ class _PickTask:
         """The scene with the target in the hand; what it stands on may still touch it."""
         gripper = self._model.description.grippers[grasp.hand]
         tcp_T_object = poses.inverse(grasp.world_T_tcp) @ self._target.world_T_object
-        held = scene.with_attached(
-            self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links
-        )
+        held = scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         return held.allowing((self._target.name, name) for name in supports_of(self._target, scene))
 
     def _ik_of(self, hand: Hand) -> WholeBodyIk:
         if hand not in self._ik:
             self._ik[hand] = WholeBodyIk(self._model, self._request.stance, hand)
         return self._ik[hand]
-
-    def _seed(self, hand: Hand) -> Array:
-        """Start of the search: the home posture on this stance, which keeps elbows where they belong."""
-        x = self._space.from_q(self._model.q_home)
-        x[:6] = self._x_home_base()
-        return self._space.to_q(x[None, :])[0][0]
-
-    def _x_home_base(self) -> Array:
-        """The pelvis of the home posture, over the present stance."""
-        soles = [world_T_sole for _, world_T_sole in self._request.stance.soles]
-        middle = poses.interpolate(soles[0], soles[-1], 0.5)
-        q = self._model.q_home
-        base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
-        placed = middle @ base
-        turn = poses.vector_from_rotation(placed[:3, :3])
-        return np.concatenate([placed[:3, 3], turn])
 
     def _shoulder(self, hand: Hand) -> Array:
         joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])

@@ -58,9 +58,9 @@ def rotation_from_vector(vector_rad: ArrayLike) -> NDArray[np.float64]:
     angle = float(np.linalg.norm(w))
     skew = np.array([[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]])
     if angle < 1e-9:
-        return np.eye(3) + skew
+        return np.asarray(np.eye(3) + skew)
     a, b = math.sin(angle) / angle, (1.0 - math.cos(angle)) / angle**2
-    return np.eye(3) + a * skew + b * (skew @ skew)
+    return np.asarray(np.eye(3) + a * skew + b * (skew @ skew))
 
 
 def vector_from_rotation(rotation: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -28,7 +28,8 @@ class JointLimits:
 @dataclass(frozen=True, slots=True)
 class JointGains:
     """Stiffness (Nm/rad) and damping (Nm s/rad) of a joint's position servo, and its
-    reflected rotor inertia (kg m^2)."""
+    reflected rotor inertia (kg m^2).
+    """
 
     stiffness: float
     damping: float

@@ -14,6 +14,7 @@ from kinematics import poses
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.poses import Transform
 from kinematics.robot_description import RobotDescription
+from kinematics.trajectory import Stance
 
 Array = NDArray[np.float64]
 
@@ -118,6 +119,13 @@ class RobotModel:
     def q_home(self) -> Array:
         """The home posture, standing at the origin, shape (nq,)."""
         return self.on_the_floor({})
+
+    def home_over(self, stance: Stance) -> Array:
+        """The home posture with its soles at a stance, shape (nq,)."""
+        soles = [world_T_sole for _, world_T_sole in stance.soles]
+        middle = poses.interpolate(soles[0], soles[-1], 0.5)
+        base = poses.transform(poses.rotation_from_quaternion(self.q_home[3:7]), self.q_home[:3])
+        return self.configuration({}, middle @ base)
 
     def frame_pose(self, q: Array, frame: str) -> Transform:
         """``world_T_frame`` at a configuration."""

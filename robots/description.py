@@ -98,7 +98,9 @@ def _model_root(source: Table) -> Path:
     try:
         distribution = importlib.metadata.distribution(source["distribution"])
     except importlib.metadata.PackageNotFoundError as missing:
-        raise DescriptionError(f"the package {source['distribution']!r} with the URDF is not installed") from missing
+        raise DescriptionError(
+            f"the package {source['distribution']!r} with the URDF is not installed"
+        ) from missing
     return Path(str(distribution.locate_file(source["root"])))
 
 
