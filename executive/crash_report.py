@@ -13,7 +13,7 @@ from robots.clock import utc_timestamp
 
 
 def write_crash_report(raised: BaseException) -> Path | None:
-    """Write the exception, the command and the versions down; return where, or None when nowhere is writable."""
+    """Write down the exception, the command and the versions; return where, or None if nowhere can be."""
     name = f"crash-{utc_timestamp().replace(':', '-')}.txt"
     text = "\n".join(
         [

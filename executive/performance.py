@@ -134,7 +134,7 @@ def _results(
     display: Display,
     pictures: Pictures | None,
 ) -> tuple[list[Said], int]:
-    """Run every statement; a sentence that is not understood, and not expected so, stops all before it moves."""
+    """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
     spoiled = [one for one in request.statements if not _may_start(one)]
     if spoiled or not any(one.parsed.commands for one in request.statements):
         statements = spoiled[:1] or request.statements

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import StrEnum
 from typing import Annotated
 
 import typer
@@ -10,7 +10,7 @@ import typer
 from executive.exit_codes import ExitCode
 
 
-class TreeFormat(str, Enum):
+class TreeFormat(StrEnum):
     """How to print a tree."""
 
     TEXT = "text"
