@@ -1,0 +1,86 @@
+"""``python -m tools.evaluate pick --episodes 200 --seed 0 --jobs 2 [--fault NAME] [--scene NAME|FILE]``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from robots.description import known_robots, load_description
+from robots.errors import RobotsError
+from robots.scene_file import load_scene
+from tools.evaluate.episode import EpisodeOrder
+from tools.evaluate.faults import FAULTS
+from tools.evaluate.records import EpisodeRecord, Summary
+from tools.evaluate.report import print_summary, save_scenes
+from tools.evaluate.workers import run_all
+
+SUITES = ("pick",)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a suite; 0 when every demand is met, 1 when not, 2 for a wrong option."""
+    options = _options(arguments)
+    messages = Console(stderr=True)
+    try:
+        description = load_description(options.robot)
+        if options.scene is not None:
+            load_scene(options.scene)
+    except RobotsError as wrong:
+        messages.print(f"error: {wrong}", style="bold", markup=False)
+        return 2
+    orders = [
+        EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
+        for i in range(options.episodes)
+    ]
+    records = _run(orders, options.jobs, messages)
+    summary = Summary(options.suite, options.seed, options.fault, description.com_margin_m, records)
+    if options.json is not None:
+        options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
+    scenes = {} if options.scene is not None else save_scenes(summary, options.failed)
+    print_summary(summary, scenes, Console())
+    return 0 if all(bar.met for bar in summary.bars()) else 1
+
+
+def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console) -> list[EpisodeRecord]:
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    records: list[EpisodeRecord] = []
+    with Progress(*columns, console=messages) as progress:
+        task = progress.add_task("episodes", total=len(orders))
+        for record in run_all(orders, jobs):
+            records.append(record)
+            held = sum(item.truth for item in records)
+            progress.update(task, advance=1, description=f"held {held} of {len(records)}")
+    return sorted(records, key=lambda record: record.seed)
+
+
+def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m tools.evaluate", description="Random episodes, judged.")
+    parser.add_argument("suite", choices=SUITES)
+    parser.add_argument("--episodes", type=_positive, default=200)
+    parser.add_argument("--seed", type=int, default=0, help="seed of the first episode; the others follow")
+    parser.add_argument("--jobs", type=_positive, default=2, help="processes")
+    parser.add_argument("--fault", choices=sorted(FAULTS))
+    parser.add_argument("--scene", help="a scene's name or file in place of random ones")
+    parser.add_argument("--robot", default="talos", choices=known_robots())
+    parser.add_argument("--json", type=Path, metavar="FILE")
+    parser.add_argument(
+        "--failed", type=Path, default=Path("runs/evaluate"), metavar="DIR", help="for failed scenes"
+    )
+    return parser.parse_args(arguments)
+
+
+def _positive(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError("must be at least 1")
+    return value
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,103 @@
+"""One episode: a world, a sentence, perhaps a fault, and the truth about how it ended."""
+
+from __future__ import annotations
+
+import traceback
+from dataclasses import dataclass
+
+from executive.assembly import assemble
+from executive.command_parser import parse
+from executive.task_result import TaskResult, chain
+from robots.scene_file import load_scene
+from tools.evaluate.faults import FAULTS, FaultBench, FaultState
+from tools.evaluate.judge import HELD_S, Judge
+from tools.evaluate.phases import PhaseWatch
+from tools.evaluate.records import EpisodeRecord
+from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene, read_episode_scene
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeOrder:
+    """What to run.
+
+    Attributes:
+        seed: Seed of scene and run.
+        robot: Name of the robot.
+        fault: Name of a fault, or None.
+        scene: A scene's name or file in place of a random one, or None.
+    """
+
+    seed: int
+    robot: str = "talos"
+    fault: str | None = None
+    scene: str | None = None
+
+
+def run_episode(order: EpisodeOrder) -> EpisodeRecord:
+    """Run one episode; whatever breaks becomes its record."""
+    try:
+        return _run(order)
+    except Exception as broken:
+        return EpisodeRecord(
+            seed=order.seed,
+            outcome="error",
+            truth=False,
+            failure_kind="ERROR",
+            failure=f"{type(broken).__name__}: {broken}",
+            fault=order.fault,
+            detail=traceback.format_exc(),
+        )
+
+
+def _run(order: EpisodeOrder) -> EpisodeRecord:
+    scene = (
+        load_scene(order.scene)
+        if order.scene is not None
+        else read_episode_scene(pick_scene(order.seed, order.fault), order.seed)
+    )
+    phases = PhaseWatch()
+    assembly = assemble(order.robot, scene, order.seed, sink=phases.take)
+    truth, session = assembly.world.truth, assembly.session
+    judge = Judge(truth, TARGET)
+    session.watch_periods(judge.on_period)
+    state = FaultState()
+    if order.fault is not None:
+        rng = episode_rng(order.seed, 2)
+        injector, perception = assembly.world.faults, assembly.perception
+        FAULTS[order.fault](FaultBench(TARGET, scene, truth, injector, perception, phases, rng), state)
+    (command,) = parse(SENTENCE).commands
+    result = session.run_task(command)
+    judge.begin_hold()
+    session.hold(HELD_S)
+    friction = next((item.friction for item in scene.objects if item.name == TARGET), None)
+    return _record(order, result, judge, state, friction)
+
+
+def _record(
+    order: EpisodeOrder, result: TaskResult, judge: Judge, state: FaultState, friction: float | None
+) -> EpisodeRecord:
+    links = chain(result.failure)
+    moving_wall_s = result.times.wall_s - result.times.planning_wall_s
+    compared = judge.friction is not None and friction is not None
+    return EpisodeRecord(
+        seed=order.seed,
+        outcome=result.outcome,
+        truth=judge.truly_held,
+        failure_kind=links[-1].kind.value if links else None,
+        failure=" ← ".join(f"{link.where}: {link.message}" if link.where else link.message for link in links)
+        or None,
+        attempts=result.attempts,
+        fault=order.fault,
+        fault_fired=state.fired,
+        recoverable=state.recoverable if order.fault is not None else None,
+        lift_m=judge.held_lift_m,
+        slip_m=judge.slip_m,
+        fell=judge.fell,
+        furniture_contacts=tuple(sorted(judge.furniture_contacts)),
+        com_margin_m=judge.com_margin_m,
+        friction_error=abs((judge.friction or 0.0) - (friction or 0.0)) if compared else None,
+        planning_ms=1e3 * result.times.planning_wall_s / max(result.attempts, 1),
+        simulated_s=result.times.simulated_s,
+        wall_s=result.times.wall_s,
+        realtime_factor=result.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,
+    )

@@ -1,0 +1,65 @@
+"""Show an evaluation: a table, and for every episode that went wrong the command that shows it again."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from tools.evaluate.records import Summary
+from tools.evaluate.scenes import SENTENCE, pick_scene
+
+# More than anybody reads; the JSON has them all.
+_SHOWN = 25
+
+
+def save_scenes(summary: Summary, folder: Path) -> dict[int, Path]:
+    """Write the scene of every episode that went wrong; returns the file of each seed."""
+    files = {}
+    for record in summary.records:
+        if record.bad:
+            folder.mkdir(parents=True, exist_ok=True)
+            name = f"{summary.suite}-{record.seed}" + (f"-{record.fault}" if record.fault else "")
+            files[record.seed] = folder / f"{name}.toml"
+            files[record.seed].write_text(pick_scene(record.seed, record.fault), "utf-8")
+    return files
+
+
+def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console) -> None:
+    """Print demands, figures and the seeds of what went wrong."""
+    fault = f", fault {summary.fault}" if summary.fault else ""
+    table = Table(
+        "", "measured", "demanded", "", title=f"{summary.suite}: {len(summary.records)} episodes{fault}"
+    )
+    for bar in summary.bars():
+        table.add_row(bar.name, bar.value, bar.limit, "ok" if bar.met else "MISSED")
+    table.add_section()
+    if summary.fault is not None:
+        table.add_row("lifted and held", f"{summary.success_rate:.1%}", "", "")
+        fired = sum(record.fault_fired for record in summary.records)
+        table.add_row("the fault came", f"{fired} of {len(summary.records)}", "", "")
+    planning = summary.planning_ms()
+    table.add_row("planning", f"{planning['p50']:.0f} ms, p95 {planning['p95']:.0f} ms", "", "")
+    table.add_row("simulation with control", f"{summary.realtime_factor():.1f} × real time", "", "")
+    for kind, count in summary.failures().items():
+        table.add_row(f"failed: {kind}", str(count), "", "")
+    console.print(table)
+    bad = [record for record in summary.records if record.bad]
+    for record in bad[:_SHOWN]:
+        verdict = "held" if record.truth else "not held"
+        reason = record.failure or ", ".join(record.furniture_contacts) or ("fell" if record.fell else "")
+        console.print(f"seed {record.seed}: {record.outcome}, truly {verdict}. {reason}", markup=False)
+        console.print(f"    {_again(summary, record.seed, scenes)}", markup=False, soft_wrap=True)
+    if len(bad) > _SHOWN:
+        console.print(f"and {len(bad) - _SHOWN} more, all in the JSON")
+
+
+def _again(summary: Summary, seed: int, scenes: Mapping[int, Path]) -> str:
+    """The command that shows one episode again; a fault needs the evaluation to bring it about."""
+    if summary.fault is None and seed in scenes:
+        return f"executive run {shlex.quote(SENTENCE)} --scene {shlex.quote(str(scenes[seed]))} --seed {seed}"
+    fault = f" --fault {summary.fault}" if summary.fault else ""
+    return f"python -m tools.evaluate {summary.suite} --episodes 1 --jobs 1 --seed {seed}{fault}"

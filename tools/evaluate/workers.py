@@ -1,0 +1,72 @@
+"""Run episodes in processes of their own, one core each; a process that dies costs its episode only."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+
+from tools.evaluate.episode import EpisodeOrder, run_episode
+from tools.evaluate.records import EpisodeRecord
+
+# Libraries that would spread over all cores read these when they are loaded.
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+Run = Callable[[EpisodeOrder], EpisodeRecord]
+
+
+def run_all(orders: Sequence[EpisodeOrder], jobs: int, run: Run = run_episode) -> Iterator[EpisodeRecord]:
+    """Yield the records as episodes end, in no promised order.
+
+    Args:
+        orders: What to run.
+        jobs: Number of processes; 1 still runs beside this process, so that numbers compare.
+        run: What runs one episode; importable by name.
+    """
+    os.environ.update(dict.fromkeys(_THREADS, "1"))
+    left = list(orders)
+    while left:
+        done = set()
+        for order, record in _run_until_broken(left, jobs, run):
+            done.add(order)
+            yield record
+        left = [order for order in left if order not in done]
+
+
+def _run_until_broken(
+    orders: Sequence[EpisodeOrder], jobs: int, run: Run
+) -> Iterator[tuple[EpisodeOrder, EpisodeRecord]]:
+    """Run in one pool; when a process dies, blame the episodes that were under way and end."""
+    context = multiprocessing.get_context("spawn")
+    waiting = list(orders)
+    with ProcessPoolExecutor(jobs, mp_context=context) as pool:
+        running: dict[Future[EpisodeRecord], EpisodeOrder] = {}
+        while waiting or running:
+            # only as many as there are processes: what is submitted is under way
+            while waiting and len(running) < jobs:
+                order = waiting.pop(0)
+                running[pool.submit(run, order)] = order
+            finished, _ = wait(running, return_when=FIRST_COMPLETED)
+            broken = False
+            for future in finished:
+                order = running.pop(future)
+                try:
+                    yield order, future.result()
+                except BrokenProcessPool:
+                    broken = True
+                    yield order, _died(order)
+            if broken:
+                return
+
+
+def _died(order: EpisodeOrder) -> EpisodeRecord:
+    return EpisodeRecord(
+        seed=order.seed,
+        outcome="error",
+        truth=False,
+        failure_kind="ERROR",
+        failure="the process that ran this episode, or one beside it, died",
+        fault=order.fault,
+    )
