@@ -1,0 +1,109 @@
+"""How to come to rest within acceleration and jerk limits: along a path, or joint by joint."""
+
+from __future__ import annotations
+
+import numpy as np
+import ruckig
+from numpy.typing import NDArray
+
+from kinematics.errors import InvalidMotionError
+from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
+
+Array = NDArray[np.float64]
+
+_FASTEST_BRAKE_1_S2 = 40.0
+"""Largest slope of the rate: from full speed to rest in 25 ms, sooner than any joint could follow."""
+_SOFTER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05)
+"""Shares of the hardest brake that are tried in turn."""
+_MOVING_RAD_S = 1e-9
+_LIMIT_TOLERANCE = 1e-6
+"""Relative; the profile is meant to reach the limits, rounding must not refuse it."""
+
+
+def brake_along(
+    sampler: TrajectorySampler, t_s: float, acceleration: Array, jerk: Array, period_s: float
+) -> MotionSample | None:
+    """Slow a trajectory down to rest without leaving its path.
+
+    The time along the trajectory passes at a rate that falls from 1 to 0. The hardest profile is
+    taken whose joint accelerations and jerks keep to the limits.
+
+    Args:
+        sampler: The trajectory.
+        t_s: Where along it the braking begins.
+        acceleration, jerk: Limits of the joints, rad/s^2 and rad/s^3, shape (n,).
+        period_s: Time between two rows of the answer.
+
+    Returns:
+        One row a period, the first at one period after the beginning, the last at rest; None when
+        no profile holds the limits before the trajectory ends, so that it is best played out.
+    """
+    here = sampler.at(t_s)
+    start = sampler.at(t_s).a[6:]
+    speed = np.maximum(np.abs(here.v[6:]), _MOVING_RAD_S)
+    hardest = min(_FASTEST_BRAKE_1_S2, float(np.min(acceleration / speed)))
+    hardest_jerk = float(np.min(jerk / speed))
+    for share in _SOFTER:
+        passed, rate, slope = _brake_rate(share * hardest, share * hardest_jerk, period_s)
+        if t_s + passed[-1] > sampler.duration_s:
+            continue
+        motion = sampler.many(t_s + passed, rate, slope)
+        if _holds(motion.a[:, 6:], start, acceleration, jerk, period_s):
+            return motion
+    return None
+
+
+def _holds(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
+    if np.any(np.abs(a) > acceleration * (1.0 + _LIMIT_TOLERANCE)):
+        return False
+    change = np.diff(np.vstack([start, a]), axis=0) / period_s
+    return not np.any(np.abs(change) > jerk * (1.0 + _LIMIT_TOLERANCE))
+
+
+def _brake_rate(slope_limit: float, jerk_limit: float, period_s: float) -> tuple[Array, Array, Array]:
+    """Time passed, rate and its slope for each period while the rate falls from 1 to 0."""
+    request = ruckig.InputParameter(1)
+    request.control_interface = ruckig.ControlInterface.Velocity
+    request.current_position = request.current_acceleration = [0.0]
+    request.current_velocity = [1.0]
+    request.target_velocity = request.target_acceleration = [0.0]
+    request.max_acceleration, request.max_jerk = [slope_limit], [jerk_limit]
+    rows = _rows(request, 1, period_s)
+    return rows[:, 0, 0], rows[:, 1, 0], rows[:, 2, 0]
+
+
+def brake_joints(
+    q: Array, v: Array, a: Array, acceleration: Array, jerk: Array, period_s: float
+) -> tuple[Array, Array, Array]:
+    """Bring joints to rest, each on its own, within limits.
+
+    Args:
+        q, v, a: Where they are and how they move, shape (n,).
+        acceleration, jerk: Limits, shape (n,); an acceleration beyond its limit is cut to it.
+        period_s: Time between two rows of the answer.
+
+    Returns:
+        Positions, velocities and accelerations, one row a period, the first at one period after
+        the beginning, the last at rest; shape (k, n) each.
+    """
+    request = ruckig.InputParameter(len(q))
+    request.control_interface = ruckig.ControlInterface.Velocity
+    request.synchronization = ruckig.Synchronization.No
+    request.current_position, request.current_velocity = q, v
+    request.current_acceleration = np.clip(a, -acceleration, acceleration)
+    request.target_velocity = request.target_acceleration = np.zeros(len(q))
+    request.max_acceleration, request.max_jerk = acceleration, jerk
+    rows = _rows(request, len(q), period_s)
+    return rows[:, 0], rows[:, 1], rows[:, 2]
+
+
+def _rows(request: ruckig.InputParameter, joints: int, period_s: float) -> Array:
+    """Sample the profile that solves a request: shape (k, 3, joints), the last row exactly at rest."""
+    profile = ruckig.Trajectory(joints)
+    result = ruckig.Ruckig(joints).calculate(request, profile)
+    if result not in (ruckig.Result.Working, ruckig.Result.Finished):
+        raise InvalidMotionError(f"no profile brings the motion to rest: {result}")
+    periods = max(1, int(np.ceil(profile.duration / period_s - 1e-9)))
+    rows = np.array([profile.at_time(min(k * period_s, profile.duration)) for k in range(1, periods + 1)])
+    rows[-1, 1:] = 0.0
+    return rows

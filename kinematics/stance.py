@@ -1,0 +1,126 @@
+"""Which feet carry, the polygon that they span on the floor, and how far inside it the CoM is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.errors import KinematicsError, UnknownNameError
+from kinematics.robot_description import SoleDescription
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Stance
+
+Array = NDArray[np.float64]
+
+
+def stance_at(model: RobotModel, q: Array, frames: Sequence[str] | None = None) -> Stance:
+    """Return the stance of the soles where a configuration has them.
+
+    Args:
+        model: The robot.
+        q: Configuration, shape (nq,).
+        frames: Names of the sole frames that carry; all soles of the robot when left out.
+
+    Raises:
+        UnknownNameError: A frame is not in the model.
+    """
+    names = [sole.frame for sole in model.description.soles] if frames is None else list(frames)
+    return Stance(tuple(zip(names, model.frame_poses(q, names), strict=True)))
+
+
+def standing_at(model: RobotModel, q: Array, stance: Stance) -> Array:
+    """Configuration with the same joints and the base where the soles of a stance put it, shape (nq,).
+
+    Soles that disagree, because the joints do not keep their distance exactly, are averaged.
+
+    Raises:
+        KinematicsError: The stance has no sole.
+        UnknownNameError: A sole's frame is not in the model.
+    """
+    if not stance.soles:
+        raise KinematicsError("a stance without soles puts the base nowhere")
+    at_origin = q.copy()
+    at_origin[:7] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    found = model.frame_poses(at_origin, [frame for frame, _ in stance.soles])
+    bases = [
+        world_T_sole @ poses.inverse(base_T_sole)
+        for (_, world_T_sole), base_T_sole in zip(stance.soles, found, strict=True)
+    ]
+    base = bases[0]
+    for k, other in enumerate(bases[1:], start=2):
+        base = poses.interpolate(base, other, 1.0 / k)
+    at_origin[:3] = base[:3, 3]
+    at_origin[3:7] = poses.quaternion_from_rotation(base[:3, :3])
+    return at_origin
+
+
+class SupportPolygon:
+    """The convex hull, on the floor, of the soles that carry.
+
+    Attributes:
+        vertices_m: Corners, counter-clockwise seen from above, shape (n, 2).
+    """
+
+    def __init__(self, stance: Stance, soles: Sequence[SoleDescription]) -> None:
+        """Span the polygon.
+
+        Args:
+            stance: Where the soles stand.
+            soles: The robot's soles, with the rectangle of each in its own frame.
+
+        Raises:
+            UnknownNameError: The stance names a sole that the robot does not have.
+            KinematicsError: No sole carries.
+        """
+        by_frame = {sole.frame: sole for sole in soles}
+        corners: list[tuple[float, float]] = []
+        for frame, world_T_sole in stance.soles:
+            if frame not in by_frame:
+                raise UnknownNameError("sole", frame, list(by_frame))
+            sole = by_frame[frame]
+            for x in sole.x_m:
+                for y in sole.y_m:
+                    corner = world_T_sole[:3, :3] @ (x, y, 0.0) + world_T_sole[:3, 3]
+                    corners.append((float(corner[0]), float(corner[1])))
+        if not corners:
+            raise KinematicsError("a stance without soles has no support polygon")
+        self.vertices_m = _convex_hull(corners)
+        edges = np.roll(self.vertices_m, -1, axis=0) - self.vertices_m
+        lengths = np.linalg.norm(edges, axis=1)
+        self._inward = np.column_stack([-edges[:, 1], edges[:, 0]]) / lengths[:, None]
+        self._offset = np.sum(self._inward * self.vertices_m, axis=1)
+
+    def com_margin_m(self, com_xy: Array) -> float:
+        """Distance of a ground point, shape (2,), to the nearest edge: positive inside.
+
+        Outside it is minus the distance to the line of the edge that is overstepped most, which is
+        never more than the distance to the polygon.
+        """
+        return float(np.min(self._inward @ com_xy[:2] - self._offset))
+
+    def margins_m(self, points: Array) -> Array:
+        """``com_margin_m`` of many ground points, shape (n, 2), at once, shape (n,)."""
+        return np.asarray(np.min(points @ self._inward.T - self._offset, axis=1), dtype=np.float64)
+
+
+def _convex_hull(points: Sequence[tuple[float, float]]) -> Array:
+    """Corners of the convex hull, counter-clockwise, by Andrew's monotone chain."""
+    ordered = sorted(set(points))
+
+    def half(sequence: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+        chain: list[tuple[float, float]] = []
+        for point in sequence:
+            while len(chain) >= 2 and _turn(chain[-2], chain[-1], point) <= 1e-12:
+                chain.pop()
+            chain.append(point)
+        return chain[:-1]
+
+    return np.array(half(ordered) + half(ordered[::-1]))
+
+
+def _turn(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> float:
+    """Twice the signed area of the triangle: positive for a left turn, m^2."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -1,0 +1,34 @@
+"""Feed-forward efforts that carry the body, so that stiff position servos need not sag to find them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.dynamics import StandingDynamics
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Stance
+from kinematics.trajectory_sampler import MotionSample
+
+Array = NDArray[np.float64]
+
+
+class Balance:
+    """Computes the efforts for each instant of the body's reference.
+
+    Balance itself comes from planned motions that keep the CoM inside and from stiff joints; these
+    efforts (weight and inertia, less what the ground carries) keep the joints from giving way.
+    """
+
+    def __init__(self, model: RobotModel, stance: Stance) -> None:
+        """Prepare for one stance."""
+        self._dynamics = StandingDynamics(model, stance)
+        self._for: MotionSample | None = None
+        self._efforts = np.zeros(len(model.joints))
+
+    def efforts(self, sample: MotionSample) -> Array:
+        """Feed-forward of the body joints, Nm, shape (n,); computed once for a sample that holds."""
+        if sample is not self._for:
+            self._efforts = self._dynamics.efforts(sample.q, sample.v, sample.a)
+            self._for = sample
+        return self._efforts

@@ -1,0 +1,147 @@
+"""What the body is commanded now: it plays a trajectory, brakes, or holds."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_model import RobotModel
+from kinematics.stance import standing_at
+from kinematics.trajectory import Stance, Trajectory
+from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
+from robots.control.stop_profile import StopProfile
+
+Array = NDArray[np.float64]
+
+_PLAY_OUT_S = 0.3
+"""A trajectory that cannot be braked before it ends is played out if it ends within this."""
+
+
+class BodyTrack:
+    """The body's reference, one control period after the other.
+
+    ``propose`` computes the next instant, ``commit`` accepts it; without the commit nothing has
+    happened, so that a refused setpoint leaves the reference where the robot really is.
+
+    Attributes:
+        now: What is commanded now, base in the odometry frame.
+    """
+
+    def __init__(self, model: RobotModel, stance: Stance, q: Array, period_s: float) -> None:
+        """Hold a configuration, shape (nq,)."""
+        self._model = model
+        self._stance = stance
+        self._period_s = period_s
+        self._sampler: TrajectorySampler | None = None
+        self._elapsed_s = 0.0
+        self._periods = 0
+        self._profile: StopProfile | None = None
+        self._row = 0
+        self._next: MotionSample | None = None
+        self._playing_out = False
+        self.now = self._at_rest(q)
+
+    @property
+    def resting(self) -> bool:
+        """Whether it holds."""
+        return self._sampler is None and self._profile is None
+
+    @property
+    def braking(self) -> bool:
+        """Whether it is coming to rest because it was told to."""
+        return self._profile is not None or self._playing_out
+
+    @property
+    def progress(self) -> float:
+        """Share of the trajectory that has passed, 0 to 1."""
+        if self._sampler is None:
+            return 1.0
+        return min(1.0, self._elapsed_s / self._sampler.duration_s)
+
+    @property
+    def destination(self) -> Array:
+        """Configuration where it is going to rest after braking; where it is when it does not brake."""
+        if self._profile is not None:
+            return self._profile.at(len(self._profile) - 1).q.copy()
+        if self._playing_out and self._sampler is not None:
+            return self._sampler.at(self._sampler.duration_s).q
+        return self.now.q.copy()
+
+    def play(self, trajectory: Trajectory) -> None:
+        """Begin a trajectory; the first instant of it is the present one."""
+        self._sampler = TrajectorySampler(trajectory)
+        self._profile = None
+        self._elapsed_s, self._periods = 0.0, 0
+
+    def brake(self, along_path: bool) -> None:
+        """Begin to stop: along the path if there is one, else every joint on its own."""
+        if self.resting:
+            return
+        if along_path and self.braking:
+            return
+        profile = None
+        sampler, self._sampler, self._playing_out = self._sampler, None, False
+        if along_path and sampler is not None:
+            profile = StopProfile.along_path(self._model, sampler, self._elapsed_s, self._period_s)
+            if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
+                self._sampler, self._playing_out = sampler, True
+                return
+        self._start(profile or StopProfile.at_once(self._model, self._stance, self.now, self._period_s))
+
+    def brake_what_was_placed(self) -> None:
+        """Bring joints to rest that ``place`` has moved."""
+        if self.now.v.any():
+            self._start(StopProfile.at_once(self._model, self._stance, self.now, self._period_s))
+
+    def halt(self) -> None:
+        """Rest right here: the robot was told so already."""
+        self._sampler = self._profile = self._next = None
+        self._playing_out = False
+        self.now = self._at_rest(standing_at(self._model, self.now.q, self._stance))
+
+    def place(self, joints: NDArray[np.intp], q: Array, v: Array) -> MotionSample:
+        """Propose that something else moves some body joints; the rest holds."""
+        q_next, v_next = self.now.q.copy(), np.zeros_like(self.now.v)
+        q_next[7 + joints] = q
+        v_next[6 + joints] = v
+        self._next = MotionSample(q_next, v_next, (v_next - self.now.v) / self._period_s)
+        return self._next
+
+    def propose(self) -> MotionSample:
+        """Compute the instant one period ahead."""
+        if self._profile is not None:
+            self._next = self._profile.at(self._row)
+        elif self._sampler is not None:
+            ahead_s = (self._periods + 1) * self._period_s
+            if ahead_s < self._sampler.duration_s:
+                self._next = self._sampler.at(ahead_s)
+            else:
+                self._next = self._at_rest(self._sampler.at(ahead_s).q)
+        else:
+            # The very same object, so that what depends on it need not be computed again.
+            self._next = self.now
+        return self._next
+
+    def commit(self) -> None:
+        """The proposed instant is what the robot follows now."""
+        if self._next is None:
+            return
+        self.now, self._next = self._next, None
+        if self._profile is not None:
+            self._row += 1
+            if self._row >= len(self._profile):
+                self._profile = None
+                self.now = self._at_rest(self.now.q)
+        elif self._sampler is not None:
+            self._periods += 1
+            self._elapsed_s = self._periods * self._period_s
+            if self._elapsed_s >= self._sampler.duration_s:
+                self._sampler, self._playing_out = None, False
+
+    def _start(self, profile: StopProfile) -> None:
+        self._profile, self._row = profile, 0
+        self._next = None
+
+    def _at_rest(self, q: Array) -> MotionSample:
+        rest = np.zeros(self._model.nv)
+        return MotionSample(q.copy(), rest, rest)

@@ -1,0 +1,230 @@
+"""One control period after the other: sensors, motions, balance, gate, robot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.estimation import BaseEstimator
+from kinematics.robot_description import HANDS, Hand
+from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
+from robots.clock import ManualClock
+from robots.control.authority import Authority
+from robots.control.balance import Balance
+from robots.control.events import ControlSink, SetpointRefused, StopStarted
+from robots.control.grip_keeper import GripKeeper
+from robots.control.gripper_control import GripperControl
+from robots.control.motion_handle import MotionStatus
+from robots.control.motion_streamer import MotionStreamer, Proposal
+from robots.control.refusal import Refusal
+from robots.control.setpoint_gate import SetpointGate
+from robots.control.state_history import StateHistory
+from robots.interface import JointSetpoint, Robot
+from robots.sensed_state import SensedState
+
+Array = NDArray[np.float64]
+
+_AT_HOME_RAD = 0.02
+"""Joints found nearer to the home posture than this are taken to rest there: sag and noise."""
+
+
+@dataclass(frozen=True, slots=True)
+class ControlStatistics:
+    """What happened since the start.
+
+    Attributes:
+        accepted: Setpoints that reached the robot.
+        refused: Setpoints refused by the gate or the online checker.
+        checked_trajectories: Trajectories that were streamed.
+        stops: Stops that were made, in order.
+    """
+
+    accepted: int
+    refused: int
+    checked_trajectories: int
+    stops: tuple[StopStarted, ...]
+
+
+class ControlLoop:
+    """The control loop; ``step`` is its unit, whoever calls it.
+
+    Attributes:
+        motion: Starts and cancels motions.
+        sensing: What the robot knows about itself.
+        grippers: One control for each hand.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        model: RobotModel,
+        clock: ManualClock,
+        sink: ControlSink,
+        period_s: float = 0.002,
+    ) -> None:
+        """Take over a robot that stands at rest.
+
+        Args:
+            robot: The body.
+            model: Its model.
+            clock: Time; ``step`` advances it.
+            sink: Where events go.
+            period_s: Control period.
+        """
+        self._robot = robot
+        self._model = model
+        self._clock = clock
+        self._sink = sink
+        self._period_s = period_s
+        self._bodies = len(model.joints)
+        readings = robot.read()
+        q, fingers = _resting(model, readings.q)
+        stance = stance_at(model, q)
+        authority = Authority(model.description.actuated)
+        keepers = {
+            hand: GripKeeper(model.description, hand, fingers[hand], period_s)
+            for hand in HANDS
+            if hand in fingers
+        }
+        actuated = np.concatenate([q[7:], list(fingers.values())])
+        self._balance = Balance(model, stance)
+        self._estimator = BaseEstimator(model, stance)
+        self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
+        self._streamer = MotionStreamer(model, stance, q, keepers, authority, clock, sink, period_s)
+        self._keepers = tuple(keepers.values())
+        self._tau = np.zeros(len(actuated))
+        self._stops: list[StopStarted] = []
+        self._refused_online = 0
+        self._stuck = False
+        self._limp = False
+        self.motion = self._streamer
+        self.sensing = StateHistory(self._sense(), period_s)
+        self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
+            {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}
+        )
+
+    @property
+    def statistics(self) -> ControlStatistics:
+        """Counts since the start."""
+        return ControlStatistics(
+            self._gate.accepted,
+            self._gate.refused + self._refused_online,
+            self._streamer.trajectories,
+            tuple(self._stops),
+        )
+
+    def step(self) -> None:
+        """Run one control period: decide, command, let the period pass, and sense.
+
+        Raises:
+            Exception: A defect of the control software itself; the robot was told to stay where
+                it is, and the period has passed, before it is raised.
+        """
+        try:
+            self._command()
+        except Exception:
+            self._gate.repeat()
+            self._streamer.halt()
+            self._pass_period()
+            raise
+        self._pass_period()
+
+    def stop(self, category: int, reason: str) -> None:
+        """End all motions and bring the robot to rest; it goes on standing, grips go on pressing.
+
+        Args:
+            category: 1 brakes along the path, 2 brings every joint to rest at once, 0 takes the
+                power away: the robot sinks down, and nothing but a new control loop moves it again.
+            reason: For people, and for the handles of the motions that end.
+
+        Raises:
+            ValueError: There is no such category.
+        """
+        if category not in (0, 1, 2):
+            raise ValueError(f"no stop category {category}; there are 0, 1 and 2")
+        self._note_stop(category, reason)
+        self._streamer.stop(reason, along_path=category == 1)
+        self._limp = self._limp or category == 0
+
+    def _command(self) -> None:
+        state = self.sensing.state().readings
+        if self._limp:
+            self._gate.go_limp(state.q, state.v)
+            return
+        for keeper in self._keepers:
+            keeper.sense(state)
+        proposal = self._streamer.propose(state)
+        refusal = self._submit(proposal)
+        if refusal is None:
+            self._streamer.commit()
+            self._stuck = False
+            return
+        self._tell(proposal.owner, refusal)
+        for along_path in (True, False):
+            self._streamer.revert()
+            self._streamer.stop(str(refusal), along_path, MotionStatus.REFUSED)
+            if self._submit(self._streamer.propose(state)) is None:
+                self._streamer.commit()
+                return
+        self._streamer.revert()
+        self._gate.repeat()
+        self._streamer.halt()
+        self._stuck = True
+
+    def _submit(self, proposal: Proposal) -> Refusal | None:
+        if proposal.refusal is not None:
+            self._refused_online += 1
+            return proposal.refusal
+        tau = self._tau.copy()
+        tau[: self._bodies] = self._balance.efforts(proposal.body)
+        sequence = self._gate.last.sequence + 1
+        now_s = self._clock.now_s()
+        return self._gate.submit(JointSetpoint(now_s, sequence, proposal.owner, proposal.q, proposal.v, tau))
+
+    def _tell(self, owner: str, refusal: Refusal) -> None:
+        """Report a refusal and the stop that follows; once, while the same state lasts."""
+        if self._stuck:
+            return
+        self._sink(
+            SetpointRefused(
+                self._clock.now_s(), owner, refusal.limit.value, refusal.joint, refusal.value, refusal.bound
+            )
+        )
+        self._note_stop(1, str(refusal))
+
+    def _note_stop(self, category: int, reason: str) -> None:
+        stop = StopStarted(self._clock.now_s(), category, reason)
+        self._stops.append(stop)
+        self._sink(stop)
+
+    def _pass_period(self) -> None:
+        self._robot.advance(self._period_s)
+        self._clock.advance(self._period_s)
+        self.sensing.add(self._sense())
+
+    def _sense(self) -> SensedState:
+        readings = self._robot.read()
+        q = self._estimator.update(
+            readings.stamp_s,
+            readings.q[: self._bodies],
+            readings.gyro,
+            readings.accelerometer,
+            readings.foot_wrench,
+        )
+        return SensedState(readings, q)
+
+
+def _resting(model: RobotModel, measured: Array) -> tuple[Array, dict[Hand, float]]:
+    """What the robot is taken to be commanded at the start: configuration, and finger positions."""
+    description = model.description
+    home = np.array([description.home[name] for name in description.actuated])
+    joints = np.where(np.abs(measured - home) <= _AT_HOME_RAD, home, measured)
+    by_name = dict(zip(description.actuated, joints.tolist(), strict=True))
+    q = model.on_the_floor({name: by_name[name] for name in model.joints})
+    fingers = {hand: by_name[description.grippers[hand].joint] for hand in HANDS}
+    return q, fingers

@@ -1,0 +1,334 @@
+"""The one way to the motors: turns checked trajectories and guarded motions into setpoints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import CheckedTrajectory, Stance
+from kinematics.trajectory_sampler import MotionSample
+from robots.clock import Clock
+from robots.control.authority import STOP, Authority, together
+from robots.control.body_track import BodyTrack
+from robots.control.events import ControlSink, MotionEnded, MotionStarted
+from robots.control.grip_keeper import GripKeeper
+from robots.control.guarded_motion import GuardedMotion
+from robots.control.guarded_track import GuardedTrack
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.motion_start import lead_in, why_not
+from robots.control.refusal import Limit, Refusal
+from robots.interface import RobotState
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """What the streamer wants the robot to follow next.
+
+    Attributes:
+        owner: Who moves something in it.
+        q, v: Setpoint of the actuated joints, shape (n,).
+        body: The same with base and accelerations, for the feed-forward.
+        refusal: The online checker's, when a guarded motion broke its promise; then the rest is
+            not to be used.
+    """
+
+    owner: str
+    q: Array
+    v: Array
+    body: MotionSample
+    refusal: Refusal | None = None
+
+
+class MotionStreamer:
+    """Streams motions: satisfies ``trees.toolbox.MotionControl``.
+
+    One trajectory at a time has the whole body. Guarded motions hold the joints that they declare;
+    those of a gripper may run beside a trajectory.
+
+    Attributes:
+        trajectories: How many checked trajectories were begun.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        stance: Stance,
+        q: Array,
+        keepers: Mapping[Hand, GripKeeper],
+        authority: Authority,
+        clock: Clock,
+        sink: ControlSink,
+        period_s: float,
+    ) -> None:
+        """Hold a configuration.
+
+        Args:
+            model: The robot.
+            stance: Where it stands.
+            q: What it is commanded now, base in the odometry frame, shape (nq,).
+            keepers: What the grippers do between motions.
+            authority: Book of who moves which joint.
+            clock: For the stamps of events.
+            sink: Where events go.
+            period_s: Control period.
+        """
+        self._model = model
+        self._stance = stance
+        self._keepers = dict(keepers)
+        self._authority = authority
+        self._clock = clock
+        self._sink = sink
+        self._period_s = period_s
+        self._track = BodyTrack(model, stance, q, period_s)
+        self._body_handle: MotionHandle | None = None
+        self._body_owner = ""
+        self._waiting: tuple[CheckedTrajectory, MotionHandle] | None = None
+        self._guarded: list[GuardedTrack] = []
+        self._owners: tuple[str, ...] = ()
+        self._count = 0
+        self._bodies = len(model.joints)
+        self._closed_for = ""
+        self.trajectories = 0
+        for keeper in self._keepers.values():
+            authority.claim(_grip(keeper), [keeper.joint])
+
+    # ---------------------------------------------------------------- for those who want to move
+
+    def start(self, motion: CheckedTrajectory | GuardedMotion) -> MotionHandle:
+        """Begin to stream a motion.
+
+        A trajectory that begins where a cancelled one is braking to waits until that rests.
+
+        Returns:
+            A running handle, or a refused one with the reason: it does not start at the reference or
+            at rest, stands elsewhere, or its joints are held by another motion.
+
+        Raises:
+            TypeError: It is neither a checked trajectory nor a guarded motion.
+        """
+        if isinstance(motion, CheckedTrajectory):
+            return self._start_trajectory(motion)
+        if not _is_guarded(motion):
+            raise TypeError(
+                f"only a CheckedTrajectory or a GuardedMotion can be streamed, not {type(motion).__name__}"
+            )
+        return self._start_guarded(motion)
+
+    def cancel(self, handle: MotionHandle, reason: str) -> None:
+        """Brake a running motion along its path, then hold; a finished one is left alone."""
+        if handle.finished:
+            return
+        if self._waiting is not None and self._waiting[1] is handle:
+            self._waiting = None
+        elif self._body_handle is handle:
+            self._body_handle = None
+            self._track.brake(along_path=True)
+        else:
+            for track in [track for track in self._guarded if track.handle is handle]:
+                self._drop(track)
+        self._end(handle, MotionStatus.CANCELED, reason)
+
+    def reference(self) -> Array:
+        """Configuration that is commanded now, base included, shape (nq,).
+
+        While a motion is being braked: where it will rest, for that is where the next one begins.
+        """
+        return self._track.destination
+
+    def stance(self) -> Stance:
+        """Where the feet stand."""
+        return self._stance
+
+    def keeper(self, hand: Hand) -> GripKeeper:
+        """What a gripper does between motions."""
+        return self._keepers[hand]
+
+    # ---------------------------------------------------------------- for the control loop
+
+    @property
+    def resting(self) -> bool:
+        """Whether nothing moves the body."""
+        return self._track.resting and not any(track.moves_body for track in self._guarded)
+
+    def propose(self, state: RobotState) -> Proposal:
+        """Compute the setpoint one period ahead from the newest readings."""
+        n = self._bodies + len(self._keepers)
+        q, v = np.empty(n), np.empty(n)
+        for track in list(self._guarded):
+            refusal = self._advance(track, state)
+            if refusal is not None:
+                return Proposal(track.handle.owner, q, v, self._track.now, refusal)
+        body = self._track.propose()
+        owners = [] if self._track.resting else [self._body_owner]
+        for track in self._guarded:
+            owners.append(track.handle.owner)
+            if track.moves_body:
+                inside = track.indices < self._bodies
+                body = self._track.place(track.indices[inside], track.q[inside], track.v[inside])
+        q[: self._bodies], v[: self._bodies] = body.q[7:], body.v[6:]
+        for keeper in self._keepers.values():
+            guided = self._guide_of(keeper)
+            if guided is not None:
+                k = int(np.argmax(guided.indices == keeper.index))
+                keeper.follow(float(guided.q[k]), float(guided.v[k]))
+            else:
+                before = keeper.setpoint
+                if keeper.propose() != before or before[1] != 0.0:
+                    owners.append(_grip(keeper))
+            q[keeper.index], v[keeper.index] = keeper.setpoint
+        return Proposal(together(owners), q, v, body)
+
+    def commit(self) -> None:
+        """The last proposal is what the robot follows now."""
+        self._track.commit()
+        handle = self._body_handle
+        if handle is not None:
+            handle.progress = self._track.progress
+            if self._track.resting:
+                self._body_handle = None
+                self._end(handle, MotionStatus.DONE, "")
+        if self._track.resting and self._body_owner:
+            self._authority.release(self._body_owner)
+            self._body_owner = ""
+            self._closed_for = ""
+            if self._waiting is not None:
+                (checked, waiting), self._waiting = self._waiting, None
+                self._play(checked, waiting)
+
+    def stop(self, reason: str, along_path: bool, status: MotionStatus = MotionStatus.CANCELED) -> None:
+        """Take everything over: end all motions and bring the body to rest; grips that press go on.
+
+        Args:
+            reason: Told to those whose motions end.
+            along_path: Brake along the path (stop category 1), else every joint at once (2).
+            status: How the motions end.
+        """
+        ended = [track.handle for track in self._guarded]
+        for track in list(self._guarded):
+            self._drop(track)
+        if self._waiting is not None:
+            ended.append(self._waiting[1])
+        if self._body_handle is not None:
+            ended.append(self._body_handle)
+        self._body_handle = self._waiting = None
+        self._track.brake(along_path)
+        if not self._track.resting:
+            self._authority.release(self._body_owner)
+            self._body_owner = STOP
+            self._closed_for = reason
+        for handle in ended:
+            self._end(handle, status, reason)
+
+    def revert(self) -> None:
+        """The last proposal was refused: the grippers' setpoints stay where they were."""
+        for keeper in self._keepers.values():
+            keeper.revert()
+
+    def halt(self) -> None:
+        """Rest where the robot was told to stay when nothing else was let through."""
+        self._track.halt()
+        for keeper in self._keepers.values():
+            keeper.halt()
+
+    # ---------------------------------------------------------------- inside
+
+    def _start_trajectory(self, checked: CheckedTrajectory) -> MotionHandle:
+        handle = self._new_handle("trajectory")
+        reason = f"a stop is under way: {self._closed_for}" if self._closed_for else None
+        reason = reason or why_not(checked.trajectory, self.reference(), self._stance, self._model.joints)
+        if reason is None and self._track.braking and self._waiting is None:
+            self._waiting = (checked, handle)
+            return handle
+        if reason is None and self._body_owner:
+            reason = f"the body is held by {self._body_owner}"
+        if reason is None:
+            reason = self._claim(handle.owner, self._model.joints)
+        if reason is not None:
+            return self._refuse(handle, reason)
+        self._play(checked, handle)
+        return handle
+
+    def _play(self, checked: CheckedTrajectory, handle: MotionHandle) -> None:
+        self._authority.claim(handle.owner, self._model.joints)
+        self._body_handle, self._body_owner = handle, handle.owner
+        self._track.play(lead_in(checked.trajectory, self._track.now.q, self._model.acceleration))
+        self.trajectories += 1
+        self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
+
+    def _start_guarded(self, motion: GuardedMotion) -> MotionHandle:
+        handle = self._new_handle(motion.name)
+        joints = motion.bounds.joints
+        if self._closed_for:
+            return self._refuse(handle, f"a stop is under way: {self._closed_for}")
+        kept = [keeper for keeper in self._keepers.values() if keeper.joint in joints]
+        if any(self._guide_of(keeper) is not None for keeper in kept):
+            return self._refuse(handle, f"{kept[0].joint} is moved by another motion")
+        for keeper in kept:
+            self._authority.release(_grip(keeper))
+        conflict = self._claim(handle.owner, joints)
+        if conflict is not None:
+            for keeper in kept:
+                self._authority.claim(_grip(keeper), [keeper.joint])
+            return self._refuse(handle, conflict)
+        self._guarded.append(GuardedTrack(motion, handle, self._model.description.actuated, self._bodies))
+        self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
+        return handle
+
+    def _advance(self, track: GuardedTrack, state: RobotState) -> Refusal | None:
+        """Let one guarded motion go on by a period; ends it when it is done."""
+        try:
+            refusal = track.advance(self._period_s, state)
+        except Exception as error:  # a defect of one motion must not take the loop down with it
+            return Refusal(Limit.DEFECT, f"{track.handle.name} ({type(error).__name__}: {error})", 0.0, 0.0)
+        if refusal is None and track.done:
+            self._drop(track)
+            track.handle.progress = 1.0
+            self._end(track.handle, MotionStatus.DONE, "")
+        return refusal
+
+    def _drop(self, track: GuardedTrack) -> None:
+        """Take the joints back from a guarded motion."""
+        self._guarded.remove(track)
+        self._authority.release(track.handle.owner)
+        for keeper in self._keepers.values():
+            if keeper.index in track.indices:
+                self._authority.claim(_grip(keeper), [keeper.joint])
+        if track.moves_body:
+            self._track.brake_what_was_placed()
+            if not self._track.resting:
+                self._authority.claim(track.handle.owner, self._model.joints)
+                self._body_owner = track.handle.owner
+
+    def _guide_of(self, keeper: GripKeeper) -> GuardedTrack | None:
+        return next((track for track in self._guarded if keeper.index in track.indices), None)
+
+    def _claim(self, owner: str, joints: Sequence[str]) -> str | None:
+        conflict = self._authority.claim(owner, joints)
+        return None if conflict is None else f"{conflict[0]} is held by {conflict[1]}"
+
+    def _new_handle(self, name: str) -> MotionHandle:
+        self._count += 1
+        return MotionHandle(name, f"motion-{self._count}")
+
+    def _refuse(self, handle: MotionHandle, reason: str) -> MotionHandle:
+        self._end(handle, MotionStatus.REFUSED, reason)
+        return handle
+
+    def _end(self, handle: MotionHandle, status: MotionStatus, reason: str) -> None:
+        handle.status, handle.reason = status, reason
+        self._sink(MotionEnded(self._clock.now_s(), handle.name, handle.owner, status.value, reason))
+
+
+def _grip(keeper: GripKeeper) -> str:
+    return f"grip of {keeper.joint}"
+
+
+def _is_guarded(motion: object) -> bool:
+    return all(hasattr(motion, part) for part in ("name", "bounds", "sample"))

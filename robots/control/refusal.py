@@ -1,0 +1,60 @@
+"""Why a setpoint was not let through."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Limit(Enum):
+    """What a setpoint is judged by."""
+
+    POSITION = "position limit"
+    VELOCITY = "velocity limit"
+    EFFORT = "effort limit"
+    ACCELERATION = "acceleration limit"
+    JUMP = "jump"
+    NOT_FINITE = "not a finite number"
+    SHAPE = "number of joints"
+    AGE = "age"
+    SEQUENCE = "sequence"
+    OWNER = "owner"
+    MEASURED_EFFORT = "measured effort"
+    DURATION = "duration"
+    DEFECT = "defect"
+
+
+_UNITS = {
+    Limit.POSITION: "rad",
+    Limit.VELOCITY: "rad/s",
+    Limit.EFFORT: "Nm",
+    Limit.ACCELERATION: "rad/s^2",
+    Limit.JUMP: "rad",
+    Limit.AGE: "s",
+    Limit.MEASURED_EFFORT: "Nm",
+    Limit.DURATION: "s",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """One refused setpoint.
+
+    Attributes:
+        limit: What it broke.
+        joint: Which joint, or who, where no joint is to blame.
+        value: What was asked for.
+        bound: What it had to keep to.
+    """
+
+    limit: Limit
+    joint: str
+    value: float
+    bound: float
+
+    def __str__(self) -> str:
+        if self.limit is Limit.DEFECT:
+            return f"{self.limit.value} of {self.joint}"
+        unit = _UNITS.get(self.limit, "")
+        asked, allowed = f"{self.value:.6g} {unit}".rstrip(), f"{self.bound:.6g} {unit}".rstrip()
+        return f"{self.limit.value} of {self.joint}: {asked}, allowed {allowed}"

@@ -1,0 +1,60 @@
+"""What the body follows while it is stopped: a profile from where it is to rest.
+
+Stop categories: 1 brakes along the path, so that the robot stays where its motion was checked;
+2 brings every joint to rest at once, each within its own limits. Both end in holding, with the legs
+carrying all the while. Category 0, power off, has no profile.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.braking import brake_along, brake_joints
+from kinematics.robot_model import RobotModel
+from kinematics.stance import standing_at
+from kinematics.trajectory import Stance
+from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
+
+
+class StopProfile:
+    """The rows of a stop, one a control period."""
+
+    def __init__(self, rows: MotionSample) -> None:
+        """Take the rows: arrays with one row a period, the last at rest."""
+        self._rows = rows
+
+    def __len__(self) -> int:
+        """How many periods it takes."""
+        return len(self._rows.q)
+
+    def at(self, period: int) -> MotionSample:
+        """Row of one period, counted from 0."""
+        rows = self._rows
+        return MotionSample(rows.q[period], rows.v[period], rows.a[period])
+
+    @classmethod
+    def along_path(
+        cls, model: RobotModel, sampler: TrajectorySampler, t_s: float, period_s: float
+    ) -> StopProfile | None:
+        """Category 1: brake along a trajectory from a time on it.
+
+        Returns:
+            None when nothing within the limits ends before the trajectory itself does.
+        """
+        rows = brake_along(sampler, t_s, model.acceleration, model.jerk, period_s)
+        return None if rows is None else cls(rows)
+
+    @classmethod
+    def at_once(cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float) -> StopProfile:
+        """Category 2: bring every joint to rest on its own; the base goes where the soles put it."""
+        q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], model.acceleration, model.jerk, period_s)
+        periods = len(q)
+        last = standing_at(model, np.concatenate([now.q[:7], q[-1]]), stance)
+        if last[3:7] @ now.q[3:7] < 0.0:  # the same turn, but blended the short way
+            last[3:7] *= -1.0
+        share = (np.arange(1, periods + 1) / periods)[:, None]
+        base = (1.0 - share) * now.q[:7] + share * last[:7]
+        base[:, 3:] /= np.linalg.norm(base[:, 3:], axis=1, keepdims=True)
+        base[-1] = last[:7]
+        still = np.zeros((periods, 6))
+        return cls(MotionSample(np.hstack([base, q]), np.hstack([still, v]), np.hstack([still, a])))
