@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from py_trees.common import Status
 
 from kinematics.robot_model import RobotModel
+from kinematics.trajectory import CheckedTrajectory
 from trees.failures import Failure
+from trees.leaf import DONE, RUNNING, Leaf
 
 
 def largest_error(
@@ -21,11 +24,18 @@ def largest_error(
     return model.joints[worst], float(error[worst])
 
 
-def not_arrived(motion: str, joint: str, error_rad: float, tolerance_rad: float) -> Failure:
-    """The failure of a motion whose end the robot did not reach."""
+def arrival(leaf: Leaf, checked: CheckedTrajectory, by_s: float) -> Status | Failure:
+    """After a motion is done: ``RUNNING`` while the joints settle, then success or who did not follow."""
+    toolbox = leaf.toolbox
+    tolerance = toolbox.policy.arrival_tolerance_rad
+    joint, error = largest_error(toolbox.model, toolbox.sensing.state().q, checked.trajectory.q[-1])
+    if error <= tolerance:
+        return DONE
+    if leaf.elapsed_s < by_s:
+        return RUNNING
     return Failure.execution(
-        f"{joint} did not follow {motion} to its end",
+        f"{joint} did not follow {leaf.name} to its end",
         joint=joint,
-        error_rad=error_rad,
-        tolerance_rad=tolerance_rad,
+        error_rad=error,
+        tolerance_rad=tolerance,
     )

@@ -40,5 +40,6 @@ class JobLeaf(Leaf):
 
     def release(self, reason: str) -> None:
         """Forget the job."""
+        self.feedback_message = reason
         if self._job is not None:
             self._job.cancel()

@@ -9,10 +9,11 @@ from py_trees.common import Status
 from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, PlannedStep, RetreatRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from trees.arrival import largest_error, not_arrived
+from trees.arrival import arrival
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.motion_leaf import motion_failure
+from trees.plan_failures import no_plan_failure, stale_failure, unsafe_failure
 from trees.toolbox import Job
 
 
@@ -60,7 +61,7 @@ class PlannedMotionLeaf(Leaf):
         answer: Any = self._job.result()
         self._job = None
         if isinstance(answer, NoPlan):
-            return Failure.infeasible(answer.message, None, **answer.numbers, **answer.reasons)
+            return no_plan_failure(answer)
         if isinstance(answer, Unsafe):
             return unsafe_failure(self.name, answer)
         if isinstance(answer, MovePlan):
@@ -84,7 +85,9 @@ class PlannedMotionLeaf(Leaf):
         if now != self._world_version:
             return stale_failure(self.name, self._world_version, now)
         self._checked = checked
-        self._arrived_by_s = self.elapsed_s + checked.trajectory.duration_s + self.toolbox.policy.motion_slack_s
+        self._arrived_by_s = (
+            self.elapsed_s + checked.trajectory.duration_s + self.toolbox.policy.motion_slack_s
+        )
         self._handle = self.toolbox.motion.start(checked)
         return RUNNING
 
@@ -97,37 +100,3 @@ class PlannedMotionLeaf(Leaf):
         if self._checked is None:
             raise RuntimeError(f"{self.name} moves without a checked trajectory")
         return arrival(self, self._checked, self._arrived_by_s)
-
-
-def arrival(leaf: Leaf, checked: CheckedTrajectory, by_s: float) -> Status | Failure:
-    """After a motion is done: ``RUNNING`` while the joints settle, then success or who did not follow."""
-    toolbox = leaf.toolbox
-    tolerance = toolbox.policy.arrival_tolerance_rad
-    joint, error = largest_error(toolbox.model, toolbox.sensing.state().q, checked.trajectory.q[-1])
-    if error <= tolerance:
-        return DONE
-    if leaf.elapsed_s < by_s:
-        return RUNNING
-    return not_arrived(leaf.name, joint, error, tolerance)
-
-
-def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:
-    """The checker's refusal as a failure, with the numbers of its first finding."""
-    first = unsafe.findings[0]
-    return Failure.unsafe(
-        f"{unsafe}",
-        step=name,
-        finding=first.kind.value,
-        subject=" and ".join(first.subject),
-        t_s=first.t_s,
-        value=first.value,
-        limit=first.limit,
-        findings=len(unsafe.findings),
-    )
-
-
-def stale_failure(name: str, planned_for: int, now: int) -> Failure:
-    """A plan that was made for a scene that is no longer believed."""
-    return Failure.execution(
-        f"the plan of {name} is stale: the scene has changed since", planned_for=planned_for, scene_version=now
-    )

@@ -28,11 +28,9 @@ class TreePolicy:
         hidden_by_hand_m: Something whose line of sight passes a hand nearer than this may be hidden by it.
         support_gap_m: Between an object's lowest point and the furniture it stands on, at most: both
             carry a perception bias.
-        planning_deadline_s, checking_deadline_s: A job that has not answered by then hangs.
         motion_slack_s: A motion may take this much longer than planned, settling included.
         arrival_tolerance_rad: Every joint is this near the end of its trajectory; three times the lag
             of a loaded wrist.
-        gripper_deadline_s: Opening or closing takes about one second.
         grasp_settle_s: Between the end of the closing and the reading that counts.
         opening_tolerance_m: Difference of the gripper's opening from the object's diameter that size
             estimate and finger geometry explain; more means that something else is held.
@@ -67,11 +65,8 @@ class TreePolicy:
     same_furniture_m: float = 0.20
     hidden_by_hand_m: float = 0.15
     support_gap_m: float = 0.05
-    planning_deadline_s: float = 20.0
-    checking_deadline_s: float = 10.0
     motion_slack_s: float = 1.0
     arrival_tolerance_rad: float = 0.05
-    gripper_deadline_s: float = 4.0
     grasp_settle_s: float = 0.2
     opening_tolerance_m: float = 0.012
     lost_grip_s: float = 0.05

@@ -67,7 +67,9 @@ def aim(model: RobotModel, q: Array, point: Array) -> Mapping[str, float]:
     head = np.clip(q[7 + index], lower, upper)
     for _ in range(_AIM_STEPS):
         now = error(head)
-        jacobian = np.column_stack([(error(head + d) - now) / _DIFFERENCE_RAD for d in _DIFFERENCE_RAD * np.eye(2)])
+        jacobian = np.column_stack(
+            [(error(head + d) - now) / _DIFFERENCE_RAD for d in _DIFFERENCE_RAD * np.eye(2)]
+        )
         step = np.linalg.lstsq(jacobian, -now, rcond=None)[0]
         head = np.clip(head + step, lower, upper)
     return {joint: float(value) for joint, value in zip(joints, head, strict=True)}

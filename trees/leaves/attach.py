@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from kinematics import poses
 from kinematics.requests import Grasp
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
+from trees.ports import ports
 from trees.steps import Step, Target
 
 
 class Attach(Leaf):
     """Move the target from the world into the hand, and put the lift before the scene that results."""
 
-    INPUT_PORTS = {
-        "grasp": PortInformation(Grasp),
-        "target": PortInformation(Target),
-        "lift": PortInformation(Step),
-    }
-    OUTPUT_PORTS = {"held_lift": PortInformation(Step)}
+    INPUT_PORTS = ports(grasp=Grasp, target=Target, lift=Step)
+    OUTPUT_PORTS = ports(held_lift=Step)
     CONTRACT = Contract(
         precondition="the hand was measured to hold the target",
         postcondition="the target is an attached body of the scene; the lift is to be checked with it",

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp, RetreatRequest
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import optional, ports
 from trees.steps import Step, Target
 
 # Less than this into the approach is no approach; more than this beside it is not on its line.
@@ -22,12 +22,8 @@ class BackOut(PlannedMotionLeaf):
     the way that the hand came.
     """
 
-    INPUT_PORTS = {
-        "grasp": PortInformation(Grasp, required=False),
-        "approach": PortInformation(Step, required=False),
-        "target": PortInformation(Target, required=False),
-    }
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(grasp=optional(Grasp), approach=optional(Step), target=optional(Target))
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand is open",
         postcondition="the hand is at the pre-grasp pose, or was not on the approach",

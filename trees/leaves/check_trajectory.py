@@ -4,22 +4,21 @@ from __future__ import annotations
 
 from typing import Any
 
-from py_trees.ports import PortInformation
-
 from kinematics.requests import CheckRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.job_leaf import JobLeaf
-from trees.planned_motion_leaf import stale_failure, unsafe_failure
+from trees.plan_failures import stale_failure, unsafe_failure
+from trees.ports import ports
 from trees.steps import CheckedStep, Step
 
 
 class CheckTrajectory(JobLeaf):
     """Ask the trajectory checker for its judgement of one step."""
 
-    INPUT_PORTS = {"step": PortInformation(Step)}
-    OUTPUT_PORTS = {"checked": PortInformation(CheckedStep)}
+    INPUT_PORTS = ports(step=Step)
+    OUTPUT_PORTS = ports(checked=CheckedStep)
     CONTRACT = Contract(
         precondition="the step was planned for the present scene",
         postcondition="the checker found no defect, and the scene has not changed meanwhile",

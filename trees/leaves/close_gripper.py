@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp
 from robots.control.motion_handle import MotionHandle
@@ -11,13 +10,14 @@ from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.motion_leaf import MotionLeaf
+from trees.ports import ports
 
 
 class CloseGripper(MotionLeaf):
     """Close the hand of the grasp until something resists; it goes on pressing afterwards."""
 
-    INPUT_PORTS = {"grasp": PortInformation(Grasp)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(grasp=Grasp)
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand is at the grasp pose",
         postcondition="the closing has ended; what it holds is for VerifyHold to say",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.ports import ports
 from trees.recognition import nearest_sighting
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
@@ -22,8 +22,8 @@ class ConfirmTarget(LookLeaf):
     The world model stays as it is, so that the checked approach stays valid.
     """
 
-    INPUT_PORTS = {"target": PortInformation(Target)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(target=Target)
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand is at the pre-grasp pose, the head at rest",
         postcondition="the target was seen within the tolerance of where it was planned for, or cannot be "
@@ -44,7 +44,9 @@ class ConfirmTarget(LookLeaf):
             self.measured(moved_m=moved_m)
             if moved_m > policy.moved_tolerance_m:
                 return Failure.postcondition(
-                    f"the {target.name} is not where it was", moved_m=moved_m, tolerance_m=policy.moved_tolerance_m
+                    f"the {target.name} is not where it was",
+                    moved_m=moved_m,
+                    tolerance_m=policy.moved_tolerance_m,
                 )
             self.feedback_message = f"seen {moved_m * 1000:.0f} mm from where it was planned for"
             return DONE

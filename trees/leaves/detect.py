@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.ports import ports
 from trees.scene_update import kind_of, support_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
@@ -27,8 +27,8 @@ class Detect(LookLeaf):
     furniture that it stands on is not known: a motion past a table that was not seen would hit it.
     """
 
-    INPUT_PORTS = {"task": PortInformation(PickTask)}
-    OUTPUT_PORTS = {"target": PortInformation(Target)}
+    INPUT_PORTS = ports(task=PickTask)
+    OUTPUT_PORTS = ports(target=Target)
     CONTRACT = Contract(
         precondition="the head is at rest",
         postcondition="exactly one object that fits was seen, in half of the frames at least, on known "
@@ -86,11 +86,14 @@ class Detect(LookLeaf):
         if not fitting:
             return Failure.postcondition(f"no {wanted} seen", seen=", ".join(sorted(seen)) or "nothing")
         standing = {
-            name: support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) for name in fitting
+            name: support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m)
+            for name in fitting
         }
         on_known = [name for name, support in standing.items() if support is not None]
         if not on_known:
-            return Failure.postcondition(f"what the {wanted} stands on is not seen", seen=", ".join(sorted(seen)))
+            return Failure.postcondition(
+                f"what the {wanted} stands on is not seen", seen=", ".join(sorted(seen))
+            )
         on_source = [
             name
             for name in on_known
@@ -101,7 +104,9 @@ class Detect(LookLeaf):
         if len(on_source) > 1:
             choices = _described({name: fitting[name] for name in on_source})
             return Failure.infeasible(
-                f"which {wanted}? there are {len(on_source)}", choices=" | ".join(choices), count=len(on_source)
+                f"which {wanted}? there are {len(on_source)}",
+                choices=" | ".join(choices),
+                count=len(on_source),
             )
         name, estimate = on_source[0], fitting[on_source[0]]
         return Target(

@@ -9,6 +9,7 @@ from kinematics.requests import Grasp
 from trees.contract import Contract
 from trees.failures import Failure, FailureKind
 from trees.leaf import DONE, Leaf
+from trees.ports import optional, ports
 
 # Parts of a pick in which a failure says something about the grasp.
 _GRASP_STAGES = frozenset({"approach", "grasp", "lift"})
@@ -17,12 +18,10 @@ _GRASP_STAGES = frozenset({"approach", "grasp", "lift"})
 class ExcludeGrasp(Leaf):
     """Add the grasp to those tried in vain when it is to blame; start afresh when none is left."""
 
-    INPUT_PORTS = {
-        "failure": PortInformation(Failure),
-        "grasp": PortInformation(Grasp, required=False),
-        "tried": PortInformation(frozenset, default_value=frozenset()),
-    }
-    OUTPUT_PORTS = {"tried_now": PortInformation(frozenset)}
+    INPUT_PORTS = ports(
+        failure=Failure, grasp=optional(Grasp), tried=PortInformation(frozenset, default_value=frozenset())
+    )
+    OUTPUT_PORTS = ports(tried_now=frozenset)
     CONTRACT = Contract(
         precondition="an attempt has failed",
         postcondition="the next plan uses another grasp if this one was to blame",

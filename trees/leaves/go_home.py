@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from py_trees.ports import PortInformation
-
 from kinematics.requests import MoveRequest
 from trees.arrival import largest_error
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import ports
 
 # A reference nearer than this to home is home.
 _HOME_RAD = 0.01
@@ -16,8 +15,8 @@ _HOME_RAD = 0.01
 class GoHome(PlannedMotionLeaf):
     """Bring arms, trunk and head home; hands stay as they are, with what they hold."""
 
-    INPUT_PORTS: dict[str, PortInformation] = {}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="none",
         postcondition="every body joint is measured to be at home",

@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import ports
+from trees.sight import aim
 from trees.steps import Target
 from trees.toolbox import Toolbox
-
-from collections.abc import Mapping
-
-from py_trees.ports import PortInformation
-
-from trees.sight import aim
 
 
 class LookAt(PlannedMotionLeaf):
     """Turn the head to a gaze; everything else stays where it is."""
 
-    INPUT_PORTS: dict[str, PortInformation] = {}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="none",
         postcondition="tilt and pan joint are at the gaze, and at rest",
@@ -70,8 +68,8 @@ class LookAt(PlannedMotionLeaf):
 class LookAtTarget(LookAt):
     """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
 
-    INPUT_PORTS = {"target": PortInformation(Target)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(target=Target)
+    OUTPUT_PORTS = ports()
 
     def __init__(self, name: str, toolbox: Toolbox) -> None:
         super().__init__(name, toolbox, (0.0, 0.0))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp
 from robots.control.motion_handle import MotionHandle
@@ -11,6 +10,7 @@ from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import MotionLeaf
+from trees.ports import ports
 
 # The pads' zero and the encoder's noise leave the last tenth uncertain.
 _OPEN_SHARE = 0.9
@@ -19,8 +19,8 @@ _OPEN_SHARE = 0.9
 class OpenGripper(MotionLeaf):
     """Open the hand of the grasp fully."""
 
-    INPUT_PORTS = {"grasp": PortInformation(Grasp)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(grasp=Grasp)
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand holds nothing that could fall",
         postcondition="the gripper measures nine tenths of its largest opening or more",

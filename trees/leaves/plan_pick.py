@@ -11,6 +11,8 @@ from kinematics.robot_description import HANDS
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.job_leaf import JobLeaf
+from trees.plan_failures import no_plan_failure
+from trees.ports import ports
 from trees.steps import Step, Target
 from trees.tasks import PickTask
 
@@ -18,17 +20,10 @@ from trees.tasks import PickTask
 class PlanPick(JobLeaf):
     """Have the planner choose hand and grasp, and plan reach, approach and lift from the present posture."""
 
-    INPUT_PORTS = {
-        "task": PortInformation(PickTask),
-        "target": PortInformation(Target),
-        "tried": PortInformation(frozenset, default_value=frozenset()),
-    }
-    OUTPUT_PORTS = {
-        "grasp": PortInformation(Grasp),
-        "reach": PortInformation(Step),
-        "approach": PortInformation(Step),
-        "lift": PortInformation(Step),
-    }
+    INPUT_PORTS = ports(
+        task=PickTask, target=Target, tried=PortInformation(frozenset, default_value=frozenset())
+    )
+    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step, lift=Step)
     CONTRACT = Contract(
         precondition="the target is an object of the world model; the robot is at rest",
         postcondition="reach starts at the reference, approach and lift follow on, all for the present scene",
@@ -53,7 +48,7 @@ class PlanPick(JobLeaf):
     def accept(self, answer: Any) -> Failure | None:
         """Write grasp and steps."""
         if isinstance(answer, NoPlan):
-            return Failure.infeasible(answer.message, None, **answer.numbers, **answer.reasons)
+            return no_plan_failure(answer)
         if not isinstance(answer, PickPlan):
             raise TypeError(f"the planner answered {type(answer).__name__} to a pick")
         self._set_output("grasp", answer.grasp)

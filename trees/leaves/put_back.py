@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from py_trees.ports import PortInformation
-
 from kinematics.requests import Grasp, RetreatRequest
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import optional, ports
 from trees.steps import Step
 
 # Let go this far above the support: a perception bias must not press the object into it.
@@ -16,11 +15,8 @@ _DROP_M = 0.004
 class PutBack(PlannedMotionLeaf):
     """Lower a held object straight down to the height of its grasp; nothing to do when none is held."""
 
-    INPUT_PORTS = {
-        "grasp": PortInformation(Grasp, required=False),
-        "held_lift": PortInformation(Step, required=False),
-    }
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(grasp=optional(Grasp), held_lift=optional(Step))
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="none",
         postcondition="the hand is at the height at which it grasped the object, or holds nothing",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp
 from robots.control.motion_handle import MotionHandle
@@ -11,6 +10,7 @@ from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.motion_leaf import MotionLeaf
+from trees.ports import optional, ports
 
 # An object let go nearer than this to where it stood still stands.
 _SAFE_DROP_M = 0.015
@@ -22,8 +22,8 @@ class Release(MotionLeaf):
     What the gripper measures to hold in the air is kept, and the leaf fails saying so.
     """
 
-    INPUT_PORTS = {"grasp": PortInformation(Grasp, required=False)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(grasp=optional(Grasp))
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="none",
         postcondition="the hand is open and nothing is attached to it",

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from robots.control.motion_handle import MotionHandle
+from trees.arrival import arrival
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.motion_leaf import MotionLeaf
-from trees.planned_motion_leaf import arrival, stale_failure
+from trees.plan_failures import stale_failure
+from trees.ports import ports
 from trees.steps import CheckedStep
 
 
 class StreamMotion(MotionLeaf):
     """Stream one checked trajectory, and measure that the joints arrived."""
 
-    INPUT_PORTS = {"checked": PortInformation(CheckedStep)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(checked=CheckedStep)
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the step was checked for the present scene and starts at the reference",
         postcondition="every joint is measured to be at the trajectory's end",

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.grip import grip_failure
 from trees.leaf import DONE, RUNNING, Leaf
+from trees.ports import ports
 
 
 class VerifyHold(Leaf):
     """Judge the gripper's opening and effort once the fingers have settled."""
 
-    INPUT_PORTS = {"grasp": PortInformation(Grasp)}
-    OUTPUT_PORTS: dict[str, PortInformation] = {}
+    INPUT_PORTS = ports(grasp=Grasp)
+    OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the gripper has closed",
         postcondition="effort says that something is held, and the opening that it has the object's size",

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
-from py_trees.ports import PortInformation
 
 from kinematics import poses
 from kinematics.poses import Transform
@@ -15,6 +15,7 @@ from trees.failures import Failure, Number
 from trees.grip import grip_failure
 from trees.leaf import DONE, RUNNING
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.ports import ports
 from trees.recognition import nearest_sighting
 from trees.steps import Target
 
@@ -27,8 +28,8 @@ class VerifyLift(LookLeaf):
     cannot be seen, the gripper has to hold on for longer, and the evidence says that it was not seen.
     """
 
-    INPUT_PORTS = {"grasp": PortInformation(Grasp), "target": PortInformation(Target)}
-    OUTPUT_PORTS = {"evidence": PortInformation(dict)}
+    INPUT_PORTS = ports(grasp=Grasp, target=Target)
+    OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the lift has ended; the target is an attached body",
         postcondition="the gripper said holding for the whole time; as far as it was seen, the object has "
@@ -85,9 +86,11 @@ class VerifyLift(LookLeaf):
         if self.elapsed_s - self._lost_since_s < self.toolbox.policy.lost_grip_s:
             return None
         target: Target = self.get_input("target")
-        return Failure.postcondition(f"the {target.name} was lost after the lift", failure, held_s=self.elapsed_s)
+        return Failure.postcondition(
+            f"the {target.name} was lost after the lift", failure, held_s=self.elapsed_s
+        )
 
-    def _seen(self) -> dict[str, Number] | Failure:
+    def _seen(self) -> dict[str, float] | Failure:
         """What the pictures say; empty when the object is not to be seen in them."""
         target, body, policy = self.get_input("target"), self._body(), self.toolbox.policy
         half = len(self._views) // 2
@@ -99,24 +102,27 @@ class VerifyLift(LookLeaf):
         odom_T_tcp = self._odom_T_tcp(self._views[-1])
         off_m = float(np.linalg.norm(late - body.frame_T_object[:3, 3]))
         rise_m = float((odom_T_tcp[:3, :3] @ late + odom_T_tcp[:3, 3])[2] - target.odom_T_object[2, 3])
-        numbers: dict[str, Number] = {"lift_m": rise_m, "off_m": off_m}
+        numbers: dict[str, float] = {"lift_m": rise_m, "off_m": off_m}
         if off_m > policy.in_hand_tolerance_m:
             return Failure.postcondition(
-                f"the {target.name} is seen outside the hand", tolerance_m=policy.in_hand_tolerance_m, **numbers
+                f"the {target.name} is seen outside the hand",
+                None,
+                tolerance_m=policy.in_hand_tolerance_m,
+                **numbers,
             )
         if rise_m < policy.lifted_min_m:
             return Failure.postcondition(
-                f"the {target.name} has not risen enough", needed_m=policy.lifted_min_m, **numbers
+                f"the {target.name} has not risen enough", None, needed_m=policy.lifted_min_m, **numbers
             )
         if early is not None:
             numbers["slip_m"] = float(np.linalg.norm(late - early))
             if numbers["slip_m"] > policy.slip_max_m:
                 return Failure.postcondition(
-                    f"the {target.name} is slipping", tolerance_m=policy.slip_max_m, **numbers
+                    f"the {target.name} is slipping", None, tolerance_m=policy.slip_max_m, **numbers
                 )
         return numbers
 
-    def _succeed(self, seen: dict[str, Number]) -> Status:
+    def _succeed(self, seen: dict[str, float]) -> Status:
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
         evidence: dict[str, Number] = {
@@ -129,11 +135,11 @@ class VerifyLift(LookLeaf):
         }
         self._set_output("evidence", evidence)
         self.measured(**evidence)
-        rise = f", risen {float(evidence['lift_m']) * 100:.0f} cm" if seen else ", not seen"
+        rise = f", risen {seen['lift_m'] * 100:.0f} cm" if seen else ", not seen"
         self.feedback_message = f"held for {self.elapsed_s:.1f} s{rise}"
         return DONE
 
-    def _in_tcp(self, views: list[View]) -> np.ndarray | None:
+    def _in_tcp(self, views: list[View]) -> NDArray[np.float64] | None:
         """Where the object is seen in the TCP's frame, shape (3,)."""
         target, body = self.get_input("target"), self._body()
         odom_T_tcp = self._odom_T_tcp(views[-1])
@@ -142,7 +148,7 @@ class VerifyLift(LookLeaf):
         found = nearest_sighting(target, expected, estimates_of(views), scene, near)
         if found is None:
             return None
-        place: np.ndarray = (poses.inverse(odom_T_tcp) @ found[0].odom_T_object)[:3, 3]
+        place: NDArray[np.float64] = (poses.inverse(odom_T_tcp) @ found[0].odom_T_object)[:3, 3]
         return place
 
     def _body(self) -> AttachedBody:

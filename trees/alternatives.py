@@ -1,0 +1,58 @@
+"""One way after the other, until one works."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Composite
+
+from trees.failure_chain import failure_of
+from trees.failures import Failure, FailureKind
+
+
+def defect(failure: Failure) -> bool:
+    """No other way helps against a defect or a halt."""
+    return failure.kind in (FailureKind.ERROR, FailureKind.CANCELED)
+
+
+class Alternatives(Composite):
+    """A selector with memory that gives up early when no other way can help.
+
+    Its failure is that of the last way tried.
+    """
+
+    def __init__(
+        self, name: str, children: Sequence[Behaviour], hopeless: Callable[[Failure], bool] = defect
+    ) -> None:
+        super().__init__(name, children)
+        self.failure: Failure | None = None
+        self.transparent = False
+        self._hopeless = hopeless
+
+    def tick(self) -> Iterator[Behaviour]:
+        """Go on with the way under way, and over to the next when it fails."""
+        if self.status is not Status.RUNNING:
+            for child in self.children:
+                if child.status is not Status.INVALID:
+                    child.stop(Status.INVALID)
+            self.failure = None
+            self.current_child = self.children[0]
+        first = 0 if self.current_child is None else self.children.index(self.current_child)
+        for child in self.children[first:]:
+            self.current_child = child
+            yield from child.tick()
+            if child.status is Status.RUNNING:
+                self.status = Status.RUNNING
+                yield self
+                return
+            if child.status is Status.SUCCESS:
+                self.stop(Status.SUCCESS)
+                yield self
+                return
+            self.failure = failure_of(child)
+            if self.failure is not None and self._hopeless(self.failure):
+                break
+        self.stop(Status.FAILURE)
+        yield self

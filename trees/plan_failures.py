@@ -1,0 +1,36 @@
+"""What the planner and the checker said no to, as failures."""
+
+from __future__ import annotations
+
+from kinematics.requests import NoPlan
+from kinematics.trajectory import Unsafe
+from trees.failures import Failure, FailureKind
+
+
+def no_plan_failure(answer: NoPlan) -> Failure:
+    """The planner's honest no, with its figures and how many candidates failed for which reason."""
+    return Failure(FailureKind.INFEASIBLE, answer.message, {**answer.reasons, **answer.numbers})
+
+
+def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:
+    """The checker's refusal as a failure, with the numbers of its first finding."""
+    first = unsafe.findings[0]
+    return Failure.unsafe(
+        f"{unsafe}",
+        step=name,
+        finding=first.kind.value,
+        subject=" and ".join(first.subject),
+        t_s=first.t_s,
+        value=first.value,
+        limit=first.limit,
+        findings=len(unsafe.findings),
+    )
+
+
+def stale_failure(name: str, planned_for: int, now: int) -> Failure:
+    """A plan that was made for a scene that is no longer believed."""
+    return Failure.execution(
+        f"the plan of {name} is stale: the scene has changed since",
+        planned_for=planned_for,
+        scene_version=now,
+    )

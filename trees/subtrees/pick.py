@@ -1,0 +1,103 @@
+"""Pick an object up: search, plan, check, reach, confirm, approach, grasp, lift, verify, and recover."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import defect
+from trees.best_effort import BestEffort
+from trees.clean_up import CleanUp
+from trees.deadline import Deadline
+from trees.failures import Failure, FailureKind
+from trees.leaves.attach import Attach
+from trees.leaves.back_out import BackOut
+from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.close_gripper import CloseGripper
+from trees.leaves.confirm_target import ConfirmTarget
+from trees.leaves.go_home import GoHome
+from trees.leaves.look_at import LookAtTarget
+from trees.leaves.open_gripper import OpenGripper
+from trees.leaves.plan_pick import PlanPick
+from trees.leaves.put_back import PutBack
+from trees.leaves.release import Release
+from trees.leaves.stream_motion import StreamMotion
+from trees.leaves.verify_hold import VerifyHold
+from trees.leaves.verify_lift import VerifyLift
+from trees.retry import Retry
+from trees.subtrees.recover import recover
+from trees.subtrees.search import search
+from trees.toolbox import Toolbox
+
+
+def pick(toolbox: Toolbox) -> CleanUp:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    attempts = Retry(
+        "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
+    )
+    main = _sequence("pick up", search("search", toolbox), attempts)
+    main.transparent = True
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    return CleanUp("pick", timed, _give_up(toolbox), worth_it=lambda failure: not defect(failure))
+
+
+def no_other_attempt_helps(failure: Failure, before: Failure | None) -> bool:
+    """A defect, or the planner's second no in a row: it has been asked from home, with a new look."""
+    infeasible = failure.kind is FailureKind.INFEASIBLE
+    return defect(failure) or (infeasible and before is not None and before.kind is FailureKind.INFEASIBLE)
+
+
+class _Sequence(Sequence):
+    """A sequence that may be left out of places in the tree."""
+
+    transparent = False
+
+
+def _sequence(name: str, *children: Behaviour) -> _Sequence:
+    return _Sequence(name, memory=True, children=list(children))
+
+
+def _attempt(toolbox: Toolbox) -> Behaviour:
+    attempt = _sequence(
+        "attempt",
+        _sequence(
+            "plan",
+            PlanPick("plan pick", toolbox),
+            CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
+            CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
+            CheckTrajectory("check lift", toolbox, {"step": "lift", "checked": "checked_lift"}),
+        ),
+        _sequence(
+            "reach",
+            OpenGripper("open gripper", toolbox),
+            StreamMotion("move to the object", toolbox, {"checked": "checked_reach"}),
+        ),
+        _sequence("confirm", LookAtTarget("look", toolbox), ConfirmTarget("confirm target", toolbox)),
+        _sequence("approach", StreamMotion("move in", toolbox, {"checked": "checked_approach"})),
+        _sequence(
+            "grasp",
+            CloseGripper("close gripper", toolbox),
+            VerifyHold("verify hold", toolbox),
+            Attach("attach", toolbox),
+        ),
+        _sequence(
+            "lift",
+            CheckTrajectory("check trajectory", toolbox, {"step": "held_lift", "checked": "checked_lift"}),
+            StreamMotion("move up", toolbox, {"checked": "checked_lift"}),
+            LookAtTarget("look", toolbox),
+            VerifyLift("verify lift", toolbox),
+        ),
+    )
+    attempt.transparent = True
+    return attempt
+
+
+def _give_up(toolbox: Toolbox) -> Behaviour:
+    """Leave nothing behind: what is held is put back if that works, and kept if it does not."""
+    return _sequence(
+        "give up",
+        BestEffort(PutBack("put back", toolbox)),
+        BestEffort(Release("release", toolbox)),
+        BestEffort(BackOut("back out", toolbox)),
+        GoHome("go home", toolbox),
+    )

@@ -1,0 +1,150 @@
+"""One task's tree: tick it, halt it, ask it how things stand."""
+
+from __future__ import annotations
+
+from typing import Literal, Protocol, runtime_checkable
+
+from py_trees.behaviour import Behaviour
+from py_trees.blackboard import Blackboard
+from py_trees.common import Status
+
+from trees.events import LeafFailed, NodeChanged
+from trees.failure_chain import failure_of, place_of
+from trees.failures import Failure, FailureKind, Number
+from trees.leaf import Leaf, from_exception
+from trees.retry import Retry
+from trees.snapshot import TreeSnapshot
+from trees.snapshot_of import snapshot_of, status_word
+from trees.tasks import GoHomeTask, PickTask, Task
+from trees.toolbox import Toolbox
+
+
+@runtime_checkable
+class _Wired(Protocol):
+    def wire(self, namespace: str) -> None: ...
+
+
+class TaskTree:
+    """A tree at work. ``tick`` never raises and never waits.
+
+    Attributes:
+        task: What it does.
+        root: The tree's root; for drawing, not for ticking.
+        status: "running" until it has ended, then "success" or "failure".
+        failure: Why it failed or was halted, the whole chain; None otherwise.
+        evidence: What the robot measured that proves the success; empty before.
+    """
+
+    def __init__(self, task: Task, root: Behaviour, toolbox: Toolbox) -> None:
+        self.task = task
+        self.root = root
+        self.status: Literal["running", "success", "failure"] = "running"
+        self.failure: Failure | None = None
+        self.evidence: dict[str, Number] = {}
+        self._toolbox = toolbox
+        self._ticks = 0
+        self._nodes = list(root.iterate())
+        self._told: dict[Behaviour, tuple[Status, str]] = dict.fromkeys(self._nodes, (Status.INVALID, ""))
+        # unique while the process lives; it never shows in any output
+        self._namespace = f"/task_{root.id.hex}"
+        for node in self._nodes:
+            if isinstance(node, _Wired):
+                node.wire(self._namespace)
+        Blackboard.set(f"{self._namespace}/task", task)
+
+    @property
+    def attempts(self) -> int:
+        """Attempts begun; 1 for a task that is not tried again."""
+        counts = [node.attempts for node in self._nodes if isinstance(node, Retry)]
+        return max(counts, default=1)
+
+    def tick(self) -> None:
+        """Let every running node do a little; does nothing after the end."""
+        if self.status != "running":
+            return
+        self._ticks += 1
+        try:
+            for _ in self.root.tick():
+                pass
+        except Exception as error:  # leaves contain their own; this is for the nodes between them
+            self._end_with(from_exception(error).at(self.root.name), f"defect: {error}")
+            return
+        self._tell_changes()
+        if self.root.status is Status.SUCCESS:
+            self._succeed()
+        elif self.root.status is not Status.RUNNING:
+            why = failure_of(self.root) or Failure.error("it failed without a reason")
+            self._fail(self._summary(why))
+
+    def halt(self, reason: str) -> None:
+        """Stop at once: whatever moves brakes and holds. Does nothing after the end."""
+        if self.status != "running":
+            return
+        running = [node for node in self._nodes if isinstance(node, Leaf) and node.status is Status.RUNNING]
+        where = place_of(running[0]) if running else self.root.name
+        self._end_with(Failure(FailureKind.CANCELED, reason, where=where), reason)
+
+    def snapshot(self, t_s: float) -> TreeSnapshot:
+        """The whole tree as plain values."""
+        return TreeSnapshot(t_s, self._ticks, snapshot_of(self.root))
+
+    def _succeed(self) -> None:
+        key = f"{self._namespace}/evidence"
+        if Blackboard.exists(key):
+            self.evidence = dict(Blackboard.get(key))
+        self.status = "success"
+        self._forget()
+
+    def _fail(self, failure: Failure) -> None:
+        self.failure = failure
+        self.status = "failure"
+        self._forget()
+
+    def _end_with(self, failure: Failure, reason: str) -> None:
+        """End from outside: every running leaf is terminated, which stops what it moves."""
+        for node in self._nodes:
+            if isinstance(node, Leaf):
+                node.halt_reason = reason
+        try:
+            self.root.stop(Status.INVALID)
+        except Exception as error:
+            failure = from_exception(error, cause=failure).at(self.root.name)
+        self._toolbox.events(LeafFailed(self._toolbox.clock.now_s(), failure))
+        self._tell_changes()
+        self._fail(failure)
+
+    def _summary(self, why: Failure) -> Failure:
+        """The top of the chain, with what the hands still hold."""
+        numbers: dict[str, Number] = {"attempts": self.attempts}
+        held = self._held()
+        if held:
+            numbers["still_held"] = held
+        message = f"could not {_verb(self.task)}: {why.message}" + (f"; {held}" if held else "")
+        return Failure(why.kind, message, numbers, self.root.name, why)
+
+    def _held(self) -> str:
+        hands = [hand for hand, gripper in self._toolbox.grippers.items() if gripper.reading().holding]
+        return " and ".join(f"the {hand} hand still holds something" for hand in hands)
+
+    def _tell_changes(self) -> None:
+        now_s = self._toolbox.clock.now_s()
+        for node in self._nodes:
+            if self._told[node][0] is not node.status:
+                message = node.feedback_message
+                self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
+                self._told[node] = node.status, message
+
+    def _forget(self) -> None:
+        """Give the ports' storage back, so that a long session does not fill up."""
+        for node in self._nodes:
+            for client in node.blackboards:
+                client.unregister(clear=True)
+        Blackboard.storage.pop(f"{self._namespace}/task", None)
+
+
+def _verb(task: Task) -> str:
+    if isinstance(task, PickTask):
+        return f"pick up the {task.object}"
+    if isinstance(task, GoHomeTask):
+        return "go home"
+    raise TypeError(f"no words for a {type(task).__name__}")
