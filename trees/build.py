@@ -10,6 +10,8 @@ from trees.task_tree import TaskTree
 from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Toolbox
 
+__all__ = ["TaskTree", "build_tree"]
+
 
 def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     """Build the tree of a task; nothing moves before its first tick."""

@@ -40,7 +40,7 @@ class TreePolicy:
         in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
-        task_timeout_s: A whole task takes less.
+        task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
     look_frames: int = 8
@@ -73,4 +73,4 @@ class TreePolicy:
     slip_max_m: float = 0.008
     in_hand_tolerance_m: float = 0.04
     unseen_hold_factor: float = 2.0
-    task_timeout_s: float = 180.0
+    task_timeout_s: float = 120.0

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from kinematics.gaze import gaze_joints
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
-from trees.sight import aim
 from trees.steps import Target
 from trees.toolbox import Toolbox
 
@@ -80,5 +80,5 @@ class LookAtTarget(LookAt):
         model, q = self.toolbox.model, self.toolbox.motion.reference()
         body = self.toolbox.world.scene.attached.get(target.name)
         if body is None:
-            return aim(model, q, target.odom_T_object[:3, 3])
-        return aim(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
+            return gaze_joints(model, q, target.odom_T_object[:3, 3])
+        return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])

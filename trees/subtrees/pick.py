@@ -70,10 +70,10 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         _sequence(
             "reach",
             OpenGripper("open gripper", toolbox),
-            StreamMotion("move to the object", toolbox, {"checked": "checked_reach"}),
+            StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
         ),
         _sequence("confirm", LookAtTarget("look", toolbox), ConfirmTarget("confirm target", toolbox)),
-        _sequence("approach", StreamMotion("move in", toolbox, {"checked": "checked_approach"})),
+        _sequence("approach", StreamMotion("stream approach", toolbox, {"checked": "checked_approach"})),
         _sequence(
             "grasp",
             CloseGripper("close gripper", toolbox),
@@ -83,7 +83,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         _sequence(
             "lift",
             CheckTrajectory("check trajectory", toolbox, {"step": "held_lift", "checked": "checked_lift"}),
-            StreamMotion("move up", toolbox, {"checked": "checked_lift"}),
+            StreamMotion("stream lift", toolbox, {"checked": "checked_lift"}),
             LookAtTarget("look", toolbox),
             VerifyLift("verify lift", toolbox),
         ),
