@@ -1,0 +1,64 @@
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.grasping import OPENING_RESERVE_M, grasp_candidates
+from kinematics.scene import SceneObject
+from kinematics.shapes import Ball, Box, Cylinder
+
+
+def candidates(talos, shape, place=(0.5, -0.2, 0.9), turn=0.0, hand="right"):
+    pose = poses.transform(poses.rotation_z(turn), place)
+    gripper = talos.description.grippers[hand]
+    return [c.grasp for c in grasp_candidates(SceneObject("thing", shape, pose), gripper, 0.0, 0.1)]
+
+
+def test_a_cup_is_grasped_across_its_axis_from_side_to_top(talos):
+    grasps = candidates(talos, Cylinder(0.03, 0.12))
+
+    tilts = {round(float(-np.degrees(np.arcsin(g.world_T_tcp[2, 0])))) for g in grasps}
+    assert min(tilts) == 0
+    assert max(tilts) == 90
+    for grasp in grasps:
+        assert grasp.diameter_m == pytest.approx(0.06)
+        assert abs(grasp.world_T_tcp[2, 1]) < 1e-9  # the opening is horizontal
+        # the TCP is on the cup's axis, inside its height
+        assert grasp.world_T_tcp[:2, 3] == pytest.approx([0.5, -0.2])
+        assert abs(grasp.world_T_tcp[2, 3] - 0.9) <= 0.06
+
+
+def test_a_box_is_grasped_square_to_its_faces(talos):
+    grasps = candidates(talos, Box((0.05, 0.2, 0.1)), turn=0.6)
+
+    assert grasps
+    for grasp in grasps:
+        across = grasp.world_T_tcp[:3, 1]
+        assert abs(across @ poses.rotation_z(0.6)[:, 0]) == pytest.approx(1.0)
+        assert grasp.diameter_m == pytest.approx(0.05)
+
+
+def test_a_ball_has_grasps(talos):
+    assert candidates(talos, Ball(0.03))
+
+
+@pytest.mark.parametrize(
+    "shape", [Cylinder(0.045, 0.12), Box((0.1, 0.12, 0.05)), Ball(0.046)], ids=["wide cup", "box", "ball"]
+)
+def test_what_is_wider_than_the_hand_has_no_grasp(talos, shape):
+    assert candidates(talos, shape) == []
+
+
+def test_the_reserve_for_perception_errors_is_kept(talos):
+    widest = talos.description.grippers["right"].max_opening_m / 2 - OPENING_RESERVE_M
+
+    assert candidates(talos, Cylinder(widest - 1e-4, 0.1))
+    assert not candidates(talos, Cylinder(widest + 1e-4, 0.1))
+
+
+def test_both_hands_mirror_each_other(talos):
+    left = candidates(talos, Cylinder(0.03, 0.12), place=(0.5, 0.2, 0.9), hand="left")
+    right = candidates(talos, Cylinder(0.03, 0.12), place=(0.5, -0.2, 0.9), hand="right")
+
+    for a, b in zip(left, right, strict=True):
+        assert a.world_T_tcp[:3, 3] * (1, -1, 1) == pytest.approx(b.world_T_tcp[:3, 3])
+        assert a.world_T_tcp[:3, 0] * (1, -1, 1) == pytest.approx(b.world_T_tcp[:3, 0])

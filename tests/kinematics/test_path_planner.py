@@ -1,0 +1,60 @@
+import numpy as np
+
+from kinematics import poses
+from kinematics.collision import CollisionWorld
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.path_planner import PathPlanner, PathSettings
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+
+
+def problem(talos, stance):
+    """The right hand has to get past a post that stands in the straight way."""
+    space = FreeCoordinates(talos, stance)
+    start = space.from_q(talos.q_home)
+    goal = start.copy()
+    goal[space.index("arm_right_4_joint")] = -0.6
+    middle = space.to_q((0.5 * (start + goal))[None, :])[0][0]
+    place = talos.frame_pose(middle, "tcp_right")
+    post = SceneObject("post", Box((0.03, 0.03, 0.1)), poses.translation(*place[:3, 3]))
+    moving = [space.index(joint) for joint in talos.description.groups["right_arm"]]
+    return space, start, goal, moving, PlanningScene().with_object(post)
+
+
+def test_a_detour_is_found_where_the_straight_line_is_blocked(talos, stance):
+    space, start, goal, moving, scene = problem(talos, stance)
+    world = CollisionWorld(talos, scene)
+    planner = PathPlanner(talos, space, stance, world, PathSettings(iterations=600))
+
+    curve = planner.plan(start, goal, moving, np.random.default_rng(0))
+
+    assert curve is not None
+    q, reached = space.to_q(curve(np.linspace(0, 1, 400)))
+    assert reached.all()
+    assert not any(world.collides(configuration) for configuration in q)
+    straight = space.to_q(start + (goal - start) * np.linspace(0, 1, 50)[:, None])[0]
+    assert any(world.collides(configuration) for configuration in straight)
+
+
+def test_the_same_seed_gives_the_same_path(talos, stance):
+    space, start, goal, moving, scene = problem(talos, stance)
+    planner = PathPlanner(talos, space, stance, CollisionWorld(talos, scene), PathSettings(iterations=600))
+    s = np.linspace(0, 1, 20)
+
+    first = planner.plan(start, goal, moving, np.random.default_rng(7))
+    second = planner.plan(start, goal, moving, np.random.default_rng(7))
+
+    assert np.array_equal(first(s), second(s))
+
+
+def test_a_goal_in_collision_has_no_path(talos, stance):
+    space, start, goal, moving, scene = problem(talos, stance)
+    q = space.to_q(goal[None, :])[0][0]
+    blocked = scene.with_object(
+        SceneObject(
+            "block", Box((0.1, 0.1, 0.1)), poses.translation(*talos.frame_pose(q, "tcp_right")[:3, 3])
+        )
+    )
+    planner = PathPlanner(talos, space, stance, CollisionWorld(talos, blocked))
+
+    assert planner.plan(start, goal, moving, np.random.default_rng(0)) is None

@@ -1,0 +1,117 @@
+import numpy as np
+import pytest
+
+from kinematics.collision import CollisionWorld
+from kinematics.pick_planner import PickPlanner, supports_of
+from kinematics.requests import NoPlan, PickPlan, PickRequest
+from kinematics.scene import PlanningScene
+
+
+def plan(talos, stance, scene, **options):
+    return PickPlanner(talos).plan(PickRequest(talos.q_home, stance, scene, "cup", **options))
+
+
+@pytest.mark.requirement("M1")
+def test_reach_approach_and_lift_are_one_chain(talos, stance, tabletop):
+    answer = plan(talos, stance, tabletop)
+
+    assert isinstance(answer, PickPlan)
+    steps = [answer.reach, answer.approach, answer.lift]
+    assert steps[0].trajectory.q[0] == pytest.approx(talos.q_home, abs=1e-9)
+    for before, after in zip(steps, steps[1:], strict=False):
+        assert after.trajectory.q[0] == pytest.approx(before.trajectory.q[-1], abs=1e-9)
+    frame = talos.description.grippers[answer.grasp.hand].tcp_frame
+    grasped = talos.frame_pose(answer.approach.trajectory.q[-1], frame)
+    assert grasped == pytest.approx(answer.grasp.world_T_tcp, abs=3e-3)
+    lifted = talos.frame_pose(answer.lift.trajectory.q[-1], frame)
+    assert lifted[2, 3] - grasped[2, 3] == pytest.approx(0.13, abs=2e-3)
+
+
+def test_the_approach_is_straight_and_the_lift_is_vertical(talos, stance, tabletop):
+    answer = plan(talos, stance, tabletop)
+    frame = talos.description.grippers[answer.grasp.hand].tcp_frame
+
+    for step in (answer.approach, answer.lift):
+        places = np.array([talos.frame_pose(q, frame)[:3, 3] for q in step.trajectory.q])
+        along = (places[-1] - places[0]) / np.linalg.norm(places[-1] - places[0])
+        offset = places - places[0] - np.outer((places - places[0]) @ along, along)
+        assert np.linalg.norm(offset, axis=1).max() < 1.5e-3
+
+
+@pytest.mark.requirement("M5")
+def test_the_nearer_hand_is_chosen(talos, stance, make):
+    for y, hand in ((-0.3, "right"), (0.3, "left")):
+        scene = PlanningScene().with_objects([make.table(), make.cup(y=y)])
+
+        assert plan(talos, stance, scene).grasp.hand == hand
+
+
+@pytest.mark.requirement("M5")
+def test_the_hand_can_be_prescribed(talos, stance, make):
+    scene = PlanningScene().with_objects([make.table(), make.cup(y=-0.05)])
+
+    assert plan(talos, stance, scene, hands=("left",)).grasp.hand == "left"
+
+
+def test_a_grasp_that_was_excluded_is_not_chosen_again(talos, stance, tabletop):
+    first = plan(talos, stance, tabletop)
+    excluded = frozenset({f"{first.grasp.hand} {first.grasp.label}"})
+
+    second = plan(talos, stance, tabletop, excluded=excluded)
+
+    assert (second.grasp.hand, second.grasp.label) != (first.grasp.hand, first.grasp.label)
+
+
+def test_what_is_out_of_reach_is_said_to_be(talos, stance, make):
+    scene = PlanningScene().with_objects([make.table(depth_m=2.0), make.cup(x=1.7)])
+
+    answer = plan(talos, stance, scene)
+
+    assert isinstance(answer, NoPlan)
+    assert answer.reasons == {"out of reach": 2}
+
+
+def test_no_configuration_of_the_reach_collides(talos, stance, make):
+    scene = PlanningScene().with_objects(
+        [
+            make.table(),
+            make.cup(),
+            make.cup(x=0.42, y=-0.33, name="other"),
+            make.cup(x=0.6, y=-0.3, name="third"),
+        ]
+    )
+
+    answer = plan(talos, stance, scene)
+
+    world = CollisionWorld(talos, scene)
+    assert not any(world.collides(q) for q in answer.reach.trajectory.q)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_cups_anywhere_on_tables_of_any_height_are_planned(talos, stance, make, seed):
+    rng = np.random.default_rng(seed)
+    top = rng.uniform(0.75, 1.0)
+    cup = make.cup(
+        x=rng.uniform(0.37, 0.65),
+        y=rng.uniform(-0.45, 0.45),
+        top_m=top,
+        radius_m=rng.uniform(0.02, 0.038),
+        height_m=rng.uniform(0.08, 0.16),
+    )
+    scene = PlanningScene().with_objects([make.table(top_m=top, edge_m=0.30), cup])
+
+    assert isinstance(plan(talos, stance, scene), PickPlan)
+
+
+def test_the_same_seed_gives_the_same_plan(talos, stance, tabletop):
+    first, second = plan(talos, stance, tabletop, seed=4), plan(talos, stance, tabletop, seed=4)
+
+    assert np.array_equal(first.reach.trajectory.q, second.reach.trajectory.q)
+    assert np.array_equal(first.lift.trajectory.q, second.lift.trajectory.q)
+
+
+def test_a_cup_on_a_table_is_supported_by_it_and_one_beside_it_is_not(make):
+    scene = PlanningScene().with_objects([make.table(), make.cup()])
+
+    assert supports_of(make.cup(), scene) == ["table"]
+    assert supports_of(make.cup(x=0.1), scene) == []

@@ -1,0 +1,35 @@
+import dataclasses
+
+import numpy as np
+import pytest
+
+from kinematics.errors import InvalidMotionError
+from kinematics.trajectory import CheckedTrajectory, Trajectory
+
+
+def still(talos, stance, t=(0.0, 1.0)):
+    n = len(t)
+    return Trajectory(
+        talos.joints, stance, np.array(t), np.tile(talos.q_home, (n, 1)), np.zeros((n, talos.nv))
+    )
+
+
+def test_times_must_rise_from_zero(talos, stance):
+    for times in ((0.0, 0.0), (0.1, 1.0), (0.0, 1.0, 0.5)):
+        with pytest.raises(InvalidMotionError, match="rise"):
+            still(talos, stance, times)
+
+
+def test_shapes_must_agree_and_values_be_finite(talos, stance):
+    good = still(talos, stance)
+
+    with pytest.raises(InvalidMotionError, match="need q"):
+        dataclasses.replace(good, q=good.q[:, :-1])
+    with pytest.raises(InvalidMotionError, match="finite"):
+        dataclasses.replace(good, v=good.v + np.nan)
+
+
+@pytest.mark.requirement("S6")
+def test_nobody_but_the_checker_can_make_a_checked_trajectory(talos, stance):
+    with pytest.raises(InvalidMotionError, match="only the trajectory checker"):
+        CheckedTrajectory(still(talos, stance), 0, 0.1, 0.1, seal=object())
