@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 
 # Slightly above the surface, so that a ray that grazes the solid's own edge is not lost to rounding.
 _LIFT_M = 1e-4
+# A face that is larger is often seen only in part, between other things.
+_LARGE_M = 0.3
 
 
 @lru_cache(maxsize=256)
@@ -35,13 +37,13 @@ def surface_points(shape: Shape) -> tuple[Array, Array]:
 
 
 def _box(size: Array) -> tuple[Array, Array]:
-    steps = np.array([-0.45, 0.0, 0.45])
+    steps = [np.linspace(-0.45, 0.45, 3 if edge < _LARGE_M else 7) for edge in size]
     points, normals = [], []
     for axis in range(3):
         others = [i for i in range(3) if i != axis]
         for side in (-1.0, 1.0):
-            for a in steps:
-                for b in steps:
+            for a in steps[others[0]]:
+                for b in steps[others[1]]:
                     point = np.zeros(3)
                     point[axis], point[others[0]], point[others[1]] = 0.5 * side, a, b
                     normal = np.zeros(3)
