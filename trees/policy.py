@@ -19,8 +19,8 @@ class TreePolicy:
         lifted_min_m: Least rise of the object, as seen, that counts as lifted.
         furniture_margin_m: Kept from furniture; three times the usual perception bias.
         object_margin_m: Kept from every object, unless the plan lets the pair touch.
-        search_gazes_rad: (tilt down, pan left) of the head, in the order in which a search looks: a
-            table ahead first, its sides, then what is close to the body.
+        search_gazes_rad: (tilt down, pan left) of the head, in the order in which a search looks: what
+            is within reach first, ahead and at both sides, then what is farther away.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
@@ -53,12 +53,12 @@ class TreePolicy:
     furniture_margin_m: float = 0.015
     object_margin_m: float = 0.010
     search_gazes_rad: tuple[tuple[float, float], ...] = (
-        (0.6, 0.0),
-        (0.6, 0.5),
-        (0.6, -0.5),
-        (0.77, 0.0),
-        (0.77, 0.7),
-        (0.77, -0.7),
+        (0.75, 0.0),
+        (0.75, 0.7),
+        (0.75, -0.7),
+        (0.4, 0.0),
+        (0.4, 0.7),
+        (0.4, -0.7),
     )
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05

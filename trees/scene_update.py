@@ -73,7 +73,7 @@ def updated_scene(
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached}
-        for estimate in strangers:
+        for estimate in sorted(strangers, key=_extent_m, reverse=True):  # "table" is its top, not a leg
             name = _free_name(words, taken)
             taken.add(name)
             matched[name] = estimate
@@ -119,6 +119,11 @@ def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> Sc
         margin_m=policy.furniture_margin_m if furniture else policy.object_margin_m,
         movable=not furniture,
     )
+
+
+def _extent_m(estimate: ObjectEstimate) -> float:
+    """Longest horizontal edge of a box; nothing for what is round."""
+    return max(estimate.shape.size_m[:2]) if isinstance(estimate.shape, Box) else 0.0
 
 
 def lowest_point_m(item: SceneObject) -> float:

@@ -136,10 +136,12 @@ class TaskTree:
 
     def _forget(self) -> None:
         """Give the ports' storage back, so that a long session does not fill up."""
+        for table in (Blackboard.storage, Blackboard.metadata):
+            for key in [key for key in table if key.startswith(f"{self._namespace}/")]:
+                del table[key]
         for node in self._nodes:
             for client in node.blackboards:
-                client.unregister(clear=True)
-        Blackboard.storage.pop(f"{self._namespace}/task", None)
+                Blackboard.clients.pop(client.id(), None)
 
 
 def _verb(task: Task) -> str:

@@ -84,16 +84,14 @@ class Detect(LookLeaf):
             and wanted.color in (None, estimate.color)
         }
         if not fitting:
-            return Failure.postcondition(f"no {wanted} seen", seen=", ".join(sorted(seen)) or "nothing")
+            return Failure.postcondition(f"no {wanted} seen", seen=_words(seen))
         standing = {
             name: support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m)
             for name in fitting
         }
         on_known = [name for name, support in standing.items() if support is not None]
         if not on_known:
-            return Failure.postcondition(
-                f"what the {wanted} stands on is not seen", seen=", ".join(sorted(seen))
-            )
+            return Failure.postcondition(f"what the {wanted} stands on is not seen", seen=_words(seen))
         on_source = [
             name
             for name in on_known
@@ -112,6 +110,11 @@ class Detect(LookLeaf):
         return Target(
             name, estimate.kind, estimate.color, estimate.shape, estimate.odom_T_object, estimate.confidence
         )
+
+
+def _words(seen: Mapping[str, ObjectEstimate]) -> str:
+    """What was seen, each thing once."""
+    return ", ".join(sorted({words_for(estimate) for estimate in seen.values()})) or "nothing"
 
 
 def _described(fitting: Mapping[str, ObjectEstimate]) -> list[str]:

@@ -10,7 +10,7 @@ from trees.leaves.detect import Detect
 from trees.leaves.look_at import LookAt
 from trees.toolbox import Toolbox
 
-_NAMES = ("ahead", "left", "right", "down", "down left", "down right")
+_NAMES = ("ahead", "left", "right", "far ahead", "far left", "far right")
 
 
 def search(name: str, toolbox: Toolbox) -> Alternatives:
