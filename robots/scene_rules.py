@@ -79,7 +79,10 @@ def _check_perception(model: PerceptionModel, source: str) -> None:
     ):  # fmt: skip
         value = getattr(model, key)
         _require(
-            math.isfinite(value) and value >= 0.0, source, f"perception.{key}", f"must be 0 or more, not {value}"
+            math.isfinite(value) and value >= 0.0,
+            source,
+            f"perception.{key}",
+            f"must be 0 or more, not {value}",
         )
     for key in ("dropout", "merge_chance", "min_visible"):
         value = getattr(model, key)
@@ -229,7 +232,9 @@ def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
 
 def _above(point: NDArray[np.float64], solid: _Solid) -> bool:
     """Tell whether a point is straight above an (upright) solid."""
-    local = poses.inverse(solid.world_T_solid) @ np.array([point[0], point[1], solid.world_T_solid[2, 3], 1.0])
+    local = poses.inverse(solid.world_T_solid) @ np.array(
+        [point[0], point[1], solid.world_T_solid[2, 3], 1.0]
+    )
     match solid.shape:
         case Box(size_m=size):
             return bool(abs(local[0]) <= 0.5 * size[0] and abs(local[1]) <= 0.5 * size[1])
@@ -262,7 +267,9 @@ def _some_point_inside(probe: _Solid, target: _Solid) -> bool:
         case Box(size_m=size):
             depth = np.min(0.5 * np.asarray(size) - np.abs(local), axis=1)
         case Cylinder(radius_m=radius, height_m=height):
-            depth = np.minimum(radius - np.hypot(local[:, 0], local[:, 1]), 0.5 * height - np.abs(local[:, 2]))
+            depth = np.minimum(
+                radius - np.hypot(local[:, 0], local[:, 1]), 0.5 * height - np.abs(local[:, 2])
+            )
         case Ball(radius_m=radius):
             depth = radius - np.linalg.norm(local, axis=1)
     return bool(np.max(depth) > TOUCH_TOLERANCE_M)

@@ -214,6 +214,9 @@ def _add_sensors(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     for name, kind in kinds:
         spec.add_sensor(name=name, type=kind, objtype=site, objname=description.imu_link)
     for sole in description.soles:
-        for label, kind in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
+        for label, kind in (
+            ("force", mujoco.mjtSensor.mjSENS_FORCE),
+            ("torque", mujoco.mjtSensor.mjSENS_TORQUE),
+        ):
             name = sole_name(sole)
             spec.add_sensor(name=f"{label}:{sole.side}", type=kind, objtype=site, objname=name)

@@ -62,7 +62,7 @@ class SimulatedRobot:
         """Return the readings of the last control period; the same ones until the next period."""
         if self._reading is None:
             n = self._count
-            noise = self._rng.standard_normal(self._sigma.shape[0])
+            noise: Array = np.asarray(self._rng.standard_normal(self._sigma.shape[0]))
             noise *= self._sigma
             noise[:n] += self._qpos[self._joint_qpos]
             noise[n : 2 * n] += self._qvel[self._joint_qvel]
@@ -133,7 +133,7 @@ def _sensor_order(physics: Physics) -> NDArray[np.intp]:
     """Where gyro, accelerometer and each sole's force and torque stand in MuJoCo's sensor array."""
     soles = [f"{kind}:{sole.side}" for sole in physics.description.soles for kind in ("force", "torque")]
     starts = [int(physics.model.sensor(name).adr[0]) for name in (GYRO, ACCELEROMETER, *soles)]
-    return np.concatenate([np.arange(start, start + 3) for start in starts]).astype(np.intp)
+    return np.array([start + i for start in starts for i in range(3)], dtype=np.intp)
 
 
 def _sigmas(description: RobotDescription) -> Array:

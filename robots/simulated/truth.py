@@ -35,6 +35,10 @@ SOLE_LIFTED_M = 0.003
 RAY_SLACK_M = 0.002
 """A ray that ends this near to the point has reached it."""
 
+_ROBOT = (Role.BODY, Role.FINGER, Role.PAD)
+_THINGS = (Role.FURNITURE, Role.OBJECT, Role.PERSON)
+_THING, _ROBOT_AND_THING = 4, 5
+
 
 @dataclass(frozen=True, slots=True)
 class TrueContact:
@@ -85,6 +89,7 @@ class SimulatorTruth:
         }
         self._ray_groups = np.zeros(6, dtype=np.uint8)
         self._ray_groups[[WORLD_GROUP, HULL_GROUP, FINGER_DRAWN_GROUP]] = 1
+        self._part_of = np.isin(physics.geom_role, _ROBOT) + _THING * np.isin(physics.geom_role, _THINGS)
         self._support = SupportPolygon()
         self._wrench = np.zeros(6)
         self._start_height_m = float(self.world_T_base()[2, 3])
@@ -105,7 +110,8 @@ class SimulatorTruth:
 
     def visible(self, name: str, points: Array) -> NDArray[np.bool_]:
         """Tell for each world point, shape (n, 3), on a solid whether a ray from the camera meets
-        that solid before it meets anything else (robot included), shape (n,)."""
+        that solid before it meets anything else (robot included), shape (n,).
+        """
         physics = self._physics
         physics.refresh()
         start = physics.data.xpos[self._camera_body].copy()
@@ -205,7 +211,8 @@ class SimulatorTruth:
 
     def com_margin_m(self) -> float:
         """Distance of the CoM's projection to the edge of the true support polygon, positive inside;
-        ``-inf`` while no sole carries."""
+        ``-inf`` while no sole carries.
+        """
         return self._support.margin_m(self.com()[:2], self._carrying_corners())
 
     def _carrying_corners(self) -> Array:
@@ -240,50 +247,77 @@ class SimulatorTruth:
         """What of the robot but its finger pads touches an object now."""
         return self._contacts((Role.BODY, Role.FINGER), (Role.OBJECT,))
 
+    def robot_touches_something(self) -> bool:
+        """Tell whether any part of the robot touches furniture, an object or a person; fast."""
+        parts = self._part_of[self._contact_geoms()]
+        return bool(np.any(parts.sum(axis=1) == _ROBOT_AND_THING))
+
+    def in_pads_only(self) -> dict[str, Hand]:
+        """Objects that finger pads of one hand touch and nothing else does, with that hand."""
+        physics, pairs = self._physics, self._contact_geoms()
+        is_pad = np.any(physics.geom_role[pairs] == Role.PAD, axis=1)
+        is_object = physics.geom_role[pairs] == Role.OBJECT
+        candidates = {int(geom) for geom in pairs[is_pad][is_object[is_pad]]}
+        found: dict[str, Hand] = {}
+        for geom in sorted(candidates):
+            name = physics.geom_label[geom]
+            touching = self.object_contacts(name)
+            for hand, gripper in physics.description.grippers.items():
+                if set(touching) <= set(gripper.pad_links):
+                    found[name] = hand
+        return found
+
     def object_contacts(self, name: str) -> tuple[str, ...]:
-        """Everything that an object touches: links, furniture solids, objects, the floor; sorted."""
-        data, label = self._physics.data, self._physics.geom_label
-        found = set()
-        for first, second in data.contact.geom[: data.ncon]:
-            if label[first] == name:
-                found.add(label[second])
-            elif label[second] == name:
-                found.add(label[first])
-        return tuple(sorted(found))
+        """Everything that an object touches: links, furniture solids, objects, the floor; sorted.
+
+        Raises:
+            KeyError: The scene has no such object.
+        """
+        pairs, label = self._contact_geoms(), self._physics.geom_label
+        mine = pairs == self._physics.object_geom[name]
+        others = pairs[:, ::-1][mine]
+        return tuple(sorted({label[geom] for geom in others}))
 
     def pad_contacts(self, name: str) -> tuple[PadContact, ...]:
-        """Contact points between finger pads and an object, with their forces in the last physics step."""
+        """Contact points between finger pads and an object, with their forces in the last physics step.
+
+        Raises:
+            KeyError: The scene has no such object.
+        """
         physics, data = self._physics, self._physics.data
-        geom = physics.object_geom[name]
+        geom, pairs = physics.object_geom[name], self._contact_geoms()
+        is_pad = physics.geom_role[pairs] == Role.PAD
         found = []
-        for i in range(data.ncon):
-            first, second = (int(item) for item in data.contact.geom[i])
-            if geom not in (first, second):
-                continue
-            pad = second if first == geom else first
-            if physics.geom_role[pad] != Role.PAD:
-                continue
+        for i in np.flatnonzero(np.any(pairs == geom, axis=1) & np.any(is_pad, axis=1)):
+            first, second = pairs[i]
             frame = data.contact.frame[i].reshape(3, 3)
-            mujoco.mj_contactForce(physics.model, data, i, self._wrench)
+            mujoco.mj_contactForce(physics.model, data, int(i), self._wrench)
             # MuJoCo's force acts on the second geom.
             sign = 1.0 if second == geom else -1.0
             tangential = sign * (frame[1] * self._wrench[1] + frame[2] * self._wrench[2])
+            pad = physics.geom_label[first if second == geom else second]
             friction = float(data.contact.friction[i, 0])
-            found.append(PadContact(physics.geom_label[pad], friction, float(self._wrench[0]), tangential))
+            found.append(PadContact(pad, friction, float(self._wrench[0]), tangential))
         return tuple(found)
 
     def _contacts(self, mine: tuple[Role, ...], others: tuple[Role, ...]) -> tuple[TrueContact, ...]:
-        physics, data = self._physics, self._physics.data
+        physics, pairs = self._physics, self._contact_geoms()
+        is_mine, is_other = np.zeros(len(Role), dtype=np.bool_), np.zeros(len(Role), dtype=np.bool_)
+        is_mine[list(mine)], is_other[list(others)] = True, True
+        roles = physics.geom_role[pairs]
+        forward = is_mine[roles[:, 0]] & is_other[roles[:, 1]]
+        backward = is_mine[roles[:, 1]] & is_other[roles[:, 0]]
         sums: dict[tuple[str, str], float] = {}
-        for i in range(data.ncon):
-            first, second = (int(item) for item in data.contact.geom[i])
-            if physics.geom_role[first] in others:
-                first, second = second, first
-            if physics.geom_role[first] in mine and physics.geom_role[second] in others:
-                mujoco.mj_contactForce(physics.model, data, i, self._wrench)
-                key = (physics.geom_label[first], physics.geom_label[second])
-                sums[key] = sums.get(key, 0.0) + float(self._wrench[0])
+        for i in np.flatnonzero(forward | backward):
+            first, second = pairs[i] if forward[i] else pairs[i, ::-1]
+            mujoco.mj_contactForce(physics.model, physics.data, int(i), self._wrench)
+            key = (physics.geom_label[first], physics.geom_label[second])
+            sums[key] = sums.get(key, 0.0) + float(self._wrench[0])
         return tuple(TrueContact(a, b, force) for (a, b), force in sorted(sums.items()))
+
+    def _contact_geoms(self) -> NDArray[np.int32]:
+        """Pairs of touching geoms, shape (contacts, 2)."""
+        return np.asarray(self._physics.data.contact.geom, dtype=np.int32).reshape(-1, 2)
 
     # --- for the fault injector ---------------------------------------------------------------
 
@@ -298,6 +332,3 @@ class SimulatorTruth:
     def _pose(self, body: int) -> Transform:
         self._physics.refresh()
         return self._physics.body_pose(body)
-
-
-_ROBOT = (Role.BODY, Role.FINGER, Role.PAD)
