@@ -8,7 +8,7 @@ import pytest
 from robots.scene_file import dump
 from tools.evaluate.scenes import TARGET, pick_scene, read_episode_scene
 
-SCENES = [read_episode_scene(pick_scene(seed), seed) for seed in range(200)]
+SCENES = [read_episode_scene(pick_scene(seed), seed) for seed in range(100)]
 CUPS = [next(item for item in scene.objects if item.name == TARGET) for scene in SCENES]
 
 
@@ -76,7 +76,7 @@ def test_nothing_there_leaves_the_rest_of_the_scene_as_it_was():
 
 
 def test_too_close_puts_a_cup_of_another_colour_a_few_millimetres_beside():
-    for seed in range(50):
+    for seed in range(20):
         scene = read_episode_scene(pick_scene(seed, "too_close"), seed)
         red, blue = scene.objects[:2]
         gap = np.linalg.norm((red.world_T_object - blue.world_T_object)[:2, 3]) - 2 * red.shape.radius_m

@@ -14,8 +14,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from robots.description import known_robots, load_description
 from robots.errors import RobotsError
 from robots.scene_file import load_scene
-from tools.evaluate.episode import EpisodeOrder
+from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.workers import run_all
@@ -52,7 +53,7 @@ def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console) -> list[E
     records: list[EpisodeRecord] = []
     with Progress(*columns, console=messages) as progress:
         task = progress.add_task("episodes", total=len(orders))
-        for record in run_all(orders, jobs):
+        for record in run_all(orders, jobs, run_episode):
             records.append(record)
             held = sum(item.truth for item in records)
             progress.update(task, advance=1, description=f"held {held} of {len(records)}")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import traceback
-from dataclasses import dataclass
 
 from executive.assembly import assemble
 from executive.command_parser import parse
@@ -11,26 +10,10 @@ from executive.task_result import TaskResult, chain
 from robots.scene_file import load_scene
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
+from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord
 from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene, read_episode_scene
-
-
-@dataclass(frozen=True, slots=True)
-class EpisodeOrder:
-    """What to run.
-
-    Attributes:
-        seed: Seed of scene and run.
-        robot: Name of the robot.
-        fault: Name of a fault, or None.
-        scene: A scene's name or file in place of a random one, or None.
-    """
-
-    seed: int
-    robot: str = "talos"
-    fault: str | None = None
-    scene: str | None = None
 
 
 def run_episode(order: EpisodeOrder) -> EpisodeRecord:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 
-from tools.evaluate.episode import EpisodeOrder, run_episode
+from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord
 
 # Libraries that would spread over all cores read these when they are loaded.
@@ -17,7 +17,7 @@ _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 Run = Callable[[EpisodeOrder], EpisodeRecord]
 
 
-def run_all(orders: Sequence[EpisodeOrder], jobs: int, run: Run = run_episode) -> Iterator[EpisodeRecord]:
+def run_all(orders: Sequence[EpisodeOrder], jobs: int, run: Run) -> Iterator[EpisodeRecord]:
     """Yield the records as episodes end, in no promised order.
 
     Args:

@@ -1,0 +1,22 @@
+"""Which episode to run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeOrder:
+    """What to run.
+
+    Attributes:
+        seed: Seed of scene and run.
+        robot: Name of the robot.
+        fault: Name of a fault, or None.
+        scene: A scene's name or file in place of a random one, or None.
+    """
+
+    seed: int
+    robot: str = "talos"
+    fault: str | None = None
+    scene: str | None = None
