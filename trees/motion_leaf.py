@@ -40,6 +40,7 @@ class MotionLeaf(Leaf):
         if self._handle.status is MotionStatus.RUNNING:
             self.feedback_message = f"{self._handle.progress:.0%}"
             return RUNNING
+        self.feedback_message = ""
         return self.finish()
 
     def release(self, reason: str) -> None:

@@ -99,4 +99,5 @@ class PlannedMotionLeaf(Leaf):
             return RUNNING
         if self._checked is None:
             raise RuntimeError(f"{self.name} moves without a checked trajectory")
+        self.feedback_message = "arrived"
         return arrival(self, self._checked, self._arrived_by_s)

@@ -26,7 +26,8 @@ class PlanPick(JobLeaf):
     OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step, lift=Step)
     CONTRACT = Contract(
         precondition="the target is an object of the world model; the robot is at rest",
-        postcondition="reach starts at the reference, approach and lift follow on, all for the present scene",
+        postcondition="reach starts at the reference and ends looking at the target; approach and lift "
+        "follow on, so nothing else may move the body in between; all are for the present scene",
         deadline_s=20.0,
     )
 

@@ -72,7 +72,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
             OpenGripper("open gripper", toolbox),
             StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
         ),
-        _sequence("confirm", LookAtTarget("look", toolbox), ConfirmTarget("confirm target", toolbox)),
+        _sequence("confirm", ConfirmTarget("confirm target", toolbox)),
         _sequence("approach", StreamMotion("stream approach", toolbox, {"checked": "checked_approach"})),
         _sequence(
             "grasp",

@@ -1,0 +1,110 @@
+"""Motions of the fake robot: carried out exactly, on the injected clock."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
+from kinematics.trajectory import CheckedTrajectory, Stance
+from robots.clock import Clock
+from robots.control.guarded_motion import GuardedMotion
+from robots.control.motion_handle import MotionHandle, MotionStatus
+
+Array = NDArray[np.float64]
+
+# A trajectory that starts farther from the reference than this would jump.
+_JUMP_RAD = 1e-6
+
+
+class FakeMotion:
+    """Plays checked trajectories; satisfies ``trees.toolbox.MotionControl``.
+
+    Attributes:
+        refuse: While it is set, every motion is refused with this reason.
+        refuse_midway: Every motion is refused halfway with this reason, as by a gate.
+        started: Names of everything that was started, in order.
+    """
+
+    def __init__(self, model: RobotModel, clock: Clock) -> None:
+        """Hold the home posture."""
+        self.refuse = ""
+        self.refuse_midway = ""
+        self.started: list[str] = []
+        self._clock = clock
+        self._q = model.q_home.copy()
+        self._stance = stance_at(model, self._q)
+        self._active: tuple[CheckedTrajectory, MotionHandle, float] | None = None
+        self._others: list[MotionHandle] = []
+
+    @property
+    def moving(self) -> bool:
+        """Whether anything is under way."""
+        return self._active is not None or any(not handle.finished for handle in self._others)
+
+    def start(self, motion: CheckedTrajectory | GuardedMotion) -> MotionHandle:
+        """Begin a checked trajectory.
+
+        Raises:
+            TypeError: It is a guarded motion: the fake has no control loop for one.
+        """
+        if not isinstance(motion, CheckedTrajectory):
+            raise TypeError("the fake robot plays checked trajectories only")
+        handle = self.note(f"trajectory {len(self.started) + 1}")
+        if handle.finished:
+            return handle
+        self._others.remove(handle)
+        if self._active is not None:
+            return _refused(handle, "another motion has the body")
+        if float(np.abs(motion.trajectory.q[0] - self._q).max()) > _JUMP_RAD:
+            return _refused(handle, "it does not start at the reference")
+        self._active = motion, handle, self._clock.now_s()
+        return handle
+
+    def note(self, name: str) -> MotionHandle:
+        """Handle of a motion that somebody else plays, refused when motions are."""
+        handle = MotionHandle(name, f"fake {len(self.started)}")
+        self.started.append(name)
+        if self.refuse:
+            return _refused(handle, self.refuse)
+        self._others.append(handle)
+        return handle
+
+    def cancel(self, handle: MotionHandle, reason: str) -> None:
+        """Stop on the spot and hold."""
+        if handle.finished:
+            return
+        handle.status, handle.reason = MotionStatus.CANCELED, reason
+        if self._active is not None and self._active[1] is handle:
+            self._active = None
+
+    def reference(self) -> Array:
+        """Configuration that is commanded now, shape (nq,)."""
+        return self._q.copy()
+
+    def stance(self) -> Stance:
+        """Both feet where they are at home."""
+        return self._stance
+
+    def advance(self) -> None:
+        """Follow the trajectory under way to the present time."""
+        self._others = [handle for handle in self._others if not handle.finished]
+        if self._active is None:
+            return
+        checked, handle, start_s = self._active
+        trajectory = checked.trajectory
+        elapsed_s = min(self._clock.now_s() - start_s, trajectory.duration_s)
+        handle.progress = elapsed_s / trajectory.duration_s
+        self._q = np.array([np.interp(elapsed_s, trajectory.t_s, column) for column in trajectory.q.T])
+        if self.refuse_midway and handle.progress >= 0.5:
+            _refused(handle, self.refuse_midway)
+            self._active = None
+        elif elapsed_s >= trajectory.duration_s:
+            handle.status = MotionStatus.DONE
+            self._active = None
+
+
+def _refused(handle: MotionHandle, reason: str) -> MotionHandle:
+    handle.status, handle.reason = MotionStatus.REFUSED, reason
+    return handle

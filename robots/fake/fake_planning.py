@@ -1,0 +1,192 @@
+"""A planner that always finds something, or fails in the way that it is told to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.gaze import gaze_joints
+from kinematics.requests import (
+    CheckRequest,
+    Grasp,
+    MovePlan,
+    MoveRequest,
+    NoPlan,
+    PickPlan,
+    PickRequest,
+    PlannedStep,
+    PlanRequest,
+    RetreatRequest,
+)
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
+from robots.clock import Clock
+from robots.fake.scripted_world import diameter_m
+
+Array = NDArray[np.float64]
+Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+
+_APPROACH_M = 0.10
+_LABELS = ("side", "top", "diagonal", "far side")
+# Position-only inverse kinematics by damped least squares; converges in a dozen steps.
+_STEPS = 40
+_DAMPING = 1e-4
+_DIFFERENCE_RAD = 1e-6
+
+
+class FakeJob:
+    """Satisfies ``trees.toolbox.Job``: its answer is there after a while on the clock."""
+
+    def __init__(self, answer: Callable[[], Any], clock: Clock, ready_s: float) -> None:
+        """Promise an answer for a time."""
+        self.canceled = False
+        self._answer, self._clock, self._ready_s = answer, clock, ready_s
+
+    @property
+    def done(self) -> bool:
+        """Whether its time has come."""
+        return not self.canceled and self._clock.now_s() >= self._ready_s - 1e-9
+
+    def result(self) -> Any:
+        """The answer, or whatever making it raised."""
+        return self._answer()
+
+    def cancel(self) -> None:
+        """Forget it."""
+        self.canceled = True
+
+
+class FakePlanning:
+    """Satisfies ``trees.toolbox.Planning``; ignores obstacles and limits.
+
+    Attributes:
+        delay_s: Time that a job takes.
+        motion_s: Duration of every motion.
+        raises: Raised by every job while it is set.
+        hangs: While true, jobs never end.
+        no_plan: Answered to every planning request while it is set.
+        unsafe: Asked with each check; what it returns is answered instead of a checked trajectory.
+        requests: Everything that was asked.
+        jobs: The jobs of those requests.
+    """
+
+    def __init__(
+        self, model: RobotModel, clock: Clock, check: Callable[[CheckRequest], CheckedTrajectory | Unsafe]
+    ) -> None:
+        """A planner for one robot.
+
+        Args:
+            model: The robot.
+            clock: Time.
+            check: The checker: the true one, or a test's, for only a checker can make its answer.
+        """
+        self.delay_s = 0.02
+        self.motion_s = 0.08
+        self.raises: Exception | None = None
+        self.hangs = False
+        self.no_plan: NoPlan | None = None
+        self.unsafe: Callable[[CheckRequest], Unsafe | None] = lambda _request: None
+        self.requests: list[PlanRequest] = []
+        self.jobs: list[FakeJob] = []
+        self._model, self._clock, self._check = model, clock, check
+
+    def submit(self, request: PlanRequest) -> FakeJob:
+        """Begin to answer."""
+        self.requests.append(request)
+        ready_s = float("inf") if self.hangs else self._clock.now_s() + self.delay_s
+        job = FakeJob(lambda: self.answer(request), self._clock, ready_s)
+        self.jobs.append(job)
+        return job
+
+    def answer(self, request: PlanRequest) -> Answer:
+        """Answer at once.
+
+        Raises:
+            Exception: The one that ``raises`` holds.
+        """
+        if self.raises is not None:
+            raise self.raises
+        if isinstance(request, CheckRequest):
+            return self.unsafe(request) or self._check(request)
+        if self.no_plan is not None:
+            return self.no_plan
+        if isinstance(request, PickRequest):
+            return self._pick(request)
+        if isinstance(request, RetreatRequest):
+            frame = self._model.description.grippers[request.hand].tcp_frame
+            place = self._model.frame_pose(request.q_start, frame)[:3, 3] + request.world_offset_m
+            goal = self._reach(request.q_start, request.hand, place)
+        else:
+            goal = self._posture(request)
+        return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))
+
+    def _pick(self, request: PickRequest) -> PickPlan | NoPlan:
+        target = request.scene.objects[request.target]
+        place = target.world_T_object[:3, 3]
+        nearer: Hand = "left" if place[1] > 0.0 else "right"
+        hands = sorted(request.hands, key=lambda hand: hand != nearer)
+        keys = [(hand, label) for hand in hands for label in _LABELS]
+        left = [key for key in keys if f"{key[0]} {key[1]}" not in request.excluded]
+        if not left:
+            return NoPlan("every grasp was tried before", {"tried before": len(keys)})
+        hand, label = left[0]
+        gripper = self._model.description.grippers[hand]
+        at_grasp = self._reach(self._looking_at(request.q_start, place), hand, place)
+        world_T_tcp = self._model.frame_pose(at_grasp, gripper.tcp_frame)
+        before = self._reach(at_grasp, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
+        lifted = self._reach(at_grasp, hand, place + np.array([0.0, 0.0, request.lift_m]))
+        near = request.scene.allowing((link, target.name) for link in gripper.touch_links)
+        stance = request.stance
+        return PickPlan(
+            grasp=Grasp(hand, label, world_T_tcp, _APPROACH_M, diameter_m(target.shape)),
+            reach=self._step("reach", request.q_start, before, stance, request.scene),
+            approach=self._step("approach", before, at_grasp, stance, near),
+            lift=self._step("lift", at_grasp, lifted, stance, near),
+            considered=len(keys) - len(left) + 1,
+        )
+
+    def _looking_at(self, q: Array, place: Array) -> Array:
+        """The same configuration with the head turned to a place."""
+        q = q.copy()
+        for joint, angle in gaze_joints(self._model, q, place).items():
+            q[7 + self._model.joint_index(joint)] = angle
+        return q
+
+    def _posture(self, request: MoveRequest) -> Array:
+        goal = request.q_start.copy() if request.keep_others else self._model.q_home.copy()
+        for joint, angle in request.joints.items():
+            goal[7 + self._model.joint_index(joint)] = angle
+        return goal
+
+    def _step(
+        self, name: str, q_start: Array, q_goal: Array, stance: Stance, scene: PlanningScene
+    ) -> PlannedStep:
+        t_s = np.array([0.0, self.motion_s])
+        trajectory = Trajectory(
+            self._model.joints, stance, t_s, np.array([q_start, q_goal]), np.zeros((2, self._model.nv))
+        )
+        return PlannedStep(name, trajectory, scene)
+
+    def _reach(self, q: Array, hand: Hand, place: Array) -> Array:
+        """Move arm and trunk until the TCP is at a place, shape (3,), in whatever orientation."""
+        description = self._model.description
+        groups = description.groups
+        index = 7 + self._model.indices((*groups["torso"], *groups[f"{hand}_arm"]))
+        frame, q = description.grippers[hand].tcp_frame, q.copy()
+        for _ in range(_STEPS):
+            error = place - self._model.frame_pose(q, frame)[:3, 3]
+            if float(np.linalg.norm(error)) < 1e-6:
+                break
+            jacobian = np.empty((3, len(index)))
+            for column, i in enumerate(index):
+                nudged = q.copy()
+                nudged[i] += _DIFFERENCE_RAD
+                moved = self._model.frame_pose(nudged, frame)[:3, 3]
+                jacobian[:, column] = (moved - (place - error)) / _DIFFERENCE_RAD
+            q[index] += jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + _DAMPING * np.eye(3), error)
+        return q

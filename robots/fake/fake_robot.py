@@ -1,0 +1,68 @@
+"""A body without physics: it is at once where it is told to be."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_description import RobotDescription
+from robots.clock import Clock
+from robots.errors import SetpointRefusedError
+from robots.interface import JointSetpoint, RobotState
+
+Array = NDArray[np.float64]
+
+_GRAVITY_M_S2 = 9.81
+
+
+class FakeRobot:
+    """A kinematic robot that tracks perfectly; implements ``robots.interface.Robot``.
+
+    Attributes:
+        stuck: Names of joints that do not move any more.
+        effort: What the effort sensors read, Nm, shape (n,); set by whoever plays the world.
+    """
+
+    def __init__(self, description: RobotDescription, clock: Clock) -> None:
+        """Stand at home, hands open."""
+        self.stuck: set[str] = set()
+        self.effort: Array = np.zeros(len(description.actuated))
+        self._description = description
+        self._clock = clock
+        self._q = np.array([description.home[name] for name in description.actuated])
+        self._v = np.zeros_like(self._q)
+
+    @property
+    def description(self) -> RobotDescription:
+        """The robot's data."""
+        return self._description
+
+    def read(self) -> RobotState:
+        """Perfect readings of a robot that stands on both feet."""
+        feet = len(self._description.soles)
+        wrench = np.zeros((feet, 6))
+        wrench[:, 2] = 900.0 / feet
+        return RobotState(
+            stamp_s=self._clock.now_s(),
+            q=self._q.copy(),
+            v=self._v.copy(),
+            effort=self.effort.copy(),
+            gyro=np.zeros(3),
+            accelerometer=np.array([0.0, 0.0, _GRAVITY_M_S2]),
+            foot_wrench=wrench,
+        )
+
+    def command(self, setpoint: JointSetpoint) -> None:
+        """Be where the setpoint says, but for joints that are stuck.
+
+        Raises:
+            SetpointRefusedError: The setpoint has the wrong shape, or is not finite.
+        """
+        if setpoint.q.shape != self._q.shape or not np.isfinite(setpoint.q).all():
+            raise SetpointRefusedError(f"a setpoint needs {len(self._q)} finite positions")
+        free = np.array([name not in self.stuck for name in self._description.actuated])
+        self._q = np.where(free, setpoint.q, self._q)
+        self._v = np.where(free, setpoint.v, 0.0)
+
+    def advance(self, period_s: float) -> None:
+        """Nothing to do: there is no physics."""

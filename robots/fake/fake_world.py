@@ -1,0 +1,112 @@
+"""The fake robot in its scripted world, put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+import numpy as np
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.requests import CheckRequest
+from kinematics.robot_description import HANDS, Hand
+from kinematics.robot_model import RobotModel
+from kinematics.shapes import Box, Cylinder
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from robots.clock import ManualClock
+from robots.control.state_history import StateHistory
+from robots.fake.fake_gripper import FakeGripper
+from robots.fake.fake_motion import FakeMotion
+from robots.fake.fake_planning import FakePlanning
+from robots.fake.fake_robot import FakeRobot
+from robots.fake.scripted_detector import ScriptedDetector
+from robots.fake.scripted_world import ScriptedWorld
+from robots.interface import JointSetpoint
+from robots.perception.truth_view import TrueObject
+from robots.sensed_state import SensedState
+
+
+class FakeWorld:
+    """Robot, world, camera and planner; ``step`` lets time pass.
+
+    Attributes:
+        model, clock, robot: As their names say.
+        world: The scripted truth.
+        motion, grippers, sensing, detector, planning: What a toolbox needs, with switches for failures.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        check: Callable[[CheckRequest], CheckedTrajectory | Unsafe],
+        objects: Iterable[TrueObject],
+        period_s: float = 0.02,
+    ) -> None:
+        """Put everything together.
+
+        Args:
+            model: The robot.
+            check: Judges trajectories.
+            objects: What is in the world.
+            period_s: Time that ``step`` lets pass.
+        """
+        self.model, self.clock = model, ManualClock()
+        self.robot = FakeRobot(model.description, self.clock)
+        self.motion = FakeMotion(model, self.clock)
+        camera = model.description.camera
+        self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
+        self.grippers: Mapping[Hand, FakeGripper] = {
+            hand: FakeGripper(model.description.grippers[hand], self.world, self.motion, self._pose_of)
+            for hand in HANDS
+        }
+        self.detector = ScriptedDetector(self.world, camera, self.clock)
+        self.planning = FakePlanning(model, self.clock, check)
+        self.sensing = StateHistory(self._sense(), period_s)
+        self._period_s = period_s
+        self._sequence = 0
+
+    def step(self) -> None:
+        """Let one period pass."""
+        self.clock.advance(self._period_s)
+        self.motion.advance()
+        for gripper in self.grippers.values():
+            gripper.advance(self._period_s)
+        self._command()
+        self.sensing.add(self._sense())
+        self.world.carry()
+        self.detector.advance()
+
+    def _command(self) -> None:
+        fingers = [self.grippers[hand].position_rad for hand in HANDS]
+        q = np.concatenate([self.motion.reference()[7:], fingers])
+        self._sequence += 1
+        zero = np.zeros_like(q)
+        self.robot.command(JointSetpoint(self.clock.now_s(), self._sequence, "fake", q, zero, zero))
+        self.robot.effort = zero.copy()
+        self.robot.effort[-len(HANDS) :] = [self.grippers[hand].effort_nm for hand in HANDS]
+
+    def _sense(self) -> SensedState:
+        readings = self.robot.read()
+        q = self.motion.reference()
+        q[7:] = readings.q[: len(self.model.joints)]
+        return SensedState(readings, q)
+
+    def _pose_of(self, frame: str) -> Transform:
+        return self.model.frame_pose(self.sensing.state().q, frame)
+
+
+def table(name: str = "table", height_m: float = 0.9) -> TrueObject:
+    """A table top in front of the robot."""
+    pose = poses.translation(0.65, 0.0, height_m - 0.02)
+    return TrueObject(name, "furniture", "table", None, Box((0.6, 1.2, 0.04)), pose)
+
+
+def cup(
+    name: str = "red cup",
+    color: str = "red",
+    place_m: tuple[float, float] = (0.45, -0.2),
+    table_height_m: float = 0.9,
+) -> TrueObject:
+    """A cup of 6 cm by 11 cm on the table."""
+    pose = poses.translation(*place_m, table_height_m + 0.055)
+    return TrueObject(name, "object", "cup", color, Cylinder(0.03, 0.11), pose)

@@ -1,0 +1,182 @@
+"""A fake robot on a stage: any leaf or tree is ticked in milliseconds, without physics."""
+
+import numpy as np
+import pytest
+from py_trees.blackboard import Blackboard
+from py_trees.common import Status
+
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import CheckedTrajectory
+from robots.description import load_description
+from robots.fake.fake_world import FakeWorld, cup, table
+from trees.build import build_tree
+from trees.leaf import Leaf
+from trees.policy import TreePolicy
+from trees.tasks import ObjectDescription, PickTask
+from trees.toolbox import Toolbox
+from trees.world_model import WorldModel
+
+QUICK = TreePolicy(
+    look_frames=2, look_timeout_s=0.4, hold_s=0.2, grasp_settle_s=0.04, motion_slack_s=0.2, task_timeout_s=60.0
+)
+RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
+
+
+def believed(request):
+    """What a checker that finds nothing would answer; only tests may make one up."""
+    checked = object.__new__(CheckedTrajectory)
+    found = {
+        "trajectory": request.trajectory,
+        "scene_version": request.scene.version,
+        "min_distance_m": 0.02,
+        "min_com_margin_m": 0.03,
+        "seal": None,
+    }
+    for name, value in found.items():
+        object.__setattr__(checked, name, value)
+    return checked
+
+
+class Stage:
+    """The fake world with a toolbox around it, and ways to run nodes in it."""
+
+    def __init__(self, model, objects=None, policy=QUICK):
+        self.fake = FakeWorld(model, believed, [table(), cup()] if objects is None else objects)
+        self.events = []
+        self.told = WorldModel()
+        self.toolbox = Toolbox(
+            clock=self.fake.clock,
+            model=model,
+            motion=self.fake.motion,
+            sensing=self.fake.sensing,
+            grippers=self.fake.grippers,
+            detector=self.fake.detector,
+            planning=self.fake.planning,
+            world=self.told,
+            events=self.events.append,
+            rng=np.random.default_rng(1),
+            policy=policy,
+        )
+        self.hooks = []
+        self.fake.step()
+
+    def ready(self, node, **inputs):
+        """Wire a node, and write values to its input ports."""
+        for item in node.iterate():
+            if hasattr(item, "wire"):
+                item.wire("/stage")
+        wiring = getattr(node, "wiring", {})
+        for port, value in inputs.items():
+            Blackboard.set(f"/stage/{wiring.get(port, port)}", value)
+        return node
+
+    def output(self, name):
+        return Blackboard.get(f"/stage/{name}")
+
+    def tick(self, node):
+        node.tick_once()
+        self.fake.step()
+        return node.status
+
+    def run(self, node, limit=3000, **inputs):
+        """Tick a node to its end."""
+        self.ready(node, **inputs)
+        for _ in range(limit):
+            if self.tick(node) is not Status.RUNNING:
+                return node.status
+        raise AssertionError(f"{node.name} never ended: {node.feedback_message}")
+
+    def pick(self, task=RED_CUP):
+        return build_tree(task, self.toolbox)
+
+    def when(self, where, act, after_ticks=0):
+        """Do something once, some ticks after a node of that name began to run."""
+        self.hooks.append([where, act, after_ticks])
+
+    def play(self, tree, ticks=5000):
+        """Tick a whole task to its end, or for some ticks."""
+        for _ in range(ticks):
+            if tree.status != "running":
+                break
+            tree.tick()
+            self._run_hooks(tree)
+            self.fake.step()
+        return tree
+
+    def _run_hooks(self, tree):
+        running = {node.name for node in tree.root.iterate() if node.status is Status.RUNNING}
+        for hook in list(self.hooks):
+            if hook[0] in running:
+                hook[2] -= 1
+                if hook[2] < 0:
+                    self.hooks.remove(hook)
+                    hook[1]()
+
+    def failed(self):
+        return [event.failure for event in self.events if hasattr(event, "failure")]
+
+
+@pytest.fixture(scope="session")
+def model():
+    return RobotModel(load_description("talos"))
+
+
+@pytest.fixture
+def stage(model):
+    yield Stage(model)
+    Blackboard.clear()
+
+
+@pytest.fixture
+def stage_with(model):
+    yield lambda *objects, **options: Stage(model, list(objects), **options)
+    Blackboard.clear()
+
+
+@pytest.fixture
+def chain():
+    """The links of a failure chain, from the top to the root cause."""
+
+    def links(failure):
+        found = []
+        while failure is not None:
+            found.append(failure)
+            failure = failure.cause
+        return found
+
+    return links
+
+
+@pytest.fixture
+def probe_leaf():
+    """A leaf whose steps are scripted; it notes how it is treated."""
+
+    class Probe(Leaf, register=False):
+        from trees.contract import Contract
+        from trees.ports import ports
+
+        INPUT_PORTS = ports()
+        OUTPUT_PORTS = ports()
+        CONTRACT = Contract("none", "none", deadline_s=1.0)
+
+        def __init__(self, name, toolbox, *steps):
+            super().__init__(name, toolbox)
+            self.steps, self.script = list(steps), []
+            self.released = []
+            self.begun = 0
+
+        def begin(self):
+            self.begun += 1
+            if not self.script:
+                self.script = list(self.steps)
+
+        def step(self):
+            outcome = self.script.pop(0)
+            if isinstance(outcome, Exception):
+                raise outcome
+            return outcome
+
+        def release(self, reason):
+            self.released.append(reason)
+
+    return Probe
