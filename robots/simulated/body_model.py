@@ -108,7 +108,7 @@ def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
         link = geom.parent.name
         if not geom.contype:
             geom.group = FINGER_DRAWN_GROUP if link in fingers else DRAWN_GROUP
-            geom.rgba = (0.22, 0.22, 0.25, 1.0) if link in grippers else (0.82, 0.82, 0.84, 1.0)
+            geom.rgba = (0.30, 0.32, 0.36, 1.0) if link in grippers else (0.82, 0.82, 0.84, 1.0)
             continue
         role = Role.FINGER if link in fingers else Role.NONE if link in soles else Role.BODY
         set_role(geom, role)

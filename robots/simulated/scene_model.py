@@ -78,6 +78,17 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
 
 def _add_floor(spec: mujoco.MjSpec) -> None:
     spec.add_texture(
+        name="sky",
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        width=256,
+        height=256,
+        rgb1=[0.86, 0.90, 0.94],
+        rgb2=[0.62, 0.68, 0.74],
+    )
+    spec.visual.headlight.ambient = [0.35, 0.35, 0.35]
+    spec.visual.headlight.diffuse = [0.45, 0.45, 0.45]
+    spec.add_texture(
         name=FLOOR,
         type=mujoco.mjtTexture.mjTEXTURE_2D,
         builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
@@ -99,8 +110,10 @@ def _add_floor(spec: mujoco.MjSpec) -> None:
         group=WORLD_GROUP,
     )
     set_role(floor, Role.FLOOR)
-    spec.worldbody.add_light(pos=[0.5, -1.5, 3.0], dir=[0.0, 0.4, -1.0])
-    spec.worldbody.add_light(pos=[1.8, 1.8, 3.0], dir=[-0.4, -0.4, -1.0], castshadow=False)
+    spec.worldbody.add_light(pos=[0.5, -1.5, 3.0], dir=[0.0, 0.4, -1.0], diffuse=[0.45, 0.45, 0.45])
+    spec.worldbody.add_light(
+        pos=[1.8, 1.8, 3.0], dir=[-0.4, -0.4, -1.0], castshadow=False, diffuse=[0.3, 0.3, 0.3]
+    )
 
 
 def _add_object(spec: mujoco.MjSpec, item: SceneItem) -> None:
