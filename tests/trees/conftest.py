@@ -104,6 +104,8 @@ class Stage:
         return tree
 
     def _run_hooks(self, tree):
+        if not self.hooks:
+            return
         running = {node.name for node in tree.root.iterate() if node.status is Status.RUNNING}
         for hook in list(self.hooks):
             if hook[0] in running:
