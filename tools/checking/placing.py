@@ -1,0 +1,119 @@
+"""Put objects at a wanted distance from where a robot passes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+from kinematics.trajectory import Trajectory
+from tools.checking.referee import CollisionWorld, Referee
+
+Array = NDArray[np.float64]
+
+_CLOSENESS_M = 0.0003
+
+
+def random_shape(rng: np.random.Generator) -> Shape:
+    """Anything from a rod of 5 mm to a box of half a metre."""
+    kind = rng.choice(["box", "plate", "cylinder", "rod", "ball"])
+    if kind == "box":
+        x, y, z = rng.uniform(0.03, 0.3, 3)
+        return Box((x, y, z))
+    if kind == "plate":
+        return Box((rng.uniform(0.1, 0.5), rng.uniform(0.1, 0.5), rng.uniform(0.005, 0.02)))
+    if kind == "cylinder":
+        return Cylinder(rng.uniform(0.02, 0.1), rng.uniform(0.05, 0.3))
+    if kind == "rod":
+        return Cylinder(rng.uniform(0.0025, 0.006), rng.uniform(0.1, 0.6))
+    return Ball(rng.uniform(0.01, 0.12))
+
+
+def random_rotation(rng: np.random.Generator) -> Array:
+    """Uniform rotation, shape (3, 3)."""
+    return np.asarray(pin.Quaternion(*(lambda w: w / np.linalg.norm(w))(rng.normal(size=4))).matrix())
+
+
+class Placer:
+    """Places objects beside, or into, the way of a motion."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+        self._referee = Referee(model)
+        self._data = model.pin.createData()
+
+    def place(
+        self,
+        rng: np.random.Generator,
+        trajectory: Trajectory,
+        scene: PlanningScene,
+        item: SceneObject,
+        gap_m: float,
+        link: str | None = None,
+    ) -> SceneObject | None:
+        """Move an object along a ray from the robot until it is ``gap_m`` beyond its margin away.
+
+        Args:
+            rng: Draws link, time and direction.
+            trajectory: What moves.
+            scene: What else is there; held objects count as the robot.
+            item: The object; its orientation is kept.
+            gap_m: Smallest distance over the motion, less the margin; negative to collide.
+            link: Link or held object at which the ray starts; a moving one when not given.
+
+        Returns:
+            The object in place, or none when the ray does not get there.
+        """
+        count = int(np.clip(trajectory.duration_s / 0.02, 20, 100))
+        rows = self._referee.configurations(trajectory, np.linspace(0.0, trajectory.duration_s, count))
+        when = int(rng.integers(count))
+        origin = self._centre(rows[when], scene, link or self._moving_link(rng, trajectory))
+        ray = rng.normal(size=3)
+        ray /= np.linalg.norm(ray)
+
+        def at(distance: float) -> SceneObject:
+            pose = item.world_T_object.copy()
+            pose[:3, 3] = origin + distance * ray
+            return replace(item, world_T_object=pose)
+
+        world = CollisionWorld(self._model, scene.with_object(item), only=frozenset([item.name]))
+
+        def gap(distance: float) -> float:
+            world.move(item.name, at(distance).world_T_object)
+            return min(float((world.distances(q) - world.margins).min()) for q in rows)
+
+        far = 1.2
+        if gap(far) < gap_m or gap(0.0) > gap_m:
+            return None
+        low, high = 0.0, far
+        while high - low > _CLOSENESS_M:
+            middle = 0.5 * (low + high)
+            if gap(middle) > gap_m:
+                high = middle
+            else:
+                low = middle
+        return at(low if gap_m < 0.0 else high)
+
+    def _moving_link(self, rng: np.random.Generator, trajectory: Trajectory) -> str:
+        moving = np.ptp(trajectory.q[:, 7:], axis=0) > 0.02
+        sides = [hand for hand in ("left", "right") if moving[self._model.group(f"{hand}_arm")].any()]
+        hand = rng.choice(sides or ["right"])
+        names = [
+            *self._model.description.grippers[hand].links,
+            f"arm_{hand}_7_link",
+            f"arm_{hand}_5_link",
+            f"arm_{hand}_4_link",
+        ]
+        return str(rng.choice(names))
+
+    def _centre(self, q: Array, scene: PlanningScene, name: str) -> Array:
+        model = self._model
+        if name in scene.attached:
+            body = scene.attached[name]
+            return np.asarray((model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
+        return np.asarray(model.frame_pose(q, name)[:3, 3])
