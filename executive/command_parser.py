@@ -74,6 +74,14 @@ class CommandParser:
             return Parsed(text, refusal=self._explain(plain, words, found))
         return self._meaning(text, plain, found)
 
+    def _is_valid(self, plain: str) -> bool:
+        """Whether a sentence makes tasks; unlike ``parse`` it explains nothing, so it never recurs."""
+        try:
+            found = self._grammar.parses(words_of(plain, self.vocabulary))
+        except (MalformedTextError, TooManyParsesError):
+            return False
+        return not isinstance(found, NoParse) and bool(self._meaning(plain, plain, found).commands)
+
     def _meaning(self, text: str, plain: str, trees: list[ParseTree]) -> Parsed:
         try:
             meanings = {tuple(_commands(tree, plain)) for tree in trees}
@@ -91,8 +99,10 @@ class CommandParser:
             return self._incomplete(plain, words, found)
         word = words[found.position]
         unknown = next((item for item in words if item.readings[0].word_class == UNKNOWN), None)
-        if unknown is not None and (word is unknown or not self._refused(word, found)):
-            return self._unknown(plain, words, unknown, found)
+        if unknown is not None:
+            refusal, corrected = self._unknown(plain, words, unknown, found)
+            if corrected or word is unknown or not self._refused(word, found):
+                return refusal
         return self._misplaced(word, found)
 
     def _incomplete(self, plain: str, words: list[Word], found: NoParse) -> Refusal:
@@ -103,15 +113,16 @@ class CommandParser:
         message = f"after {printable(last)!r} {missing} is missing"
         return Refusal(message, printable(last), self._nearest_example(plain))
 
-    def _unknown(self, plain: str, words: list[Word], word: Word, found: NoParse) -> Refusal:
+    def _unknown(self, plain: str, words: list[Word], word: Word, found: NoParse) -> tuple[Refusal, bool]:
+        """Refuse an unknown word; tell also whether a known one in its place makes a valid sentence."""
         shown = printable(word.text)
         message = f"the word {shown!r} is not known"
         expected = found.expected if words[found.position] is word else frozenset[str]()
         for candidate in self._similar(word.text, expected):
             corrected = plain[: word.start] + candidate + plain[word.end :]
-            if self.parse(corrected).outcome == "tasks":
-                return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected)
-        return Refusal(message, shown, self._nearest_example(plain))
+            if self._is_valid(corrected):
+                return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
+        return Refusal(message, shown, self._nearest_example(plain)), False
 
     def _misplaced(self, word: Word, found: NoParse) -> Refusal:
         shown = printable(word.text)

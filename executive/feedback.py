@@ -45,7 +45,8 @@ def line_for(event: Event) -> str | None:
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"
         case SetpointRefused():
-            return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {event.value:.4g}, limit {event.bound:.4g}"
+            numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
+            return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
         case MotionEnded(reason=reason) if reason:
@@ -103,17 +104,16 @@ def _claim(result: TaskResult) -> str:
         return {"go_home": "at the home posture", "stop": "nothing was under way; holding"}.get(
             result.action, result.text
         )
-    parts = [
-        f"{evidence.get('object', 'object')} held in the {evidence.get('hand', '')} hand".replace("  ", " ")
-    ]
-    for key, form in (
-        ("gripper_opening_m", lambda value: f"opening {value * 1000.0:.0f} mm"),
-        ("effort_nm", lambda value: f"effort {value:.1f} Nm"),
-        ("lift_m", lambda value: f"lifted {value:.2f} m"),
+    hand = f" in the {evidence['hand']} hand" if "hand" in evidence else ""
+    parts = [f"{evidence.get('object', 'object')} held{hand}"]
+    for key, text in (
+        ("gripper_opening_m", "opening {:.0f} mm"),
+        ("effort_nm", "effort {:.1f} Nm"),
+        ("lift_m", "lifted {:.2f} m"),
     ):
         value = evidence.get(key)
         if isinstance(value, (int, float)):
-            parts.append(form(value))
+            parts.append(text.format(value * 1000.0 if text.endswith("mm") else value))
     return ", ".join(parts)
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import copy
 import importlib.resources
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,25 +60,57 @@ class Grammar:
         Raises:
             TooManyParsesError: More than ``MAX_ALTERNATIVES`` parses run side by side.
         """
-        alive = [self._lark.parse_interactive([])]
+        alive = [_Partial(self._lark.parse_interactive([]), ())]
         for position, word in enumerate(words):
             following = [
                 fed
-                for state in alive
+                for partial in alive
                 for reading in word.readings
-                if (fed := _feed(state, _token(word, reading))) is not None
+                if (fed := partial.fed(_token(word, reading))) is not None
             ]
             if not following:
                 return NoParse(position, self._expected(alive))
             if len(following) > MAX_ALTERNATIVES:
                 raise TooManyParsesError
             alive = following
-        trees = [tree for state in alive if (tree := _finish(state)) is not None]
-        return trees or NoParse(len(words), self._expected(alive))
+        complete = [partial.tokens for partial in alive if partial.fed(Token("$END", "")) is not None]
+        if not complete:
+            return NoParse(len(words), self._expected(alive))
+        return [self._tree(tokens) for tokens in complete]
 
-    def _expected(self, alive: Sequence[InteractiveParser]) -> frozenset[str]:
-        fits = (name for name in self._names if any(_feed(state, Token(name, "")) for state in alive))
+    def _tree(self, tokens: tuple[Token, ...]) -> ParseTree:
+        state = self._lark.parse_interactive([])
+        for token in tokens:
+            state.feed_token(token)
+        tree: ParseTree = state.feed_token(Token("$END", ""))
+        return tree
+
+    def _expected(self, alive: Sequence[_Partial]) -> frozenset[str]:
+        fits = (name for name in self._names if any(partial.fed(Token(name, "")) for partial in alive))
         return frozenset(fits)
+
+
+_fork: Callable[..., InteractiveParser] = InteractiveParser.copy
+
+
+@dataclass(frozen=True, slots=True)
+class _Partial:
+    """The beginning of a parse: only what may follow is asked of ``state``.
+
+    Forks share the trees built so far, which is cheap, and why the final tree is built anew.
+    """
+
+    state: InteractiveParser
+    tokens: tuple[Token, ...]
+
+    def fed(self, token: Token) -> _Partial | None:
+        """One token further, or None when it does not fit."""
+        following = _fork(self.state, deepcopy_values=False)
+        try:
+            following.feed_token(token)
+        except UnexpectedInput:
+            return None
+        return _Partial(following, (*self.tokens, token))
 
 
 class _ReadyTokens(Lexer):
@@ -95,20 +126,3 @@ class _ReadyTokens(Lexer):
 
 def _token(word: Word, reading: Reading) -> Token:
     return Token(reading.word_class, reading.meaning, start_pos=word.start, end_pos=word.end)
-
-
-def _feed(state: InteractiveParser, token: Token) -> InteractiveParser | None:
-    following: InteractiveParser = copy.copy(state)
-    try:
-        following.feed_token(token)
-    except UnexpectedInput:
-        return None
-    return following
-
-
-def _finish(state: InteractiveParser) -> ParseTree | None:
-    try:
-        tree: ParseTree = copy.copy(state).feed_token(Token("$END", ""))
-    except UnexpectedInput:
-        return None
-    return tree

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import IO, Protocol
+from typing import IO, TYPE_CHECKING, Protocol
 
 from rich.console import Console, Group
 from rich.live import Live
@@ -12,8 +12,10 @@ from executive.events import Event
 from executive.feedback import line_for
 from executive.outputs.tree_lines import tree_lines
 from robots.clock import WallClock
-from trees.build import TaskTree
 from trees.snapshot import NodeStatus, TreeSnapshot
+
+if TYPE_CHECKING:
+    from trees.build import TaskTree
 
 REDRAW_S = 0.1
 """Wall time between two drawings: drawing must not slow the run down."""
