@@ -1,0 +1,90 @@
+"""The wheel carries everything that the product needs, and nothing of what only its developers need."""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PACKAGES = ("executive", "trees", "robots", "kinematics")
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """Built from a copy of the sources, so that nothing of the checkout's state gets in."""
+    source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("wheel")
+    for name in (*PACKAGES, "tools", "tests", "pyproject.toml", "README.md", "LICENSE"):
+        path = ROOT / name
+        if path.is_dir():
+            shutil.copytree(path, source / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(path, source / name)
+    build = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation"]
+    subprocess.run([*build, "--wheel-dir", str(target), str(source)], check=True, timeout=120)
+    (file,) = target.glob("*.whl")
+    return file
+
+
+@pytest.fixture(scope="module")
+def installed(wheel, tmp_path_factory):
+    """Installed into a folder that comes before everything else."""
+    folder = tmp_path_factory.mktemp("installed")
+    install = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index"]
+    subprocess.run([*install, "--target", str(folder), str(wheel)], check=True, timeout=120)
+    return folder
+
+
+def python(installed, folder, *arguments):
+    """Run the interpreter somewhere else, with the wheel's packages first and the checkout nowhere."""
+    environment = {**os.environ, "PYTHONPATH": str(installed), "HOME": str(folder), "OMP_NUM_THREADS": "1"}
+    command = [sys.executable, *arguments]
+    return subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=240, check=False
+    )
+
+
+def test_the_wheel_holds_every_data_file_of_the_packages(wheel):
+    inside = set(zipfile.ZipFile(wheel).namelist())
+    data = {
+        path.relative_to(ROOT).as_posix()
+        for package in PACKAGES
+        for path in (ROOT / package).rglob("*")
+        if path.suffix in (".toml", ".lark", ".py", ".typed") or path.name == "py.typed"
+        if "__pycache__" not in path.parts
+    }
+
+    assert data
+    assert data <= inside
+
+
+def test_the_wheel_holds_neither_tools_nor_tests(wheel):
+    folders = {name.split("/")[0] for name in zipfile.ZipFile(wheel).namelist()}
+
+    assert {name for name in folders if not name.endswith(".dist-info")} == set(PACKAGES)
+
+
+@pytest.mark.requirement("U5")
+def test_the_installed_wheel_does_the_main_job_from_another_folder(installed, tmp_path):
+    where = python(
+        installed, tmp_path, "-c", "import executive, robots; print(executive.__file__, robots.__file__)"
+    )
+    assert where.stdout.count(str(installed)) == 2
+
+    call = "import sys; from executive.cli import main; sys.exit(main())"
+    done = python(
+        installed,
+        tmp_path,
+        "-c",
+        call,
+        "run",
+        "pick up the red cup on the table",
+        "--record",
+        str(tmp_path / "runs"),
+    )
+
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert "Traceback" not in done.stderr
