@@ -27,3 +27,10 @@ def runs_directory() -> Path:
 def crashes_directory() -> Path:
     """Where crash reports go."""
     return data_directory() / "crashes"
+
+
+def leave_opengl_to_the_renderer() -> None:
+    """Forget ``MUJOCO_GL``: importing MuJoCo fails when it names a library that is missing, while
+    pictures are drawn with whichever library is there.
+    """
+    os.environ.pop("MUJOCO_GL", None)

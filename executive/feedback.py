@@ -105,7 +105,7 @@ def _claim(result: TaskResult) -> str:
             result.action, result.text
         )
     hand = f" in the {evidence['hand']} hand" if "hand" in evidence else ""
-    parts = [f"{evidence.get('object', 'object')} held{hand}"]
+    parts = [f"{result.subject or 'object'} held{hand}"]
     for key, text in (
         ("gripper_opening_m", "opening {:.0f} mm"),
         ("effort_nm", "effort {:.1f} Nm"),

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING
 
+from executive.config import leave_opengl_to_the_renderer
 from executive.events import Event, QuestionAsked, TaskRefused
 from executive.exit_codes import ExitCode
 from executive.feedback import result_line
@@ -67,6 +68,7 @@ def perform(request: RunRequest, display: Display) -> Performance:
         UserError: An option, the scene or the machine is not good for it.
         RobotsError: The robot's or the scene's data are not.
     """
+    leave_opengl_to_the_renderer()
     scene = _preflight(request)
     pictures = _pictures(request)
     header = {
@@ -143,7 +145,8 @@ def _results(
 
     assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick)
     if pictures is not None:
-        pictures.begin(assembly.world, assembly.session)
+        pictures.begin(assembly.world)
+        assembly.session.watch_periods(pictures.tick)
     results: list[Said] = []
     with _interrupts(assembly.session.cancel):
         for statement in request.statements:
@@ -156,6 +159,8 @@ def _results(
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
         pictures.finish(assembly.world)
+        for complaint in pictures.complaints:
+            display.note(complaint)
     return results, assembly.planning.checked
 
 

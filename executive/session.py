@@ -13,6 +13,7 @@ from executive.task_result import Outcome, TaskResult, TaskTimes
 from robots.clock import Clock, WallClock
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
+from trees.tasks import PickTask
 from trees.toolbox import Sensing, Toolbox
 
 PERIOD_S = 0.002
@@ -57,7 +58,7 @@ class Session:
         sink: Takes every event.
         tick_sensors: Called each control period: simulated sensors that run beside the loop.
         on_period: Called after each control period: an evaluation's monitor, a camera.
-        on_tick: Called after each tick with the tree: a display.
+        on_tick: Called before the first tick and after each with the tree: a display.
     """
 
     def __init__(
@@ -116,9 +117,11 @@ class Session:
         attempts = tree.attempts if tree is not None else 0
         self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
         times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
-        return TaskResult(command.text, command.action, status, attempts, failure, evidence, times)
+        subject = str(command.object) if isinstance(command, PickTask) else ""
+        return TaskResult(command.text, command.action, status, attempts, failure, evidence, times, subject)
 
     def _run(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+        self._show(tree)
         while True:
             if self._cancel_reason is not None:
                 reason, self._cancel_reason = self._cancel_reason, None
@@ -126,8 +129,7 @@ class Session:
             if self.now_s >= deadline_s:
                 return "failed", self._halt(tree, FailureKind.TIMEOUT, "the task took longer than allowed")
             tree.tick()
-            if self._on_tick is not None:
-                self._on_tick(tree)
+            self._show(tree)
             if tree.status != "running":
                 break
             self._advance()
@@ -137,10 +139,13 @@ class Session:
         tree.halt(reason)
         for _ in range(HALT_TICKS):
             self._advance()
-        if self._on_tick is not None:
-            self._on_tick(tree)
+        self._show(tree)
         cause = tree.failure
         return Failure(kind, reason, cause=cause if cause is not None and cause.kind is not kind else None)
+
+    def _show(self, tree: TaskTree) -> None:
+        if self._on_tick is not None:
+            self._on_tick(tree)
 
     def _halted_nothing(self) -> tuple[Outcome, Failure | None]:
         """A spoken stop with nothing under way: the robot stands and holds already."""

@@ -33,6 +33,7 @@ class TaskResult:
         failure: Why it was not done, or None.
         evidence: What was measured at the end.
         times: How long it took.
+        subject: What was acted on, in words: "red cup"; empty when there is nothing to name.
     """
 
     text: str
@@ -42,6 +43,7 @@ class TaskResult:
     failure: Failure | None = None
     evidence: Mapping[str, Number] = field(default_factory=dict)
     times: TaskTimes = field(default_factory=TaskTimes)
+    subject: str = ""
 
     @property
     def exit_code(self) -> ExitCode:

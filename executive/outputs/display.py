@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import IO, TYPE_CHECKING, Protocol
 
 from rich.console import Console, Group
@@ -12,7 +13,8 @@ from executive.events import Event
 from executive.feedback import line_for
 from executive.outputs.tree_lines import tree_lines
 from robots.clock import WallClock
-from trees.snapshot import NodeStatus, TreeSnapshot
+from trees.events import NodeChanged
+from trees.snapshot import NodeSnapshot, NodeStatus, TreeSnapshot
 
 if TYPE_CHECKING:
     from trees.build import TaskTree
@@ -65,15 +67,22 @@ class PlainDisplay:
 
     def __init__(self, stream: IO[str]) -> None:
         self._stream = stream
+        self._tree: TaskTree | None = None
+        self._leaves: frozenset[str] = frozenset()
 
     def event(self, event: Event) -> None:
-        """Write its line with the simulated time."""
+        """Write its line with the simulated time; of the tree's nodes only the leaves are told."""
+        if isinstance(event, NodeChanged) and event.where.rpartition("/")[2] not in self._leaves:
+            return
         line = line_for(event)
         if line is not None:
             self.note(f"[{event.t_s:7.2f} s] {line}")
 
     def tick(self, tree: TaskTree) -> None:
-        """The events say it all."""
+        """Learn a new tree's leaves; the events say the rest."""
+        if tree is not self._tree:
+            self._tree = tree
+            self._leaves = frozenset(_leaf_names(tree.snapshot(0.0).root))
 
     def note(self, line: str) -> None:
         """Write a line."""
@@ -83,6 +92,13 @@ class PlainDisplay:
 
     def close(self) -> None:
         """Nothing to leave."""
+
+
+def _leaf_names(node: NodeSnapshot) -> Iterator[str]:
+    if node.kind == "leaf":
+        yield node.name
+    for child in node.children:
+        yield from _leaf_names(child)
 
 
 class LiveDisplay:
