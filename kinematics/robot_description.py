@@ -96,7 +96,11 @@ class SoleDescription:
 
 @dataclass(frozen=True, slots=True)
 class CameraDescription:
-    """The head camera: optical frame (z forward, x right, y down), view and the joints that aim it."""
+    """The head camera: optical frame (z forward, x right, y down), view and the joints that aim it.
+
+    ``lean_joint`` bends the trunk forward (positive), for looking at what is close to the body;
+    None when the robot has no such joint.
+    """
 
     frame: str
     horizontal_fov_rad: float
@@ -104,6 +108,7 @@ class CameraDescription:
     range_m: tuple[float, float]
     pan_joint: str
     tilt_joint: str
+    lean_joint: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

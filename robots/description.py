@@ -85,6 +85,7 @@ def _describe(name: str, data: Table) -> RobotDescription:
             range_m=tuple(data["camera"]["range_m"]),
             pan_joint=data["camera"]["pan_joint"],
             tilt_joint=data["camera"]["tilt_joint"],
+            lean_joint=data["camera"].get("lean_joint"),
         ),
         base_link=data["body"]["base_link"],
         imu_link=data["body"]["imu_link"],

@@ -6,6 +6,23 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
+class Gaze:
+    """A direction to look in.
+
+    Attributes:
+        name: What it is called in the tree.
+        tilt_rad: Of the head, down.
+        pan_rad: Of the head, to the left.
+        lean_rad: Of the trunk, forward; left out by a robot that cannot lean.
+    """
+
+    name: str
+    tilt_rad: float
+    pan_rad: float = 0.0
+    lean_rad: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class TreePolicy:
     """Tolerances, counts and times of the behaviors.
 
@@ -19,8 +36,8 @@ class TreePolicy:
         lifted_min_m: Least rise of the object, as seen, that counts as lifted.
         furniture_margin_m: Kept from furniture; three times the usual perception bias.
         object_margin_m: Kept from every object, unless the plan lets the pair touch.
-        search_gazes_rad: (tilt down, pan left) of the head, in the order in which a search looks: what
-            is within reach first, ahead and at both sides, then what is farther away.
+        search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
+            too near for the head alone, then what is far to the sides.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
@@ -52,13 +69,14 @@ class TreePolicy:
     lifted_min_m: float = 0.10
     furniture_margin_m: float = 0.015
     object_margin_m: float = 0.010
-    search_gazes_rad: tuple[tuple[float, float], ...] = (
-        (0.75, 0.0),
-        (0.75, 0.7),
-        (0.75, -0.7),
-        (0.4, 0.0),
-        (0.4, 0.7),
-        (0.4, -0.7),
+    search_gazes: tuple[Gaze, ...] = (
+        Gaze("ahead", tilt_rad=0.75),
+        Gaze("near", tilt_rad=0.77, lean_rad=0.45),
+        Gaze("near left", tilt_rad=0.77, pan_rad=0.7, lean_rad=0.45),
+        Gaze("near right", tilt_rad=0.77, pan_rad=-0.7, lean_rad=0.45),
+        Gaze("at the body", tilt_rad=0.77, lean_rad=0.6),
+        Gaze("far left", tilt_rad=0.5, pan_rad=0.7),
+        Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
     )
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05

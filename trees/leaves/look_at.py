@@ -10,56 +10,56 @@ from kinematics.gaze import gaze_joints
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.policy import Gaze
 from trees.ports import ports
 from trees.steps import Target
 from trees.toolbox import Toolbox
 
 
 class LookAt(PlannedMotionLeaf):
-    """Turn the head to a gaze; everything else stays where it is."""
+    """Turn the head to a gaze, leaning over if it says so; everything else stays where it is."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="none",
-        postcondition="tilt and pan joint are at the gaze, and at rest",
+        postcondition="the joints that aim the camera are at the gaze, and at rest",
         deadline_s=30.0,
         moves="body",
         on_success="the head holds the gaze",
     )
 
-    def __init__(self, name: str, toolbox: Toolbox, gaze_rad: tuple[float, float]) -> None:
+    def __init__(self, name: str, toolbox: Toolbox, gaze: Gaze) -> None:
         super().__init__(name, toolbox)
-        self._tilt_rad, self._pan_rad = gaze_rad
+        self._gaze = gaze
 
-    def gaze(self) -> Mapping[str, float]:
-        """The head joints' goal, rad, inside their limits."""
-        model = self.toolbox.model
-        camera, margin = model.description.camera, model.description.planning_margin_rad
-        wanted = {camera.tilt_joint: self._tilt_rad, camera.pan_joint: self._pan_rad}
-        return {
-            joint: float(
-                np.clip(
-                    angle,
-                    model.description.limits[joint].position[0] + margin,
-                    model.description.limits[joint].position[1] - margin,
-                )
-            )
-            for joint, angle in wanted.items()
-        }
+    def joints(self) -> Mapping[str, float]:
+        """Goal positions of the joints that aim the camera, rad, inside their limits."""
+        description = self.toolbox.model.description
+        camera, margin = description.camera, description.planning_margin_rad
+        wanted = {camera.tilt_joint: self._gaze.tilt_rad, camera.pan_joint: self._gaze.pan_rad}
+        if camera.lean_joint is not None:
+            wanted[camera.lean_joint] = self._gaze.lean_rad
+        inside = {}
+        for joint, angle in wanted.items():
+            lower, upper = description.limits[joint].position
+            inside[joint] = float(np.clip(angle, lower + margin, upper - margin))
+        return inside
 
     def goal(self) -> MoveRequest | None:
-        """A motion of the head alone, unless it looks there already."""
+        """A motion of head and trunk alone, unless it looks there already."""
         toolbox = self.toolbox
-        reference, gaze = toolbox.motion.reference(), self.gaze()
-        off = [abs(reference[7 + toolbox.model.joint_index(joint)] - angle) for joint, angle in gaze.items()]
-        if max(off) <= toolbox.policy.gaze_tolerance_rad:
+        reference, joints = toolbox.motion.reference(), self.joints()
+        off = [
+            abs(reference[7 + toolbox.model.joint_index(joint)] - angle) for joint, angle in joints.items()
+        ]
+        if float(off.max()) <= toolbox.policy.gaze_tolerance_rad:
             return None
         return MoveRequest(
             q_start=reference,
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
-            joints=gaze,
+            joints=joints,
             keep_others=True,
             seed=int(toolbox.rng.integers(2**31)),
         )
@@ -72,9 +72,9 @@ class LookAtTarget(LookAt):
     OUTPUT_PORTS = ports()
 
     def __init__(self, name: str, toolbox: Toolbox) -> None:
-        super().__init__(name, toolbox, (0.0, 0.0))
+        super().__init__(name, toolbox, Gaze("target", tilt_rad=0.0))
 
-    def gaze(self) -> Mapping[str, float]:
+    def joints(self) -> Mapping[str, float]:
         """The head joints' goal, rad."""
         target: Target = self.get_input("target")
         model, q = self.toolbox.model, self.toolbox.motion.reference()
