@@ -50,9 +50,8 @@ class LookAt(PlannedMotionLeaf):
         """A motion of head and trunk alone, unless it looks there already."""
         toolbox = self.toolbox
         reference, joints = toolbox.motion.reference(), self.joints()
-        off = [
-            abs(reference[7 + toolbox.model.joint_index(joint)] - angle) for joint, angle in joints.items()
-        ]
+        index = 7 + toolbox.model.indices(tuple(joints))
+        off = np.abs(reference[index] - list(joints.values()))
         if float(off.max()) <= toolbox.policy.gaze_tolerance_rad:
             return None
         return MoveRequest(
