@@ -116,9 +116,13 @@ class PerceptionStub:
         self.faults.observe(stamp_s, world_T_camera)
         detections: list[Detection] = []
         if not self.faults.blind:
-            seen = list(self._seen(world_T_camera))
+            seen = self._merge(list(self._seen(world_T_camera)))
+            camera_T_world = poses.inverse(world_T_camera)
+            # one draw a frame, a row for each detection: position, orientation, confidence
+            noise = self._frame_rng.standard_normal((len(seen), 7))
             detections = [
-                self._detect(solid, share, stamp_s, world_T_camera) for solid, share in self._merge(seen)
+                self._detect(solid, share, stamp_s, camera_T_world, row)
+                for (solid, share), row in zip(seen, noise, strict=True)
             ]
             detections += self._false_detections(world_T_camera)
         return PerceptionFrame(stamp_s, self._pictures, tuple(detections))
@@ -180,32 +184,33 @@ class PerceptionStub:
         return seen
 
     def _detect(
-        self, solid: TrueObject, share: float, stamp_s: float, world_T_camera: Transform
+        self, solid: TrueObject, share: float, stamp_s: float, camera_T_world: Transform, noise: Array
     ) -> Detection:
-        episode, rng = self._episode(solid), self._frame_rng
+        episode, model = self._episode(solid), self._model
         world_T_object = solid.world_T_object.copy()
-        world_T_object[:3, 3] += episode.bias_m + rng.normal(0.0, self._model.noise_m, 3)
+        world_T_object[:3, 3] += episode.bias_m + model.noise_m * noise[:3]
         world_T_object[:3, 3] += self.faults.offset_m(solid.category, solid.kind, stamp_s)
-        turn = rng.normal(0.0, self._model.orientation_noise_rad, 3)
-        world_T_object[:3, :3] = world_T_object[:3, :3] @ poses.rotation_from_vector(turn)
-        camera_T_object = poses.inverse(world_T_camera) @ world_T_object
+        turn = poses.rotation_from_vector(model.orientation_noise_rad * noise[3:6])
+        world_T_object[:3, :3] = world_T_object[:3, :3] @ turn
+        camera_T_object = camera_T_world @ world_T_object
         return Detection(
             category=solid.category,
             kind=solid.kind,
             color=self.faults.color_of(solid.category, solid.kind, solid.color),
             camera_T_object=camera_T_object,
             shape=_scaled(solid.shape, episode.scale),
-            confidence=self._confidence(camera_T_object[:3, 3], share),
+            confidence=self._confidence(camera_T_object, share, float(noise[6])),
         )
 
-    def _confidence(self, position: Array, share: float) -> float:
+    def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""
-        distance = float(np.linalg.norm(position))
-        depth = max(float(position[2]), 1e-6)
-        off_axis = max(abs(position[0]) / (self._tan[0] * depth), abs(position[1]) / (self._tan[1] * depth))
+        x, y, z = camera_T_object[:3, 3].tolist()
+        distance = math.hypot(x, y, z)
+        depth = max(z, 1e-6)
+        off_axis = max(abs(x) / (self._tan[0] * depth), abs(y) / (self._tan[1] * depth))
         value = 0.98 * (1.0 - 0.05 * max(0.0, distance - 1.0)) * (0.6 + 0.4 * share)
         value *= 1.0 - 0.1 * min(max(off_axis - 0.7, 0.0) / 0.3, 1.0)
-        return float(np.clip(value + self._frame_rng.normal(0.0, 0.01), 0.0, 1.0))
+        return min(max(value + 0.01 * noise, 0.0), 1.0)
 
     def _false_detections(self, world_T_camera: Transform) -> list[Detection]:
         """Things that are not there: upright, anywhere in view, of middling confidence."""

@@ -61,6 +61,8 @@ class StubFaults:
 
     def observe(self, stamp_s: float, world_T_camera: Transform) -> None:
         """Note where the camera is at the start of a frame; ends the looks that are over."""
+        if not self._misplaced:
+            return
         rotation = world_T_camera[:3, :3].copy()
         last, self._last_rotation = self._last_rotation, rotation
         at_rest = last is not None and poses.angle_between(last, rotation) < _REST_RAD
