@@ -17,6 +17,9 @@ _ENVIRONMENT = (UserError, DescriptionError, RenderingUnavailableError, SceneErr
 """Faults of what was asked or of the machine: one line and exit code 2."""
 
 
+_OWN_PACKAGES = ("executive", "trees", "robots", "kinematics")
+
+
 class ExecutiveGroup(TyperGroup):
     """Turns whatever a command raises into a line and an exit code: no traceback reaches a user."""
 
@@ -32,6 +35,11 @@ class ExecutiveGroup(TyperGroup):
             raise typer.Exit(ExitCode.CANCELLED) from None
         except BrokenPipeError:
             raise
+        except ModuleNotFoundError as missing:
+            if (missing.name or "").partition(".")[0] in _OWN_PACKAGES:
+                raise typer.Exit(_defect(missing)) from None
+            _complain(f"the package {missing.name!r} is not installed; `executive doctor` tells the fix")
+            raise typer.Exit(ExitCode.INVALID) from None
         except Exception as defect:
             if _is_for_typer(defect):
                 raise

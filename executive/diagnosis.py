@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes.util
 import importlib.metadata
 import importlib.util
 import platform
@@ -13,6 +12,7 @@ from dataclasses import dataclass
 
 from executive.config import runs_directory
 from executive.errors import ExecutiveError
+from robots.errors import RenderingUnavailableError
 
 MIN_PYTHON = (3, 11)
 _DISTRIBUTIONS = {
@@ -30,8 +30,6 @@ _DISTRIBUTIONS = {
     "pillow": "PIL",
 }
 """What the product runs on, with the module that must be there."""
-
-_OPENGL = ("EGL", "OSMesa")
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,14 +136,14 @@ def _writable() -> Finding:
 
 
 def _opengl() -> Finding:
-    found = [name for name in _OPENGL if ctypes.util.find_library(name)]
-    return Finding(
-        "OpenGL",
-        bool(found),
-        ", ".join(found) or "none; only --snapshot and --video need it",
-        "apt-get install libegl1, or libosmesa6",
-        needed=False,
-    )
+    from robots.simulated.opengl import DEBIAN_PACKAGES, require_opengl
+
+    try:
+        require_opengl()
+    except RenderingUnavailableError:
+        detail, fix = "none; only --snapshot and --video need it", f"apt-get install {DEBIAN_PACKAGES}"
+        return Finding("OpenGL", False, detail, fix, needed=False)
+    return Finding("OpenGL", True, "found")
 
 
 def _ffmpeg() -> Finding:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from executive.events import (
     Event,
@@ -84,9 +84,22 @@ def failure_lines(failure: Failure | None) -> list[str]:
     ]
 
 
+def result_line_of_all(results: Sequence[TaskResult]) -> str:
+    """The last line of several tasks, one after the other: all claims, or how the last one failed."""
+    if any(result.outcome != "done" for result in results):
+        return result_line(results[-1])
+    return f"done: {'; then '.join(map(_claim, results))}{_times(results)}"
+
+
+def _times(results: Sequence[TaskResult]) -> str:
+    simulated_s = sum(result.times.simulated_s for result in results)
+    wall_s = sum(result.times.wall_s for result in results)
+    return f" ({simulated_s:.1f} s simulated, {wall_s:.1f} s wall)"
+
+
 def result_line(result: TaskResult) -> str:
     """The last line: what happened, from the robot's own sensors."""
-    times = f" ({result.times.simulated_s:.1f} s simulated, {result.times.wall_s:.1f} s wall)"
+    times = _times([result])
     if result.outcome == "done":
         return f"done: {_claim(result)}{times}"
     links = chain(result.failure)

@@ -11,9 +11,10 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 from executive.config import leave_opengl_to_the_renderer
+from executive.errors import NotWritableError
 from executive.events import Event, QuestionAsked, TaskRefused
 from executive.exit_codes import ExitCode
-from executive.feedback import result_line
+from executive.feedback import result_line, result_line_of_all
 from executive.outputs.report import Report, SafetyCounts
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
@@ -101,8 +102,13 @@ def perform(request: RunRequest, display: Display) -> Performance:
             safety=SafetyCounts(checked, tally.refused, tally.stops),
         )
         log.finish(report.to_json())
+    if log.complaint is not None:
+        display.note(log.complaint)
     if request.report is not None:
-        write_report(request.report, report.to_json())
+        try:
+            write_report(request.report, report.to_json())
+        except NotWritableError as failed:  # it was writable before the robot moved; the result stands
+            display.note(str(failed))
     return Performance(line, code, report, log.name)
 
 
@@ -204,7 +210,7 @@ def _verdict(request: RunRequest, results: list[Said]) -> tuple[str, str, ExitCo
             code = last.exit_code if last.exit_code is not ExitCode.DONE else ExitCode.FAILED
             return _line(statement, last), last.outcome, code
     statement, said = results[-1]
-    line = _line(statement, said[-1])
+    line = _line(statement, said[-1]) if len(said) == 1 else result_line_of_all(said)
     if len(request.statements) > 1:
         line = f"script done: {len(results)} statements as expected; last {line}"
     return line, "done", ExitCode.DONE

@@ -6,6 +6,7 @@ file, ``events.jsonl`` holds the canonical events, ``report.json`` the report.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import shutil
 from collections.abc import Mapping
@@ -22,7 +23,12 @@ LATEST = "latest"
 
 
 class RunLog:
-    """Writes one run; the digest is kept even when nothing is written.
+    """Writes one run; the digest is kept even when nothing more can be written.
+
+    Attributes:
+        digest: Of the events so far.
+        path: The run's folder.
+        complaint: What could not be written, or None.
 
     Raises:
         NotWritableError: The folder cannot be made or written.
@@ -30,6 +36,7 @@ class RunLog:
 
     def __init__(self, directory: Path, header: Mapping[str, Any], scene_file: Path | None = None) -> None:
         self.digest = EventDigest()
+        self.complaint: str | None = None
         when = utc_timestamp()
         try:
             self.path = _new_folder(directory, when.replace(":", "-"))
@@ -53,24 +60,25 @@ class RunLog:
         self, kind: type[BaseException] | None, raised: BaseException | None, trace: TracebackType | None
     ) -> None:
         """Close the file."""
-        self._file.close()
+        with contextlib.suppress(OSError):
+            self._file.close()
 
     def add(self, event: Event) -> None:
-        """Write one event down."""
+        """Write one event down; a disk that fills up must not disturb the robot."""
         self.digest.add(event)
-        self._file.write(canonical_line(event) + "\n")
+        if self.complaint is None:
+            try:
+                self._file.write(canonical_line(event) + "\n")
+            except OSError as failed:
+                self.complaint = f"the run's log broke off: {failed.strerror or failed}"
 
     def finish(self, report: Mapping[str, Any]) -> None:
-        """Write the report.
-
-        Raises:
-            NotWritableError: The disk is full, or the folder has gone.
-        """
+        """Write the report; what goes wrong now is a complaint, because the robot has moved already."""
         try:
             self._file.flush()
             _write_json(self.path / "report.json", report)
         except OSError as failed:
-            raise _not_writable(self.path, failed) from failed
+            self.complaint = f"the run's report was not written: {failed.strerror or failed}"
 
 
 @dataclass(frozen=True, slots=True)
