@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,19 @@ Array = NDArray[np.float64]
 AWAY_M = 30.0
 """Objects that were taken out of the world wait on the floor this far behind the robot."""
 GRAVITY_M_S2 = 9.81
+SHOVE_SPEED_M_S = 0.15
+SHOVE_ACCELERATION_M_S2 = 0.5
+SHOVE_TIME_CONSTANT_S = 0.02
+SHOVE_TIMEOUT_S = 3.0
+
+
+@dataclass(slots=True)
+class _Shove:
+    name: str
+    heading: Array
+    distance_m: float
+    since_s: float | None = None
+    start: Array = field(default_factory=lambda: np.zeros(3))
 
 
 class FaultInjector:
@@ -29,6 +43,7 @@ class FaultInjector:
     def __init__(self, physics: Physics, truth: SimulatorTruth) -> None:
         self._physics, self._truth = physics, truth
         self._items: dict[str, SceneItem] = {item.name: item for item in physics.scene.objects}
+        self._shoves: list[_Shove] = []
         self._waiting: list[tuple[Callable[[], bool], Callable[[], None]]] = []
 
     # --- when ---------------------------------------------------------------------------------
@@ -43,6 +58,8 @@ class FaultInjector:
 
     def tick(self) -> None:
         """Do what is due; called at the beginning of each control period by the robot."""
+        if self._shoves:
+            self._shoves = [shove for shove in self._shoves if self._go_on(shove)]
         if not self._waiting:
             return
         due = [item for item in self._waiting if item[0]()]
@@ -73,8 +90,8 @@ class FaultInjector:
         Raises:
             KeyError: The scene has no such object.
         """
-        index = list(self._items).index(name) if name in self._items else -1
         height = 0.5 * self._items[name].shape.height_m
+        index = list(self._items).index(name)
         self.teleport(name, poses.translation(-AWAY_M, 2.0 * index, height))
         self._truth.forget(name)
 
@@ -103,20 +120,21 @@ class FaultInjector:
         physics.data.qvel[speed + 3 : speed + 6] += body_R_inertia @ spin
 
     def knock(self, name: str, direction_rad: float, distance_m: float = 0.05) -> None:
-        """Push an object along what it stands on so that it slides about a distance and stays standing.
+        """Shove an object along what it stands on, so that it stays standing.
 
-        The momentum passes through the height at which friction and inertia do not tip it.
+        A short hit would not do: friction tips over what is taller than it is wide before it has slid
+        far. So it is pushed at its base for as long as it takes, at ``SHOVE_SPEED_M_S``.
 
         Args:
             name: The object.
-            direction_rad: Heading of the push in the world.
-            distance_m: About how far it slides.
+            direction_rad: Heading of the shove in the world.
+            distance_m: How far it is shoved, unless something is in the way.
+
+        Raises:
+            KeyError: The scene has no such object.
         """
-        friction = self._ground_friction()
-        speed = float(np.sqrt(2.0 * friction * GRAVITY_M_S2 * distance_m))
-        momentum = speed * self._items[name].mass_kg
-        heading = (float(np.cos(direction_rad)), float(np.sin(direction_rad)))
-        self.push(name, (momentum * heading[0], momentum * heading[1], 0.0))
+        heading = np.array([np.cos(direction_rad), np.sin(direction_rad), 0.0])
+        self._shoves.append(_Shove(self._items[name].name, heading, distance_m))
 
     def tip_over(self, name: str, direction_rad: float) -> None:
         """Push an object at its top, just hard enough that it falls over and lies.
@@ -154,6 +172,29 @@ class FaultInjector:
             for link in gripper.pad_links:
                 pair = self._physics.pair_id(pair_name(pad_name(link), name))
                 model.pair_friction[pair] = friction_row(friction, PATCH_RADIUS_M)
+
+    def _go_on(self, shove: _Shove) -> bool:
+        """Push for one more period; tell whether the shove goes on after it."""
+        physics, truth = self._physics, self._truth
+        body, speed = physics.object_body[shove.name], physics.object_qvel[shove.name]
+        if shove.since_s is None:
+            shove.since_s, shove.start = truth.time_s, truth.world_T_object(shove.name)[:3, 3].copy()
+        done_m = float((truth.world_T_object(shove.name)[:3, 3] - shove.start) @ shove.heading)
+        left_m = shove.distance_m - done_m
+        if left_m <= 0.0005 or truth.time_s - shove.since_s > SHOVE_TIMEOUT_S:
+            physics.data.xfrc_applied[body] = 0.0
+            return False
+        ramp = np.sqrt(2.0 * SHOVE_ACCELERATION_M_S2 * np.array([done_m + 0.0002, left_m]).clip(0.0))
+        wanted = min(SHOVE_SPEED_M_S, float(ramp.min()))
+        item = self._items[shove.name]
+        friction_n = self._ground_friction() * item.mass_kg * GRAVITY_M_S2
+        present = float(physics.data.qvel[speed : speed + 3] @ shove.heading)
+        push_n = friction_n + item.mass_kg * (wanted - present) / SHOVE_TIME_CONSTANT_S
+        force = min(max(push_n, 0.0), 2.0 * friction_n) * shove.heading
+        # At the base, where friction is: the two make no couple that would tip it.
+        lever = np.array([0.0, 0.0, truth.lowest_m(shove.name) - truth.world_T_object(shove.name)[2, 3]])
+        physics.data.xfrc_applied[body] = (*force, *np.cross(lever, force))
+        return True
 
     def _ground_friction(self) -> float:
         pieces = self._physics.scene.furniture

@@ -19,6 +19,8 @@ from robots.simulated.scene_model import FLOOR, add_scene, joint_name
 TIMESTEP_S = 0.001
 IMPEDANCE_RATIO = 100.0
 """Friction stiffness over normal stiffness; 1 lets a held cup creep by 12 mm in 10 s, 100 by 0.1 mm."""
+SETTLED_DEPTH_M = 0.00027
+"""How deep 90 kg press the soles into the soft floor: begin there, or the robot drops onto it."""
 
 
 class Physics:
@@ -141,6 +143,7 @@ class Physics:
         world_T_base = world_T_stance @ poses.inverse(base_T_stance)
         x, y, z, w = poses.quaternion_from_rotation(world_T_base[:3, :3])
         data.qpos[base : base + 7] = (*world_T_base[:3, 3], w, x, y, z)
+        data.qpos[base + 2] -= SETTLED_DEPTH_M
         mujoco.mj_forward(self.model, data)
         self._fresh_time_s = float(data.time)
         for first, second in data.contact.geom[: data.ncon]:

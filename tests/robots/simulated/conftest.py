@@ -69,12 +69,17 @@ class Stand:
             self.step()
 
 
+@pytest.fixture(scope="session")
+def stand_class():
+    return Stand
+
+
 @pytest.fixture
 def stand(robot_model):
     return lambda scene, seed=0: Stand(robot_model, scene, seed)
 
 
-def arm_posture(model: RobotModel, hand: str, world_T_tcp) -> np.ndarray:
+def _arm_posture(model: RobotModel, hand: str, world_T_tcp) -> np.ndarray:
     """Joints that bring a TCP to a pose with the arm alone, by damped Gauss-Newton."""
     q, data = model.q_home.copy(), model.pin.createData()
     frame = model.frame_id(model.description.grippers[hand].tcp_frame)
@@ -91,6 +96,11 @@ def arm_posture(model: RobotModel, hand: str, world_T_tcp) -> np.ndarray:
         q[columns + 1] = np.clip(reached, model.lower_rad[columns - 6], model.upper_rad[columns - 6])
     assert np.linalg.norm(error) < 1e-5
     return q[7:]
+
+
+@pytest.fixture(scope="session")
+def arm_posture():
+    return _arm_posture
 
 
 @dataclass
@@ -148,7 +158,7 @@ def cup_in_hand(robot_model):
         )
         stand = Stand(robot_model, SceneDescription("hand", objects=(item,)))
         side = 1.0 if hand == "left" else -1.0
-        stand.move_to(arm_posture(robot_model, hand, poses.translation(0.35, side * 0.30, 1.05)), 1.5)
+        stand.move_to(_arm_posture(robot_model, hand, poses.translation(0.35, side * 0.30, 1.05)), 1.5)
         stand.run(0.2)
         hold = Hold(stand, hand)
         hold.close(robot_model.description.grippers[hand].effort_nm if effort_nm is None else effort_nm)
