@@ -62,27 +62,43 @@ class NoDisplay:
         """Nothing to leave."""
 
 
+class _Teller:
+    """Makes lines of events; of the tree's nodes only the leaves are told."""
+
+    def __init__(self) -> None:
+        self._tree: TaskTree | None = None
+        self._leaves: frozenset[str] = frozenset()
+
+    def learn(self, tree: TaskTree) -> None:
+        """Know the leaves of a tree that is shown for the first time."""
+        if tree is not self._tree:
+            self._tree = tree
+            self._leaves = frozenset(_leaf_names(tree.snapshot(0.0).root))
+
+    def line(self, event: Event) -> str | None:
+        """The event's line with the simulated time, or None."""
+        if isinstance(event, NodeChanged) and event.where.rpartition("/")[2] not in self._leaves:
+            return None
+        line = line_for(event)
+        return None if line is None else f"[{event.t_s:7.2f} s] {line}"
+
+
 class PlainDisplay:
     """A line for each thing that happens, for pipes, logs and people without a drawing terminal."""
 
     def __init__(self, stream: IO[str]) -> None:
         self._stream = stream
-        self._tree: TaskTree | None = None
-        self._leaves: frozenset[str] = frozenset()
+        self._teller = _Teller()
 
     def event(self, event: Event) -> None:
-        """Write its line with the simulated time; of the tree's nodes only the leaves are told."""
-        if isinstance(event, NodeChanged) and event.where.rpartition("/")[2] not in self._leaves:
-            return
-        line = line_for(event)
+        """Write its line."""
+        line = self._teller.line(event)
         if line is not None:
-            self.note(f"[{event.t_s:7.2f} s] {line}")
+            self.note(line)
 
     def tick(self, tree: TaskTree) -> None:
         """Learn a new tree's leaves; the events say the rest."""
-        if tree is not self._tree:
-            self._tree = tree
-            self._leaves = frozenset(_leaf_names(tree.snapshot(0.0).root))
+        self._teller.learn(tree)
 
     def note(self, line: str) -> None:
         """Write a line."""
@@ -109,18 +125,19 @@ class LiveDisplay:
         self._live = Live(console=console, auto_refresh=False, transient=False)
         self._wall = WallClock()
         self._drawn_s = -REDRAW_S
-        self._latest: TreeSnapshot | None = None
+        self._teller = _Teller()
         self._lines: list[str] = []
         self._started = False
 
     def event(self, event: Event) -> None:
         """Keep its line among the newest."""
-        line = line_for(event)
+        line = self._teller.line(event)
         if line is not None:
-            self._lines = [*self._lines, f"[{event.t_s:7.2f} s] {line}"][-_SHOWN_LINES:]
+            self._lines = [*self._lines, line][-_SHOWN_LINES:]
 
     def tick(self, tree: TaskTree) -> None:
         """Draw when it is time to, and always at the end."""
+        self._teller.learn(tree)
         now_s = self._wall.now_s()
         if now_s - self._drawn_s < REDRAW_S and tree.status == "running":
             return
@@ -128,7 +145,7 @@ class LiveDisplay:
         if not self._started:
             self._live.start()
             self._started = True
-        self._live.update(self.drawing(tree.snapshot(0.0)), refresh=True)
+        self._live.update(drawing(tree.snapshot(0.0), self._lines, self._console), refresh=True)
 
     def note(self, line: str) -> None:
         """Print a line above the drawing."""
@@ -138,10 +155,6 @@ class LiveDisplay:
         """Leave the last drawing standing."""
         if self._started:
             self._live.stop()
-
-    def drawing(self, snapshot: TreeSnapshot) -> Group:
-        """The tree and the newest lines, fitted to the terminal."""
-        return drawing(snapshot, self._lines, self._console)
 
 
 def drawing(snapshot: TreeSnapshot, newest: list[str], console: Console) -> Group:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from trees.snapshot import NodeSnapshot, NodeStatus, TreeSnapshot
 
@@ -27,25 +28,32 @@ def tree_lines(
     Args:
         snapshot: What to show.
         width: Columns; longer lines end in an ellipsis.
-        height: Rows; when the tree is taller, branches that neither run nor failed fold to one line,
-            and what then still does not fit is cut around the running leaf. None: no limit.
+        height: Rows; when the tree is taller, branches that have not begun fold to one line, then those
+            that are done, the deepest first; what then still does not fit is cut around the running
+            leaf. None: no limit.
         unicode: Whether the terminal has more than ASCII.
     """
-    lines = list(_walk(snapshot.root, 0, fold=False))
-    if height is not None and len(lines) > height:
-        lines = list(_walk(snapshot.root, 0, fold=True))
-    if height is not None and len(lines) > height:
-        lines = _window(lines, height)
+    lines = list(_walk(snapshot.root, 0))
+    if height is not None:
+        for done_depth in range(max(depth for depth, _ in lines), -1, -1):
+            if len(lines) <= height:
+                break
+            lines = list(_walk(snapshot.root, 0, {"idle": 0, "success": done_depth}))
+        if len(lines) > height:
+            lines = _window(lines, height)
     glyphs = GLYPHS if unicode else ASCII_GLYPHS
     return [TreeLine(_text(node, depth, width, glyphs, unicode), node.status) for depth, node in lines]
 
 
-def _walk(node: NodeSnapshot, depth: int, fold: bool) -> Iterator[tuple[int, NodeSnapshot]]:
+def _walk(
+    node: NodeSnapshot, depth: int, folded: Mapping[str, int] = MappingProxyType({})
+) -> Iterator[tuple[int, NodeSnapshot]]:
+    """Every node with its depth; a node with a status of ``folded`` shows no children from that depth on."""
     yield depth, node
-    if fold and node.status in ("idle", "success"):
+    if depth >= folded.get(node.status, depth + 1):
         return
     for child in node.children:
-        yield from _walk(child, depth + 1, fold)
+        yield from _walk(child, depth + 1, folded)
 
 
 def _window(lines: list[tuple[int, NodeSnapshot]], height: int) -> list[tuple[int, NodeSnapshot]]:
