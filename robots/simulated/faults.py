@@ -81,6 +81,8 @@ class FaultInjector:
         x, y, z, w = poses.quaternion_from_rotation(world_T_object[:3, :3])
         physics.data.qpos[start : start + 7] = (*world_T_object[:3, 3], w, x, y, z)
         physics.data.qvel[speed : speed + 6] = 0.0
+        physics.data.xfrc_applied[physics.object_body[name]] = 0.0
+        self._shoves = [shove for shove in self._shoves if shove.name != name]
         physics.refresh_after_change()
         self._truth.remember(name)
 
