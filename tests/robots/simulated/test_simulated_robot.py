@@ -140,6 +140,25 @@ def test_effort_is_averaged_over_the_period(stand):
     assert abs(robot.read().effort[elbow] - end_of_period) > 0.4
 
 
+def test_a_setpoint_is_reached_in_a_straight_line_by_the_end_of_its_period(stand):
+    body = stand(EMPTY)
+    body.step()
+    physics = body.world.physics
+    former = physics.data.ctrl.copy()
+    n = len(body.description.actuated)
+    q, v, tau = former + 0.001, np.full(n, 0.1), np.full(n, 0.5)
+    gains = [body.description.gains[name] for name in body.description.actuated]
+    folded = q + np.array([(0.5 + item.damping * 0.1) / item.stiffness for item in gains])
+
+    body.robot.command(JointSetpoint(0.0, 1, "test", q, v, tau))
+    body.robot.advance(0.004)
+    reached = physics.data.ctrl.copy()
+    body.robot.advance(0.002)
+
+    assert reached == pytest.approx(folded, abs=1e-12)
+    assert physics.data.ctrl == pytest.approx(folded, abs=1e-12)
+
+
 def test_efforts_never_exceed_their_limits(stand):
     body = stand(EMPTY)
     joint = body.description.actuated.index("arm_left_7_joint")
