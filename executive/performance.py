@@ -15,6 +15,7 @@ from executive.errors import NotWritableError
 from executive.events import Event, QuestionAsked, TaskRefused
 from executive.exit_codes import ExitCode
 from executive.feedback import result_line, result_line_of_all
+from executive.meaning import shortened
 from executive.outputs.report import Report, SafetyCounts
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
@@ -73,7 +74,7 @@ def perform(request: RunRequest, display: Display) -> Performance:
     scene = _preflight(request)
     pictures = _pictures(request)
     header = {
-        "input": request.input,
+        "input": shortened(request.input),
         "robot": request.robot,
         "scene": request.scene,
         "seed": request.seed,

@@ -75,10 +75,10 @@ class RunLog:
     def finish(self, report: Mapping[str, Any]) -> None:
         """Write the report; what goes wrong now is a complaint, because the robot has moved already."""
         try:
-            self._file.flush()
             _write_json(self.path / "report.json", report)
+            self._file.flush()
         except OSError as failed:
-            self.complaint = f"the run's report was not written: {failed.strerror or failed}"
+            self.complaint = self.complaint or f"the run was not kept whole: {failed.strerror or failed}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,7 +169,7 @@ def _read_json(path: Path) -> dict[str, Any] | None:
 
 
 def _write_json(path: Path, document: Mapping[str, Any]) -> None:
-    path.write_text(json.dumps(document, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    path.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
 
 
 def _not_writable(path: Path, failed: OSError) -> NotWritableError:

@@ -24,4 +24,4 @@ def runs(
         tasks = run.report.get("tasks", ())
         simulated_s = sum(task["time_s"]["simulated"] for task in tasks)
         outcome = run.report.get("outcome", "cut off")
-        typer.echo(f"{run.name:<22} {outcome:<10} {simulated_s:7.1f} s  {run.header.get('input', '')}")
+        typer.echo(f"{run.name:<22} {outcome:<10} {simulated_s:7.1f} s  {run.header.get('input', '')!r}")

@@ -281,7 +281,9 @@ def test_no_salad_of_known_words_raises_and_none_is_half_understood(text):
     assert (parsed.outcome == "tasks") == bool(parsed.commands)
 
 
-@given(st.text(alphabet=string.ascii_lowercase, min_size=1, max_size=8).filter(lambda word: word not in WORDS))
+@given(
+    st.text(alphabet=string.ascii_lowercase, min_size=1, max_size=8).filter(lambda word: word not in WORDS)
+)
 def test_a_word_that_is_in_no_list_is_never_passed_over(word):
     parsed = parse(f"pick up the {word} red cup")
 

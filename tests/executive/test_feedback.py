@@ -1,0 +1,93 @@
+"""What people read is made from typed results, and says the numbers."""
+
+import pytest
+
+from executive.feedback import failure_lines, line_for, quantity, result_line, result_line_of_all
+from executive.task_result import TaskResult, TaskTimes
+from robots.control.events import SetpointRefused
+from trees.events import NodeChanged
+from trees.failures import Failure
+
+TIMES = TaskTimes(0.4, 8.4, 2.9)
+PICKED = TaskResult(
+    "pick up the red cup",
+    "pick",
+    "done",
+    1,
+    None,
+    {"hand": "left", "gripper_opening_m": 0.061, "effort_nm": 3.41, "lift_m": 0.131},
+    TIMES,
+    "red cup",
+)
+
+
+@pytest.mark.requirement("S9")
+def test_the_last_line_of_a_pick_tells_what_the_sensors_measured():
+    assert result_line(PICKED) == (
+        "done: red cup held in the left hand, opening 61 mm, effort 3.4 Nm, lifted 0.13 m "
+        "(8.4 s simulated, 2.9 s wall)"
+    )
+
+
+def test_what_was_not_measured_is_not_claimed():
+    unseen = TaskResult("x", "pick", "done", 1, None, {"gripper_opening_m": 0.061}, TIMES, "red cup")
+
+    assert "lifted" not in result_line(unseen)
+    assert "effort" not in result_line(unseen)
+
+
+def test_several_tasks_are_told_in_order():
+    home = TaskResult("go home", "go_home", "done", times=TaskTimes(0.0, 1.6, 1.0))
+
+    line = result_line_of_all([PICKED, home])
+
+    assert line.endswith("; then at the home posture (10.0 s simulated, 3.9 s wall)")
+
+
+@pytest.mark.requirement("S9")
+def test_the_last_line_of_a_failure_tells_the_root_cause():
+    failure = Failure.infeasible("could not pick up the red cup", Failure.unsafe("hand touches table"))
+
+    line = result_line(TaskResult("x", "pick", "failed", 4, failure, {}, TIMES))
+
+    assert line.startswith("failed: could not pick up the red cup, because hand touches table [UNSAFE]")
+
+
+def test_a_failure_chain_is_indented_below_what_it_caused():
+    failure = Failure.infeasible("gave up", Failure.unsafe("too near", gap_m=0.004).at("pick/check")).at(
+        "pick"
+    )
+
+    assert failure_lines(failure) == [
+        "gave up [INFEASIBLE at pick]",
+        "└─ too near (gap 4.0 mm) [UNSAFE at pick/check]",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "text"),
+    [
+        ("opening_m", 0.0612, "opening 61.2 mm"),
+        ("lift_m", 0.1312, "lift 0.131 m"),
+        ("speed_rad_s", 1.5, "speed 1.5 rad/s"),
+        ("effort_nm", 3.46, "effort 3.46 Nm"),
+        ("attempts", 4, "attempts 4"),
+        ("pair", "hand and table", "pair hand and table"),
+        ("seen", True, "seen True"),
+    ],
+)
+def test_a_named_number_is_read_with_its_unit(key, value, text):
+    assert quantity(key, value) == text
+
+
+@pytest.mark.requirement("S9")
+def test_a_running_leaf_is_announced():
+    assert line_for(NodeChanged(1.0, "pick/reach", "running", "")) == "EXECUTING: pick/reach"
+    assert line_for(NodeChanged(1.0, "pick/reach", "success", "")) is None
+
+
+@pytest.mark.requirement("S1")
+def test_a_refused_setpoint_names_the_limit_and_the_value():
+    line = line_for(SetpointRefused(1.0, "reach", "velocity", "arm_left_1_joint", 3.2, 2.7))
+
+    assert line == "refused setpoint of reach: arm_left_1_joint velocity 3.2, limit 2.7"

@@ -1,0 +1,176 @@
+"""A session runs commands to their end, whatever they do, and leaves a robot that holds."""
+
+import numpy as np
+import pytest
+
+from executive import session as session_module
+from executive.events import SensorsNoted, TaskAccepted, TaskEnded
+from executive.meaning import StopCommand
+from executive.planning_jobs import PlanningJobs
+from executive.session import HALT_TICKS, PERIODS_A_TICK, SETTLE_TICKS, Session
+from robots.clock import ManualClock
+from robots.interface import RobotState
+from robots.sensed_state import SensedState
+from trees.failures import Failure, FailureKind
+from trees.tasks import GoHomeTask
+
+HOME = GoHomeTask("go home")
+
+
+class Loop:
+    def __init__(self, clock):
+        self.clock, self.steps = clock, 0
+
+    @property
+    def sensing(self):
+        return self
+
+    def state(self):
+        ones = np.full(3, float(self.steps))
+        readings = RobotState(self.clock.now_s(), ones, ones, ones, ones, ones, ones)
+        return SensedState(readings, ones)
+
+    def step(self):
+        self.steps += 1
+        self.clock.advance(0.002)
+
+
+class Toolbox:
+    def __init__(self, clock):
+        self.clock = clock
+
+
+class Tree:
+    """Ends after some ticks, or never."""
+
+    def __init__(self, ticks=None, failure=None):
+        self.ticks, self.end, self._failure = 0, ticks, failure
+        self.status, self.failure, self.evidence, self.attempts, self.halted = "running", None, {}, 1, None
+
+    def tick(self):
+        self.ticks += 1
+        if self.end is not None and self.ticks >= self.end:
+            self.failure = self._failure
+            self.status = "failure" if self.failure else "success"
+            self.evidence = {} if self.failure else {"opening_m": 0.06}
+
+    def halt(self, reason):
+        self.halted, self.status = reason, "failure"
+        self.failure = Failure(FailureKind.CANCELED, reason)
+
+
+class Stage:
+    def __init__(self, monkeypatch, tree, **hooks):
+        self.clock, self.events, self.tree = ManualClock(), [], tree
+        self.loop = Loop(self.clock)
+        monkeypatch.setattr(session_module, "build_tree", lambda task, toolbox: tree)
+        planning = PlanningJobs(None, self.clock, self.events.append)
+        self.session = Session(Toolbox(self.clock), self.loop, planning, self.events.append, **hooks)
+
+
+@pytest.fixture
+def stage(monkeypatch):
+    return lambda tree, **hooks: Stage(monkeypatch, tree, **hooks)
+
+
+def test_a_task_that_succeeds_is_done_with_its_evidence(stage):
+    on = stage(Tree(ticks=5))
+
+    result = on.session.run_task(HOME)
+
+    assert result.outcome == "done"
+    assert result.evidence == {"opening_m": 0.06}
+    assert result.times.simulated_s == pytest.approx(4 * 0.02)
+
+
+def test_the_tree_ticks_every_20_ms_after_the_robot_has_settled(stage):
+    on = stage(Tree(ticks=5))
+
+    on.session.run_task(HOME)
+
+    assert on.tree.ticks == 5
+    assert on.loop.steps == (SETTLE_TICKS + 4) * PERIODS_A_TICK
+
+
+def test_a_failed_task_carries_its_failure(stage):
+    failure = Failure.infeasible("no grasp")
+
+    result = stage(Tree(2, failure)).session.run_task(HOME)
+
+    assert (result.outcome, result.failure) == ("failed", failure)
+
+
+@pytest.mark.requirement("S9")
+def test_every_task_is_told_at_its_beginning_and_end(stage):
+    on = stage(Tree(2))
+
+    on.session.run_task(HOME)
+
+    assert isinstance(on.events[0], TaskAccepted)
+    assert isinstance(on.events[-1], TaskEnded)
+    assert on.events[-1].outcome == "done"
+
+
+def test_a_cancelled_task_halts_its_tree_and_goes_on_until_it_has_braked(stage):
+    on = stage(
+        Tree(), on_tick=lambda tree: tree.ticks == 3 and not tree.halted and on.session.cancel("by the user")
+    )
+
+    result = on.session.run_task(HOME)
+
+    assert result.outcome == "cancelled"
+    assert result.failure.kind is FailureKind.CANCELED
+    assert on.tree.halted == "by the user"
+    assert on.loop.steps >= HALT_TICKS * PERIODS_A_TICK
+
+
+def test_the_session_is_usable_after_a_cancel(stage, monkeypatch):
+    on = stage(
+        Tree(),
+        on_tick=lambda tree: tree.halted is None and tree.end is None and on.session.cancel("by the user"),
+    )
+    on.session.run_task(HOME)
+    monkeypatch.setattr(session_module, "build_tree", lambda task, toolbox: Tree(2))
+
+    assert on.session.run_task(HOME).outcome == "done"
+
+
+def test_a_task_that_never_ends_is_given_up(stage):
+    on = stage(Tree())
+
+    result = on.session.run_task(HOME, timeout_s=1.0)
+
+    assert result.outcome == "failed"
+    assert result.failure.kind is FailureKind.TIMEOUT
+    assert on.tree.halted
+
+
+def test_a_spoken_stop_builds_no_tree(stage):
+    on = stage(Tree())
+
+    result = on.session.run_task(StopCommand("stop"))
+
+    assert result.outcome == "done"
+    assert on.tree.ticks == 0
+
+
+def test_sensors_and_monitors_are_called_each_control_period(stage):
+    calls = []
+    on = stage(
+        Tree(3), tick_sensors=lambda: calls.append("sensors"), on_period=lambda: calls.append("monitor")
+    )
+
+    on.session.run_task(HOME)
+
+    assert calls == ["sensors", "monitor"] * on.loop.steps
+
+
+def test_equal_runs_note_equal_sensors(stage):
+    noted = []
+    for _ in range(2):
+        on = stage(Tree(60))
+        on.session.run_task(HOME)
+        noted.append([event for event in on.events if isinstance(event, SensorsNoted)])
+
+    assert noted[0] == noted[1]
+    assert len({event.sha256 for event in noted[0]}) == len(noted[0]) >= 2
