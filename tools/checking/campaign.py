@@ -64,10 +64,15 @@ def _parts(robot: str) -> tuple[Generator, TrajectoryChecker]:
     return Generator(model), TrajectoryChecker(RobotModel(load_description(robot)))
 
 
+def kind_of(index: int) -> Kind:
+    """What is planted in a trial: nothing in every second, else each kind in turn."""
+    return "sound" if index % 2 == 0 else DEFECTS[(index // 2) % len(DEFECTS)]
+
+
 def trial(seed: int, index: int, robot: str = "talos") -> Outcome:
-    """Make, judge and check one case; even indices are sound."""
+    """Make, judge and check one case."""
     generator, checker = _parts(robot)
-    kind: Kind = "sound" if index % 2 == 0 else DEFECTS[(index // 2) % len(DEFECTS)]
+    kind = kind_of(index)
     case = generator.case(kind, np.random.default_rng([seed, index]))
     started = time.process_time()
     answer = checker.check(case.trajectory, case.scene)

@@ -16,8 +16,8 @@ from kinematics.shapes import Box, Cylinder, Shape
 from kinematics.trajectory import Trajectory
 from tools.checking.motions import (
     Choreographer,
-    LegsOutOfReachError,
     Motion,
+    UnfitMotionError,
     random_motion,
     sample_times,
 )
@@ -38,7 +38,7 @@ _EXPECTED: dict[Kind, set[str]] = {
     "balance": {"balance", "tipping"},
     "jump": {"position", "velocity", "acceleration", "jerk", "stance"},
 }
-_TRIES = 60
+_TRIES = 300
 
 
 @dataclass(frozen=True)
@@ -59,10 +59,16 @@ class Case:
 
 
 class Generator:
-    """Makes cases for one robot; the referee confirms each."""
+    """Makes cases for one robot; the referee confirms each.
 
-    def __init__(self, model: RobotModel) -> None:
+    Args:
+        model: The robot.
+        longest_s: Motions that take longer are not used.
+    """
+
+    def __init__(self, model: RobotModel, longest_s: float = 20.0) -> None:
         self._model = model
+        self._longest_s = longest_s
         self._choreographer = Choreographer(model)
         self._placer = Placer(model)
         self._referee = Referee(model)
@@ -77,7 +83,7 @@ class Generator:
             size = float(np.exp(rng.uniform(np.log(0.005), np.log(0.1))))
             try:
                 made = getattr(self, f"_{kind}")(rng, size)
-            except LegsOutOfReachError:
+            except UnfitMotionError:
                 continue
             if made is None:
                 continue
@@ -91,7 +97,13 @@ class Generator:
         raise RuntimeError(f"no case of kind {kind!r} in {_TRIES} tries")
 
     def _timed(self, rng: np.random.Generator, motion: Motion) -> Trajectory:
-        duration = self._choreographer.duration(motion, rng.uniform(0.35, 0.97))
+        return self._with_use(rng, motion, rng.uniform(0.35, 0.97))
+
+    def _with_use(self, rng: np.random.Generator, motion: Motion, use: float) -> Trajectory:
+        """Time a motion so that its most demanding limit is used to the fraction ``use``."""
+        duration = self._choreographer.duration(motion, use)
+        if duration > self._longest_s:
+            raise UnfitMotionError
         return self._choreographer.trajectory(motion, duration, sample_times(rng, duration))
 
     def _sound(self, rng: np.random.Generator, _: float) -> tuple[Trajectory, PlanningScene, float] | None:
@@ -176,7 +188,7 @@ class Generator:
                 )
                 if name != which
             )
-            if pure:
+            if pure and duration < self._longest_s:
                 times = sample_times(rng, duration)
                 return self._choreographer.trajectory(motion, duration, times), PlanningScene(), over
         return None
@@ -230,13 +242,14 @@ class Generator:
         return self._timed(rng, Motion(scaled, motion.pelvis))
 
     def _scene(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
-        motion = random_motion(self._model, rng)
-        duration = self._choreographer.duration(motion, rng.uniform(0.5, 0.97))
-        trajectory = self._choreographer.trajectory(motion, duration, sample_times(rng, duration))
+        trajectory = self._with_use(rng, random_motion(self._model, rng), rng.uniform(0.5, 0.97))
         if self._referee.judge_alone(trajectory).unsafe:
             return None
         scene = self._surroundings(rng, trajectory) if rng.random() < 0.5 else PlanningScene()
         item = self._random_object(rng, "obstacle")
+        if rng.random() < 0.25:
+            # a mere graze, which lasts a few milliseconds
+            size = float(np.exp(rng.uniform(np.log(0.0004), np.log(0.005))))
         placed = self._placer.place(rng, trajectory, scene, item, -size)
         return None if placed is None else (trajectory, scene.with_object(placed), size)
 

@@ -20,8 +20,8 @@ _PELVIS_SIZE = {"x": 0.04, "y": 0.05, "z": 0.06, "yaw": 0.15, "pitch": 0.1}
 _GROUPS = ("left_arm", "right_arm", "torso", "head")
 
 
-class LegsOutOfReachError(Exception):
-    """The legs cannot keep the feet in place for this motion of the pelvis."""
+class UnfitMotionError(Exception):
+    """A random motion that cannot be used: the feet cannot stay, or it would take too long."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class Choreographer:
         """Configurations, shape (n, nq), and derivatives with respect to s, shape (n, nv).
 
         Raises:
-            LegsOutOfReachError: The feet cannot stay.
+            UnfitMotionError: The feet cannot stay.
         """
         model = self.model
         q, v = np.tile(model.q_home, (len(s), 1)), np.zeros((len(s), model.nv))
@@ -138,9 +138,9 @@ class Choreographer:
             if worst < 1e-9:
                 break
         else:
-            raise LegsOutOfReachError
+            raise UnfitMotionError
         if (q[7:] < self.model.lower_rad).any() or (q[7:] > self.model.upper_rad).any():
-            raise LegsOutOfReachError
+            raise UnfitMotionError
         pin.computeJointJacobians(model, data, q)
         for frame, _, columns in self._feet:
             jacobian = pin.getFrameJacobian(model, data, frame, pin.LOCAL)
@@ -170,7 +170,7 @@ class Choreographer:
         """Sample a motion at some times.
 
         Raises:
-            LegsOutOfReachError: The feet cannot stay.
+            UnfitMotionError: The feet cannot stay.
         """
         q, v = self.unit(motion, times_s / duration_s)
         return Trajectory(self.model.joints, self.stance, times_s, q, v / duration_s)

@@ -7,6 +7,7 @@ the checker. It is right up to its step: 0.5 ms, and where two solids come near,
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cache
 
 import coal
 import numpy as np
@@ -255,6 +256,25 @@ class _Definition:
         return np.hstack([self._base(times), blend, self._joints(times)])
 
 
+@cache
+def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
+    """The robot's links as hulls of their meshes, made here and not by the product."""
+    geometry = pin.buildGeomFromUrdfString(
+        model.pin, model.description.planning_urdf, pin.GeometryType.COLLISION
+    )
+    for item in geometry.geometryObjects:
+        if isinstance(item.geometry, coal.BVHModelBase):
+            item.geometry.buildConvexHull(True, "Qt")
+            item.geometry = item.geometry.convex
+    for pair in model.geometry().collisionPairs:
+        geometry.addCollisionPair(pair)
+    return geometry
+
+
+def _hulls(model: RobotModel) -> pin.GeometryModel:
+    return _pristine_hulls(model).copy()
+
+
 class CollisionWorld:
     """Robot, held objects and scene in one Pinocchio geometry model.
 
@@ -266,7 +286,7 @@ class CollisionWorld:
 
     def __init__(self, model: RobotModel, scene: PlanningScene, only: frozenset[str] | None = None) -> None:
         self._model = model
-        self.geometry = model.geometry()
+        self.geometry = _hulls(model)
         links = [model.link_of(item) for item in self.geometry.geometryObjects]
         own = [(pair.first, pair.second) for pair in self.geometry.collisionPairs]
         self.geometry.removeAllCollisionPairs()
