@@ -16,12 +16,19 @@ def script(tmp_path):
     return write
 
 
+TWO_TASKS = """
+seed = 3
+scene = "clutter"
+[[task]]
+say = "go home"
+[[task]]
+say = "stop"
+expect = "done"
+"""
+
+
 def test_a_script_is_an_ordered_list_of_sentences(script):
-    loaded = load_script(
-        script(
-            'seed = 3\nscene = "clutter"\n[[task]]\nsay = "go home"\n[[task]]\nsay = "stop"\nexpect = "done"\n'
-        )
-    )
+    loaded = load_script(script(TWO_TASKS))
 
     assert [one.parsed.text for one in loaded.statements] == ["go home", "stop"]
     assert (loaded.seed, loaded.scene, loaded.robot) == (3, "clutter", None)
