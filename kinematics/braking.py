@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 _FASTEST_BRAKE_1_S2 = 40.0
 """Largest slope of the rate: from full speed to rest in 25 ms, sooner than any joint could follow."""
-_SOFTER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05)
+_SOFTER = (1.0, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.12, 0.08, 0.05)
 """Shares of the hardest brake that are tried in turn."""
 _MOVING_RAD_S = 1e-9
 _LIMIT_TOLERANCE = 1e-6
@@ -39,7 +39,6 @@ def brake_along(
         no profile holds the limits before the trajectory ends, so that it is best played out.
     """
     here = sampler.at(t_s)
-    start = sampler.at(t_s).a[6:]
     speed = np.maximum(np.abs(here.v[6:]), _MOVING_RAD_S)
     hardest = min(_FASTEST_BRAKE_1_S2, float(np.min(acceleration / speed)))
     hardest_jerk = float(np.min(jerk / speed))
@@ -48,7 +47,7 @@ def brake_along(
         if t_s + passed[-1] > sampler.duration_s:
             continue
         motion = sampler.many(t_s + passed, rate, slope)
-        if _holds(motion.a[:, 6:], start, acceleration, jerk, period_s):
+        if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
             return motion
     return None
 

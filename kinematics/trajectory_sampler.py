@@ -11,6 +11,8 @@ from kinematics.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 
+_CONJUGATE = np.array([-1.0, -1.0, -1.0, 1.0])
+
 
 @dataclass(frozen=True, slots=True)
 class MotionSample:
@@ -75,41 +77,50 @@ class TrajectorySampler:
         """
         t_s = min(max(t_s, 0.0), self.duration_s)
         segment = self._find(t_s)
-        h = float(self._h_s[segment])
-        u = (t_s - float(self._t_s[segment])) / h
+        per_s = 1.0 / float(self._h_s[segment])
+        u = (t_s - float(self._t_s[segment])) * per_s
         powers = np.array(
-            [[1.0, u, u * u, u * u * u], [0.0, 1.0, 2.0 * u, 3.0 * u * u], [0.0, 0.0, 2.0, 6.0 * u]]
+            [
+                [1.0, u, u * u, u * u * u],
+                [0.0, per_s, 2.0 * u * per_s, 3.0 * u * u * per_s],
+                [0.0, 0.0, 2.0 * per_s * per_s, 6.0 * u * per_s * per_s],
+            ]
         )
-        value, slope, curve = powers @ self._blocks[segment]
-        n = self._joints
-        q, v, a = np.empty(n + 7), np.empty(n + 6), np.empty(n + 6)
-        quaternion = value[n + 3 : n + 7]
-        quaternion = quaternion / np.sqrt(quaternion @ quaternion)
-        q[:3], q[3:7], q[7:] = value[:3], quaternion, value[3 : n + 3]
-        slope *= 1.0 / h
-        curve *= 1.0 / (h * h)
-        v[6:] = rate * slope[3 : n + 3]
-        a[6:] = (rate * rate) * curve[3 : n + 3] + rate_slope * slope[3 : n + 3]
-        omega = value[n + 7 :]
-        v[3:6] = rate * omega
-        a[3:6] = (rate * rate) * slope[n + 7 :] + rate_slope * omega
-        into_base = quaternion * (-1.0, -1.0, -1.0, 1.0)
-        linear = np.stack([rate * slope[:3], rate * rate * curve[:3] + rate_slope * slope[:3]])
-        if linear.any():
-            linear = _rotate(np.stack([into_base, into_base]), linear)
-            linear[1] -= np.cross(v[3:6], linear[0])
-        v[:3], a[:3] = linear
-        return MotionSample(q, v, a)
+        return self._assemble(powers @ self._blocks[segment], rate, rate_slope)
 
     def many(self, t_s: Array, rate: Array, rate_slope: Array) -> MotionSample:
         """Evaluate at many times, shape (k,) each; the arrays of the answer have k rows."""
-        rows = zip(t_s.tolist(), rate.tolist(), rate_slope.tolist(), strict=True)
-        samples = [self.at(*row) for row in rows]
-        return MotionSample(
-            np.array([sample.q for sample in samples]),
-            np.array([sample.v for sample in samples]),
-            np.array([sample.a for sample in samples]),
-        )
+        t_s = np.clip(t_s, 0.0, self.duration_s)
+        segments = np.searchsorted(self._t_s, t_s, side="right") - 1
+        segments = np.minimum(segments, len(self._h_s) - 1)
+        per_s = 1.0 / self._h_s[segments]
+        u = (t_s - self._t_s[segments]) * per_s
+        powers = np.zeros((len(u), 3, 4))
+        powers[:, 0] = np.stack([np.ones_like(u), u, u**2, u**3], axis=1)
+        powers[:, 1, 1:] = np.stack([per_s, 2.0 * u * per_s, 3.0 * u**2 * per_s], axis=1)
+        powers[:, 2, 2:] = np.stack([2.0 * per_s**2, 6.0 * u * per_s**2], axis=1)
+        return self._assemble(powers @ self._blocks[segments], rate[:, None], rate_slope[:, None])
+
+    def _assemble(self, rows: Array, rate: float | Array, rate_slope: float | Array) -> MotionSample:
+        """Put values, slopes and curvatures, shape (..., 3, m), in the order of q, v and a."""
+        n = self._joints
+        value, slope, curve = rows[..., 0, :], rows[..., 1, :], rows[..., 2, :]
+        shape = rows.shape[:-2]
+        q, v, a = np.empty((*shape, n + 7)), np.empty((*shape, n + 6)), np.empty((*shape, n + 6))
+        quaternion = value[..., n + 3 : n + 7]
+        quaternion = quaternion / np.sqrt(np.sum(quaternion * quaternion, axis=-1, keepdims=True))
+        q[..., :3], q[..., 3:7], q[..., 7:] = value[..., :3], quaternion, value[..., 3 : n + 3]
+        omega = value[..., n + 7 :]
+        v[..., :3], v[..., 3:6], v[..., 6:] = slope[..., :3], omega, slope[..., 3 : n + 3]
+        a[..., :3], a[..., 3:6], a[..., 6:] = curve[..., :3], slope[..., n + 7 :], curve[..., 3 : n + 3]
+        a *= rate * rate
+        a += rate_slope * v
+        v *= rate
+        if v[..., :3].any() or a[..., :3].any():
+            conjugate = quaternion * _CONJUGATE
+            v[..., :3] = _rotate(conjugate, v[..., :3])
+            a[..., :3] = _rotate(conjugate, a[..., :3]) - np.cross(v[..., 3:6], v[..., :3])
+        return MotionSample(q, v, a)
 
     def _find(self, t_s: float) -> int:
         """Index of the segment that holds a time; the next one is tried before searching."""
@@ -124,8 +135,8 @@ class TrajectorySampler:
 
 
 def _rotate(xyzw: Array, vectors: Array) -> Array:
-    """Rotate vectors, shape (k, 3), by unit quaternions, shape (k, 4)."""
-    axis, w = xyzw[:, :3], xyzw[:, 3:]
+    """Rotate vectors, shape (..., 3), by unit quaternions, shape (..., 4)."""
+    axis, w = xyzw[..., :3], xyzw[..., 3:]
     twice = 2.0 * np.cross(axis, vectors)
     return np.asarray(vectors + w * twice + np.cross(axis, twice), dtype=np.float64)
 

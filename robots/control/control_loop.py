@@ -149,7 +149,9 @@ class ControlLoop:
             raise ValueError(f"no stop category {category}; there are 0, 1 and 2")
         self._note_stop(category, reason)
         self._streamer.stop(reason, along_path=category == 1)
-        self._limp = self._limp or category == 0
+        if category == 0:
+            self._limp = True
+            self._streamer.close(reason)
 
     def _command(self) -> None:
         state = self.sensing.state().readings

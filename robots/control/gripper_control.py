@@ -13,7 +13,7 @@ from robots.control.motion_streamer import MotionStreamer
 from robots.gripper_reading import GripperReading
 from robots.interface import RobotState
 
-_FELT = 0.9
+_FELT = 0.8
 """Share of the closing effort at which the fingers have met something: the rest comes by itself
 once the setpoint stands, and waiting for all of it would wait for the noise."""
 _ARRIVED_RAD = 0.03

@@ -226,6 +226,10 @@ class MotionStreamer:
         for handle in ended:
             self._end(handle, status, reason)
 
+    def close(self, reason: str) -> None:
+        """Refuse every motion from now on."""
+        self._closed_for = reason
+
     def revert(self) -> None:
         """The last proposal was refused: the grippers' setpoints stay where they were."""
         for keeper in self._keepers.values():

@@ -1,0 +1,75 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from kinematics.braking import brake_along, brake_joints
+from kinematics.stance import stance_at
+from kinematics.trajectory import Trajectory
+from kinematics.trajectory_sampler import TrajectorySampler
+
+PERIOD_S = 0.002
+ACCELERATION, JERK = np.full(3, 8.0), np.full(3, 120.0)
+
+
+def swing(talos, amount, duration_s):
+    t = np.linspace(0.0, duration_s, 101)
+    u = t / duration_s
+    s, ds = u**3 * (10 - 15 * u + 6 * u**2), 30 * u**2 * (1 - u) ** 2 / duration_s
+    q, v = np.repeat(talos.q_home[None], len(t), axis=0), np.zeros((len(t), talos.nv))
+    for name, share in (("arm_left_2_joint", 1.0), ("arm_left_4_joint", 0.5)):
+        i = talos.joint_index(name)
+        q[:, 7 + i] += share * amount * s
+        v[:, 6 + i] = share * amount * ds
+    return TrajectorySampler(Trajectory(talos.joints, stance_at(talos, talos.q_home), t, q, v))
+
+
+@pytest.mark.parametrize("share", [0.05, 0.2, 0.4, 0.5, 0.6, 0.8])
+def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, share):
+    sampler = swing(talos, 0.8, 1.2)
+
+    rows = brake_along(sampler, share * 1.2, talos.acceleration, talos.jerk, PERIOD_S)
+
+    assert rows is not None
+    assert not rows.v[-1].any()
+    assert (np.abs(rows.a[:, 6:]) <= 8.0 * (1 + 1e-6)).all()
+    assert (np.abs(np.diff(rows.a[:, 6:], axis=0)) <= 120.0 * PERIOD_S * (1 + 1e-6)).all()
+    shoulder, elbow = (rows.q[:, 7 + talos.joint_index(f"arm_left_{k}_joint")] for k in (2, 4))
+    start = talos.q_home[7 + talos.joint_index("arm_left_4_joint")]
+    begin = talos.q_home[7 + talos.joint_index("arm_left_2_joint")]
+    np.testing.assert_allclose(elbow - start, 0.5 * (shoulder - begin), atol=1e-9)
+
+
+def test_a_slow_motion_stops_much_sooner_than_a_fast_one(talos):
+    slow = brake_along(swing(talos, 0.1, 1.2), 0.6, talos.acceleration, talos.jerk, PERIOD_S)
+    fast = brake_along(swing(talos, 0.8, 1.2), 0.6, talos.acceleration, talos.jerk, PERIOD_S)
+
+    assert slow is not None
+    assert fast is not None
+    assert len(slow.q) < 0.6 * len(fast.q)
+
+
+def test_a_trajectory_that_ends_sooner_than_any_brake_is_left_alone(talos):
+    assert brake_along(swing(talos, 0.8, 1.2), 1.1999, talos.acceleration, talos.jerk, PERIOD_S) is None
+
+
+triples = arrays(float, 3, elements=st.floats(-2.0, 2.0))
+
+
+@given(q=triples, v=triples, a=triples)
+def test_joints_come_to_rest_within_their_limits_without_a_step(q, v, a):
+    qs, vs, accelerations = brake_joints(q, v, a, ACCELERATION, JERK, PERIOD_S)
+
+    assert not vs[-1].any()
+    assert (np.abs(accelerations) <= 8.0 + 1e-9).all()
+    before = np.vstack([q, qs[:-1]]), np.vstack([v, vs[:-1]])
+    np.testing.assert_allclose(qs, before[0] + 0.5 * (before[1] + vs) * PERIOD_S, atol=1e-6)
+    assert (np.abs(np.diff(vs, axis=0)) <= 8.0 * PERIOD_S + 1e-9).all()
+
+
+def test_what_rests_stays(talos):
+    qs, vs, _ = brake_joints(np.ones(3), np.zeros(3), np.zeros(3), ACCELERATION, JERK, PERIOD_S)
+
+    np.testing.assert_array_equal(qs[-1], np.ones(3))
+    assert not vs.any()

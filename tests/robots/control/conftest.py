@@ -1,0 +1,135 @@
+"""A robot that follows perfectly and weighs nothing, and smooth motions for it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
+from kinematics.trajectory import _SEAL, CheckedTrajectory, Trajectory
+from robots.clock import ManualClock
+from robots.control.control_loop import ControlLoop
+from robots.description import load_description
+from robots.interface import RobotState
+
+PERIOD_S = 0.002
+
+
+class PerfectRobot:
+    """Is always where it was told to be; fingers stop at what stands between them."""
+
+    def __init__(self, description, joints):
+        self.description = description
+        self.commands = []
+        self.obstacle_rad = {}
+        self.stuck_rad = {}
+        self._q = np.array(joints)
+        self._v = np.zeros_like(self._q)
+        self._effort = np.zeros_like(self._q)
+        self._stamp_ns = 0
+        self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
+
+    def read(self):
+        feet = np.zeros((2, 6))
+        feet[:, 2] = 450.0
+        gravity = np.array([0.0, 0.0, 9.81])
+        return RobotState(self._stamp_ns * 1e-9, self._q, self._v, self._effort, np.zeros(3), gravity, feet)
+
+    def command(self, setpoint):
+        self.commands.append(setpoint)
+
+    def advance(self, period_s):
+        self._stamp_ns += round(period_s * 1e9)
+        setpoint = self.commands[-1]
+        q, effort = setpoint.q.copy(), setpoint.tau.copy()
+        for joint, limit in self.obstacle_rad.items():
+            i = self.description.actuated.index(joint)
+            if q[i] < limit:
+                effort[i] += self._stiffness[i] * (q[i] - limit)
+                q[i] = limit
+        for joint, place in self.stuck_rad.items():
+            i = self.description.actuated.index(joint)
+            limit = self.description.limits[joint].effort
+            effort[i] = np.clip(self._stiffness[i] * (q[i] - place), -limit, limit)
+            q[i] = place
+        self._q, self._v, self._effort = q, setpoint.v, effort
+
+
+class Rig:
+    """A control loop on a perfect robot."""
+
+    def __init__(self, model):
+        self.model, self.description = model, model.description
+        home = [self.description.home[name] for name in self.description.actuated]
+        self.robot = PerfectRobot(self.description, home)
+        self.clock, self.events = ManualClock(), []
+        self.loop = ControlLoop(self.robot, model, self.clock, self.events.append, PERIOD_S)
+
+    def run(self, seconds):
+        for _ in range(round(seconds / PERIOD_S)):
+            self.loop.step()
+
+    def run_until(self, condition, within_s=5.0):
+        for _ in range(round(within_s / PERIOD_S)):
+            if condition():
+                return
+            self.loop.step()
+        raise AssertionError("it never came to that")
+
+    def of_kind(self, kind):
+        return [event for event in self.events if isinstance(event, kind)]
+
+    def commanded(self, joint):
+        """Positions and velocities that reached the robot."""
+        i = self.description.actuated.index(joint)
+        return np.array([(s.q[i], s.v[i]) for s in self.robot.commands])
+
+
+@pytest.fixture(scope="session")
+def talos():
+    return RobotModel(load_description("talos"))
+
+
+@pytest.fixture
+def new_rig(talos):
+    return lambda: Rig(talos)
+
+
+@pytest.fixture
+def rig(new_rig):
+    return new_rig()
+
+
+def smooth(model, q, offsets, duration_s=1.0, step_s=0.01):
+    """Quintic from rest to rest, sealed without having been checked."""
+    n = round(duration_s / step_s)
+    t = np.linspace(0.0, duration_s, n + 1)
+    u = t / duration_s
+    s, ds = u**3 * (10 - 15 * u + 6 * u**2), 30 * u**2 * (1 - u) ** 2 / duration_s
+    qs, vs = np.repeat(q[None], n + 1, axis=0), np.zeros((n + 1, model.nv))
+    for joint, offset in offsets.items():
+        i = model.joint_index(joint)
+        qs[:, 7 + i] += offset * s
+        vs[:, 6 + i] = offset * ds
+    return sealed(Trajectory(model.joints, stance_at(model, q), t, qs, vs))
+
+
+def sealed(trajectory):
+    return CheckedTrajectory(trajectory, 0, 0.1, 0.1, _SEAL)
+
+
+@pytest.fixture(scope="session")
+def motions(talos):
+    class Motions:
+        @staticmethod
+        def arms(q, amount=0.4, duration_s=1.0):
+            arms = {"arm_left_2_joint": amount, "arm_right_2_joint": -amount}
+            return smooth(talos, q, {**arms, "torso_1_joint": 0.2 * amount}, duration_s)
+
+        @staticmethod
+        def joint(q, joint, offset, duration_s=1.0):
+            return smooth(talos, q, {joint: offset}, duration_s)
+
+    Motions.sealed = staticmethod(sealed)
+    return Motions
