@@ -17,7 +17,12 @@ from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
 QUICK = TreePolicy(
-    look_frames=2, look_timeout_s=0.4, hold_s=0.2, grasp_settle_s=0.04, motion_slack_s=0.2, task_timeout_s=60.0
+    look_frames=2,
+    look_timeout_s=0.4,
+    hold_s=0.2,
+    grasp_settle_s=0.04,
+    motion_slack_s=0.2,
+    task_timeout_s=60.0,
 )
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
 
@@ -121,6 +126,12 @@ class Stage:
 @pytest.fixture(scope="session")
 def model():
     return RobotModel(load_description("talos"))
+
+
+@pytest.fixture
+def quick():
+    """The policy of the stage: the same behavior as the product's, with shorter times."""
+    return QUICK
 
 
 @pytest.fixture

@@ -12,7 +12,9 @@ def always(failure):
 def test_success_needs_no_cleaning_up(stage, probe_leaf):
     after = probe_leaf("after", stage.toolbox, DONE)
 
-    assert stage.run(CleanUp("task", probe_leaf("main", stage.toolbox, DONE), after, always)) is Status.SUCCESS
+    assert (
+        stage.run(CleanUp("task", probe_leaf("main", stage.toolbox, DONE), after, always)) is Status.SUCCESS
+    )
     assert after.begun == 0
 
 
@@ -36,7 +38,9 @@ def test_a_failed_clean_up_does_not_hide_the_first_failure(stage, probe_leaf):
 
 def test_cleaning_up_is_left_out_where_it_is_not_worth_it(stage, probe_leaf):
     after = probe_leaf("after", stage.toolbox, DONE)
-    node = CleanUp("task", probe_leaf("main", stage.toolbox, ValueError("broken")), after, lambda failure: False)
+    node = CleanUp(
+        "task", probe_leaf("main", stage.toolbox, ValueError("broken")), after, lambda failure: False
+    )
 
     assert stage.run(node) is Status.FAILURE
     assert after.begun == 0

@@ -1,0 +1,107 @@
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+from robots.fake.fake_world import cup, table
+from trees.failures import FailureKind
+from trees.leaves.detect import Detect
+from trees.leaves.look_at import LookAt
+from trees.policy import Gaze
+from trees.tasks import ObjectDescription, PickTask
+
+RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
+A_CUP = PickTask("pick up the cup", ObjectDescription("cup"))
+
+
+def looking_down(stage):
+    """Detect, with a head that looks at the table."""
+    stage.run(LookAt("look", stage.toolbox, Gaze("ahead", 0.75)))
+    return Detect("detect", stage.toolbox)
+
+
+@pytest.mark.requirement("M1")
+def test_the_object_that_is_meant_is_found_and_everything_is_remembered(stage):
+    assert stage.run(looking_down(stage), task=RED_CUP) is Status.SUCCESS
+
+    found = stage.output("target")
+    assert (found.name, found.kind, found.color) == ("red cup", "cup", "red")
+    assert found.odom_T_object[:3, 3] == pytest.approx((0.45, -0.2, 0.955), abs=1e-9)
+    assert set(stage.told.scene.objects) == {"red cup", "table"}
+
+
+def test_nothing_that_fits_says_what_was_seen_instead(stage_with):
+    stage = stage_with(table(), cup("blue cup", "blue"))
+    leaf = looking_down(stage)
+
+    assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.POSTCONDITION
+    assert leaf.failure.message == "no red cup seen"
+    assert leaf.failure.numbers["seen"] == "blue cup, table"
+
+
+def test_several_that_fit_are_told_as_choices_from_the_left(stage_with):
+    stage = stage_with(table(), cup(place_m=(0.5, -0.15)), cup("blue cup", "blue", (0.5, 0.15)))
+    leaf = looking_down(stage)
+
+    assert stage.run(leaf, task=A_CUP) is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.INFEASIBLE
+    assert leaf.failure.message == "which cup? there are 2"
+    assert leaf.failure.numbers["choices"] == "blue cup | red cup"
+
+
+def test_twins_are_told_apart_by_their_places(stage_with):
+    stage = stage_with(table(), cup("a", place_m=(0.5, -0.15)), cup("b", place_m=(0.5, 0.15)))
+    leaf = looking_down(stage)
+
+    stage.run(leaf, task=RED_CUP)
+
+    assert leaf.failure.numbers["choices"] == (
+        "red cup 0.50 m ahead, 0.15 m to the left | red cup 0.50 m ahead, 0.15 m to the right"
+    )
+
+
+@pytest.mark.requirement("S6")
+def test_an_object_whose_table_was_not_seen_is_not_gone_for(stage):
+    stage.fake.world.hidden.add("table")
+    leaf = looking_down(stage)
+
+    assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
+    assert leaf.failure.message == "what the red cup stands on is not seen"
+
+
+def test_an_object_on_other_furniture_than_asked_for_does_not_fit(stage):
+    leaf = looking_down(stage)
+    task = PickTask("pick the red cup from the shelf", ObjectDescription("cup", "red"), source="shelf")
+
+    assert stage.run(leaf, task=task) is Status.FAILURE
+    assert leaf.failure.message == "a red cup is seen, but not on the shelf"
+
+
+def test_an_object_on_the_furniture_asked_for_fits(stage):
+    leaf = looking_down(stage)
+    task = PickTask("pick the red cup from the table", ObjectDescription("cup", "red"), source="table")
+
+    assert stage.run(leaf, task=task) is Status.SUCCESS
+
+
+def test_frames_from_before_the_look_do_not_count(stage):
+    leaf = looking_down(stage)
+    stage.fake.detector.frozen = True
+
+    assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.TIMEOUT
+
+
+def test_what_a_hand_holds_does_not_become_an_obstacle(stage):
+    leaf = looking_down(stage)
+    stage.run(leaf, task=RED_CUP)
+    stage.told.update(stage.told.scene.with_attached("red cup", "tcp_right", np.eye(4), []))
+    hand = stage.toolbox.model.frame_pose(stage.fake.sensing.state().q, "tcp_right")
+    place = hand[:3, 3] - stage.fake.world.object("red cup").world_T_object[:3, 3]
+    stage.fake.world.move("red cup", tuple(place))
+    looked = Detect("detect", stage.toolbox)
+    stage.fake.detector.offset_m = {}
+
+    stage.run(looked, task=RED_CUP)
+
+    assert "red cup" not in stage.told.scene.objects

@@ -1,0 +1,126 @@
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+from kinematics.requests import MoveRequest, NoPlan
+from kinematics.trajectory import Finding, FindingKind, Unsafe
+from trees.failures import FailureKind
+from trees.leaves.look_at import LookAt, LookAtTarget
+from trees.policy import Gaze
+from trees.sight import off_axis_rad
+
+DOWN_LEFT = Gaze("down left", tilt_rad=0.5, pan_rad=0.4, lean_rad=0.1)
+
+
+def position(stage, joint):
+    return stage.fake.sensing.state().q[7 + stage.toolbox.model.joint_index(joint)]
+
+
+def test_the_head_ends_at_the_gaze(stage):
+    assert stage.run(LookAt("look", stage.toolbox, DOWN_LEFT)) is Status.SUCCESS
+    assert position(stage, "head_1_joint") == pytest.approx(0.5)
+    assert position(stage, "head_2_joint") == pytest.approx(0.4)
+    assert position(stage, "torso_2_joint") == pytest.approx(0.1)
+
+
+def test_everything_else_is_told_to_stay(stage):
+    stage.run(LookAt("look", stage.toolbox, DOWN_LEFT))
+
+    (move,) = [request for request in stage.fake.planning.requests if isinstance(request, MoveRequest)]
+    assert move.keep_others
+    assert set(move.joints) == {"head_1_joint", "head_2_joint", "torso_2_joint"}
+
+
+def test_a_gaze_beyond_the_limits_stops_at_them(stage):
+    stage.run(LookAt("look", stage.toolbox, Gaze("down", tilt_rad=3.0)))
+
+    assert position(stage, "head_1_joint") == pytest.approx(0.785398 - 0.01, abs=1e-4)
+
+
+def test_a_head_that_looks_there_already_does_not_move(stage):
+    stage.run(LookAt("look", stage.toolbox, DOWN_LEFT))
+    started = len(stage.fake.motion.started)
+
+    assert stage.run(LookAt("look", stage.toolbox, DOWN_LEFT)) is Status.SUCCESS
+    assert len(stage.fake.motion.started) == started
+
+
+def test_the_target_comes_to_the_middle_of_the_picture(stage, target):
+    assert stage.run(LookAtTarget("look", stage.toolbox), target=target) is Status.SUCCESS
+
+    camera = stage.fake.world.world_T_camera()
+    right, down = off_axis_rad(camera, target.odom_T_object[:3, 3])
+    assert abs(right) < 0.01
+    assert down < 0.43  # in the picture; the tilt joint ends before the cup is in its middle
+
+
+def test_an_object_in_the_hand_is_looked_for_there(knowing, target):
+    scene = knowing.told.scene
+    knowing.told.update(scene.with_attached("red cup", "tcp_left", np.eye(4), []))
+    knowing.run(LookAtTarget("look", knowing.toolbox), target=target)
+
+    hand = knowing.toolbox.model.frame_pose(knowing.fake.sensing.state().q, "tcp_left")[:3, 3]
+    assert abs(off_axis_rad(knowing.fake.world.world_T_camera(), hand)[0]) < 0.05
+
+
+def test_no_plan_is_infeasible_with_the_planners_reasons(stage):
+    stage.fake.planning.no_plan = NoPlan("the head is blocked", {"collision": 3})
+    leaf = LookAt("look", stage.toolbox, DOWN_LEFT)
+
+    assert stage.run(leaf) is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.INFEASIBLE
+    assert leaf.failure.numbers == {"collision": 3}
+
+
+@pytest.mark.requirement("S6")
+def test_an_unsafe_motion_is_never_started(stage):
+    finding = Finding(FindingKind.SELF_COLLISION, 0.1, ("head_2_link", "torso_2_link"), -0.01, 0.0)
+    stage.fake.planning.unsafe = lambda request: Unsafe((finding,))
+    leaf = LookAt("look", stage.toolbox, DOWN_LEFT)
+
+    assert stage.run(leaf) is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.UNSAFE
+    assert leaf.failure.numbers["subject"] == "head_2_link and torso_2_link"
+    assert stage.fake.motion.started == []
+
+
+def test_a_plan_for_a_scene_of_the_past_is_thrown_away(stage):
+    leaf = stage.ready(LookAt("look", stage.toolbox, DOWN_LEFT))
+    stage.tick(leaf)
+    stage.told.update(stage.told.scene.with_objects([]))
+
+    while stage.tick(leaf) is Status.RUNNING:
+        pass
+
+    assert "stale" in leaf.failure.message
+    assert stage.fake.motion.started == []
+
+
+def test_a_joint_that_does_not_follow_is_named(stage):
+    stage.fake.robot.stuck.add("head_2_joint")
+    leaf = LookAt("look", stage.toolbox, DOWN_LEFT)
+
+    assert stage.run(leaf) is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.EXECUTION
+    assert leaf.failure.numbers["joint"] == "head_2_joint"
+
+
+@pytest.mark.requirement("S7")
+def test_a_halt_while_planning_forgets_the_job(stage):
+    leaf = stage.ready(LookAt("look", stage.toolbox, DOWN_LEFT))
+    stage.tick(leaf)
+
+    leaf.stop(Status.INVALID)
+
+    assert stage.fake.planning.jobs[0].canceled
+
+
+@pytest.mark.requirement("S7")
+def test_a_halt_while_moving_leaves_the_robot_holding(stage):
+    leaf = stage.ready(LookAt("look", stage.toolbox, DOWN_LEFT))
+    while not stage.fake.motion.moving:
+        stage.tick(leaf)
+
+    leaf.stop(Status.INVALID)
+
+    assert not stage.fake.motion.moving
