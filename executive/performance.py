@@ -227,9 +227,17 @@ def _line(statement: Statement, result: TaskResult) -> str:
 
 @contextmanager
 def _interrupts(cancel: Callable[[str], None]) -> Iterator[None]:
-    """Let Ctrl-C cancel the task; the robot brakes and holds before the program ends."""
+    """Let Ctrl-C cancel the task; the robot brakes and holds before the program ends.
+
+    A second one does not wait for that.
+    """
+    asked = False
 
     def interrupted(_number: int, _frame: FrameType | None) -> None:
+        nonlocal asked
+        if asked:
+            raise KeyboardInterrupt
+        asked = True
         cancel("cancelled from the keyboard")
 
     before = signal.signal(signal.SIGINT, interrupted)
