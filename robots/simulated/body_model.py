@@ -190,7 +190,7 @@ def _exclude_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     frames = {sole.link: sole.frame for sole in description.soles}
     pairs = set(description.disabled_collisions)
     # The soles stand in for the hulls of the links that they are part of.
-    pairs |= {tuple(sorted((frames.get(a, a), frames.get(b, b)))) for a, b in pairs}  # type: ignore[misc]
+    pairs |= {(frames.get(first, first), frames.get(second, second)) for first, second in pairs}
     for first, second in sorted(pairs):
         if first in names and second in names and first != second:
             spec.add_exclude(bodyname1=first, bodyname2=second)

@@ -161,4 +161,6 @@ def _set_options(spec: mujoco.MjSpec) -> None:
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     option.impratio = IMPEDANCE_RATIO
+    # One solve for all contacts: splitting so few of them into islands costs a tenth of a step.
+    option.disableflags = int(mujoco.mjtDisableBit.mjDSBL_ISLAND)
     spec.visual.global_.offwidth, spec.visual.global_.offheight = 1920, 1440
