@@ -204,11 +204,11 @@ class PerceptionStub:
 
     def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""
-        x, y, z = camera_T_object[:3, 3].tolist()
+        x, y, z = (float(value) for value in camera_T_object[:3, 3])
         distance = math.hypot(x, y, z)
         depth = max(z, 1e-6)
         off_axis = max(abs(x) / (self._tan[0] * depth), abs(y) / (self._tan[1] * depth))
-        value = 0.98 * (1.0 - 0.05 * max(0.0, distance - 1.0)) * (0.6 + 0.4 * share)
+        value: float = 0.98 * (1.0 - 0.05 * max(0.0, distance - 1.0)) * (0.6 + 0.4 * share)
         value *= 1.0 - 0.1 * min(max(off_axis - 0.7, 0.0) / 0.3, 1.0)
         return min(max(value + 0.01 * noise, 0.0), 1.0)
 

@@ -21,6 +21,7 @@ class ScriptedWorld:
 
     def __init__(self, scene):
         self.scene, self.time_s, self.done, self.waiting = scene, 0.0, [], []
+        self.tilt = 0.0
 
     def world_T_object(self, name):
         return next(item.world_T_object for item in self.scene.objects if item.name == name)
@@ -30,6 +31,15 @@ class ScriptedWorld:
 
     def objects(self):
         return tuple(item.name for item in self.scene.objects)
+
+    def pad_contacts(self, name):
+        return (SimpleNamespace(normal_n=20.0), SimpleNamespace(normal_n=20.0))
+
+    def tilt_rad(self, name):
+        return self.tilt
+
+    def at(self, time_s, action):
+        self.waiting.append((lambda: self.time_s >= time_s, action))
 
     def when(self, condition, action):
         self.waiting.append((condition, action))
@@ -108,6 +118,27 @@ def test_a_moved_cup_ends_on_the_table_and_counts_as_recoverable_where_picks_are
             assert 0.35 <= place[0] <= 0.65
             assert abs(place[1]) <= 0.45
     assert recoverable > 10
+
+
+@pytest.mark.parametrize(("tilt", "recoverable"), [(0.0, True), (1.5, False)], ids=["stands", "lies"])
+def test_a_knocked_cup_is_recoverable_when_it_ends_standing(tilt, recoverable):
+    world, phases, state, _ = armed("knocked", 3)
+    world.tilt = tilt
+    phases.take(NodeChanged(0.0, REACH, "running", ""))
+    world.advance_to(2.0)
+    world.advance_to(3.5)
+
+    assert state.recoverable == recoverable
+
+
+def test_a_slipping_cup_gets_less_friction_than_its_grip_needs():
+    for seed in range(10):
+        world, phases, _, _ = armed("slip", seed)
+        phases.take(NodeChanged(0.0, LIFT, "running", ""))
+        world.advance_to(2.0)
+        ((_, _, friction),) = world.done
+        mass_kg = next(item.mass_kg for item in world.scene.objects if item.name == TARGET)
+        assert 0.2 * mass_kg * 9.81 / 40.0 - 1e-9 <= friction < mass_kg * 9.81 / 40.0
 
 
 def test_a_wrong_detection_is_four_centimetres_wrong():

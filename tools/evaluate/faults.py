@@ -25,13 +25,19 @@ VERIFY = "verify lift"
 
 MOVED_M = (0.03, 0.10)
 KNOCKED_M = (0.02, 0.06)
-SLIPPERY = (0.05, 0.15)
+# Share of the friction that would just carry the object.
+SLIPPERY = (0.2, 0.95)
+_LEAST_FRICTION = 0.005
+_GRAVITY_M_S2 = 9.81
 WRONG_BY_M = 0.04
 TIPPED_SHARE = 1.0 / 3.0
 # A displaced object keeps this from hands and other objects, so that it lands in nothing.
 _CLEAR_HAND_M = 0.15
 _CLEAR_OBJECT_M = 0.12
 _EDGE_ROOM_M = 0.05
+# A pushed object has come to rest by then, and stands when it leans by less than this.
+_AT_REST_S = 1.0
+_STANDING_RAD = 0.2
 
 
 @dataclass(slots=True)
@@ -64,10 +70,19 @@ def _empty_grasp(bench: FaultBench, state: FaultState) -> None:
 
 
 def _slip(bench: FaultBench, state: FaultState) -> None:
-    """The object turns slippery while it is lifted."""
-    friction = float(bench.rng.uniform(*SLIPPERY))
-    delay_s = float(bench.rng.uniform(0.0, 1.0))
-    _in_phase(bench, state, LIFT, delay_s, lambda: bench.injector.set_pad_friction(bench.target, friction))
+    """The object turns slippery while it is lifted: it slides out, fast or slowly.
+
+    The friction is a share of what the present grip would need, so that light objects slide too.
+    """
+    share, delay_s = float(bench.rng.uniform(*SLIPPERY)), float(bench.rng.uniform(0.0, 1.0))
+    mass_kg = next(item.mass_kg for item in bench.scene.objects if item.name == bench.target)
+
+    def act() -> None:
+        normal_n = sum(contact.normal_n for contact in bench.truth.pad_contacts(bench.target))
+        needed = mass_kg * _GRAVITY_M_S2 / max(normal_n, 1.0)
+        bench.injector.set_pad_friction(bench.target, max(share * needed, _LEAST_FRICTION))
+
+    _in_phase(bench, state, LIFT, delay_s, act)
 
 
 def _moved(bench: FaultBench, state: FaultState) -> None:
@@ -81,17 +96,25 @@ def _moved(bench: FaultBench, state: FaultState) -> None:
 
 
 def _knocked(bench: FaultBench, state: FaultState) -> None:
-    """Something pushes the object during the reach: it slides, or it falls over."""
+    """Something pushes the object during the reach: it slides, or it falls over.
+
+    A push that is meant to slide it topples a tall one, so that only its end tells what it was.
+    """
     tips = bool(bench.rng.random() < TIPPED_SHARE)
 
     def act() -> None:
-        offset, inside = _offset(bench, KNOCKED_M)
+        offset, _ = _offset(bench, KNOCKED_M)
         heading = math.atan2(offset[1], offset[0])
         if tips:
             bench.injector.tip_over(bench.target, heading)
         else:
             bench.injector.knock(bench.target, heading, float(np.linalg.norm(offset)))
-            state.recoverable = inside
+        bench.injector.at(bench.truth.time_s + _AT_REST_S, settle)
+
+    def settle() -> None:
+        stands = bench.truth.tilt_rad(bench.target) < _STANDING_RAD
+        place = bench.truth.world_T_object(bench.target)[:2, 3]
+        state.recoverable = stands and _promised(place)
 
     _in_phase(bench, state, REACH, float(bench.rng.uniform(0.2, 1.2)), act)
 
@@ -156,13 +179,17 @@ def _offset(bench: FaultBench, span_m: tuple[float, float]) -> tuple[NDArray[np.
         step = length * np.array([math.cos(heading), math.sin(heading)])
         if not _free(bench, here[:2] + step, float(here[2])):
             continue
-        x, y = here[:2] + step
-        if CUP_AHEAD_M[0] <= x <= CUP_AHEAD_M[1] and abs(y) <= CUP_ASIDE_M:
+        if _promised(here[:2] + step):
             return step, True
         best = step
     if not best.any():
         best = np.array([span_m[0], 0.0])
     return best, False
+
+
+def _promised(place: NDArray[np.float64]) -> bool:
+    """Whether picks are promised to work there."""
+    return bool(CUP_AHEAD_M[0] <= place[0] <= CUP_AHEAD_M[1] and abs(place[1]) <= CUP_ASIDE_M)
 
 
 def _free(bench: FaultBench, place: NDArray[np.float64], height_m: float) -> bool:
