@@ -60,9 +60,13 @@ class FakeRobot:
         """
         if setpoint.q.shape != self._q.shape or not np.isfinite(setpoint.q).all():
             raise SetpointRefusedError(f"a setpoint needs {len(self._q)} finite positions")
+        self.be_at(setpoint.q, setpoint.v)
+
+    def be_at(self, q: Array, v: Array | None = None) -> None:
+        """Put all joints that are not stuck at ``q``, rad, with speeds ``v``, rad/s, shape (n,) each."""
         free = np.array([name not in self.stuck for name in self._description.actuated])
-        self._q = np.where(free, setpoint.q, self._q)
-        self._v = np.where(free, setpoint.v, 0.0)
+        self._q = np.where(free, q, self._q)
+        self._v = np.where(free, 0.0 if v is None else v, 0.0)
 
     def advance(self, period_s: float) -> None:
         """Nothing to do: there is no physics."""

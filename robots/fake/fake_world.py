@@ -21,7 +21,6 @@ from robots.fake.fake_planning import FakePlanning
 from robots.fake.fake_robot import FakeRobot
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
-from robots.interface import JointSetpoint
 from robots.perception.truth_view import TrueObject
 from robots.sensed_state import SensedState
 
@@ -63,7 +62,6 @@ class FakeWorld:
         self.planning = FakePlanning(model, self.clock, check)
         self.sensing = StateHistory(self._sense(), period_s)
         self._period_s = period_s
-        self._sequence = 0
 
     def step(self) -> None:
         """Let one period pass."""
@@ -71,18 +69,16 @@ class FakeWorld:
         self.motion.advance()
         for gripper in self.grippers.values():
             gripper.advance(self._period_s)
-        self._command()
+        self._follow()
         self.sensing.add(self._sense())
         self.world.carry()
         self.detector.advance()
 
-    def _command(self) -> None:
+    def _follow(self) -> None:
+        """Put the robot where motion and grippers have it; there is no control loop in between."""
         fingers = [self.grippers[hand].position_rad for hand in HANDS]
-        q = np.concatenate([self.motion.reference()[7:], fingers])
-        self._sequence += 1
-        zero = np.zeros_like(q)
-        self.robot.command(JointSetpoint(self.clock.now_s(), self._sequence, "fake", q, zero, zero))
-        self.robot.effort = zero.copy()
+        self.robot.be_at(np.concatenate([self.motion.reference()[7:], fingers]))
+        self.robot.effort = np.zeros(len(self.model.description.actuated))
         self.robot.effort[-len(HANDS) :] = [self.grippers[hand].effort_nm for hand in HANDS]
 
     def _sense(self) -> SensedState:

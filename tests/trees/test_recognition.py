@@ -16,8 +16,8 @@ def sighting(*at, kind="cup", color="red"):
     return ObjectEstimate("object", kind, color, poses.translation(*at), CUP, 0.9, 8, 0.003)
 
 
-def find(*estimates, scene=PlanningScene()):
-    return nearest_sighting(TARGET, np.array(PLACE), estimates, scene, 0.05)
+def find(*estimates, scene=None):
+    return nearest_sighting(TARGET, np.array(PLACE), estimates, scene or PlanningScene(), 0.05)
 
 
 def test_the_nearest_of_its_kind_and_colour_is_it():

@@ -1,0 +1,42 @@
+"""The fake robot in front of a table with a cup."""
+
+import pytest
+
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import CheckedTrajectory
+from robots.description import load_description
+from robots.fake.fake_world import FakeWorld, cup, table
+
+
+def believed(request):
+    """What a checker that finds nothing would answer; only tests may make one up."""
+    checked = object.__new__(CheckedTrajectory)
+    for name, value in {"trajectory": request.trajectory, "scene_version": request.scene.version}.items():
+        object.__setattr__(checked, name, value)
+    return checked
+
+
+@pytest.fixture(scope="session")
+def model():
+    return RobotModel(load_description("talos"))
+
+
+@pytest.fixture
+def fake(model):
+    world = FakeWorld(model, believed, [table(), cup()])
+    world.step()
+    return world
+
+
+@pytest.fixture
+def play(fake):
+    """Carry a handle out to its end."""
+
+    def until_finished(handle):
+        for _ in range(500):
+            if handle.finished:
+                return handle
+            fake.step()
+        raise AssertionError(f"{handle.name} never ended")
+
+    return until_finished
