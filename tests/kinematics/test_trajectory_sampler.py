@@ -82,3 +82,18 @@ def test_a_slower_clock_scales_speeds_and_accelerations(swaying):
 
     np.testing.assert_allclose(half.v[6:], 0.5 * full.v[6:])
     np.testing.assert_allclose(half.a[6:], 0.25 * full.a[6:])
+
+
+def test_the_acceleration_of_a_turning_base_is_the_change_of_its_twist(talos):
+    # On a circle of 1 m at 1 rad/s the base's own velocity is steady while it speeds up along it.
+    t = np.linspace(0.0, 0.5, 51)
+    angle = t + 0.5 * t * t
+    q, v = np.repeat(talos.q_home[None], len(t), axis=0), np.zeros((len(t), talos.nv))
+    q[:, 0], q[:, 1] = np.cos(angle), np.sin(angle)
+    q[:, 5], q[:, 6] = np.sin(angle / 2), np.cos(angle / 2)
+    v[:, 1] = v[:, 5] = 1.0 + t
+    sampler = TrajectorySampler(Trajectory(talos.joints, stance_at(talos, talos.q_home), t, q, v))
+
+    for moment in (0.105, 0.275, 0.425):
+        np.testing.assert_allclose(sampler.at(moment).v[:6], (0, 1 + moment, 0, 0, 0, 1 + moment), atol=1e-4)
+        np.testing.assert_allclose(sampler.at(moment).a[:6], (0, 1, 0, 0, 0, 1), atol=5e-3)
