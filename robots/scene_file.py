@@ -302,6 +302,10 @@ def _shape(reader: _Reader, kind: str) -> tuple[Shape, tuple[str, ...]]:
     return Box((x, y, z)), ("size_m",)
 
 
+# An object may reach over an edge, with its centre this share of its base's half-width inside.
+STANDING_SHARE = 0.3
+
+
 def _place(reader: _Reader, shape: Shape, pieces: tuple[Furniture, ...]) -> Transform:
     """``world_T_object`` of an object on furniture, or free with the position of its centre."""
     turn = poses.rotation_z(reader.number("yaw_rad", 0.0))
@@ -314,9 +318,10 @@ def _place(reader: _Reader, shape: Shape, pieces: tuple[Furniture, ...]) -> Tran
     x, y = reader.numbers("position_m", 2)
     depth, width, _ = carrier.size_m
     reach_x, reach_y = _base_reach(shape, turn)
+    reach_x, reach_y = STANDING_SHARE * reach_x, STANDING_SHARE * reach_y
     if abs(x) + reach_x > 0.5 * depth + 1e-9 or abs(y) + reach_y > 0.5 * width + 1e-9:
         room = f"{depth:g} x {width:g} m, the origin of position_m in its centre"
-        raise reader.fail("position_m", f"does not stand whole on {name!r} ({room})")
+        raise reader.fail("position_m", f"would tip off the edge of {name!r} ({room})")
     return furniture.top_pose(carrier) @ poses.transform(turn, (x, y, 0.5 * shape.height_m))
 
 
