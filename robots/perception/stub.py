@@ -18,6 +18,7 @@ import math
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import groupby
 
 import numpy as np
@@ -29,8 +30,8 @@ from kinematics.robot_description import CameraDescription
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
-from robots.perception.surface import surface_points
 from robots.perception.truth_view import TrueObject, TruthView
 from robots.scene_description import PerceptionModel
 
@@ -54,7 +55,7 @@ class _Episode:
     """What is drawn once: the error of one object or piece of furniture."""
 
     bias_m: Array
-    scale: Array
+    scale: tuple[float, float, float]
 
 
 class PerceptionStub:
@@ -81,7 +82,7 @@ class PerceptionStub:
         self._model = model
         self._clock = clock
         self._episode_rng, self._frame_rng, self._false_rng = rng.spawn(3)
-        self._tan = math.tan(0.5 * camera.horizontal_fov_rad), math.tan(0.5 * camera.vertical_fov_rad)
+        self._sight = Sight(truth, camera)
         self._episodes: dict[str, _Episode] = {}
         for solid in truth.solids():
             self._episode(solid)
@@ -117,58 +118,27 @@ class PerceptionStub:
         detections: list[Detection] = []
         if not self.faults.blind:
             seen = self._merge(list(self._seen(world_T_camera)))
-            camera_T_world = poses.inverse(world_T_camera)
-            # one draw a frame, a row for each detection: position, orientation, confidence
-            noise = self._frame_rng.standard_normal((len(seen), 7))
-            detections = [
-                self._detect(solid, share, stamp_s, camera_T_world, row)
-                for (solid, share), row in zip(seen, noise, strict=True)
-            ]
+            detections = self._detect(seen, stamp_s, world_T_camera)
             detections += self._false_detections(world_T_camera)
         return PerceptionFrame(stamp_s, self._pictures, tuple(detections))
 
     def _seen(self, world_T_camera: Transform) -> Iterable[tuple[TrueObject, float]]:
         """Solids that the camera sees in this frame, with the share of each that is in sight."""
-        for _, members in groupby(self._truth.solids(), key=_piece):
-            solids = list(members)
-            if solids[0].category == "object":
-                share = self._share_in_sight(solids[0], world_T_camera)
-                needed = self._model.min_visible
-            else:
-                # the largest face first: mostly one question is enough
-                ordered = sorted(solids, key=lambda solid: -_extent(solid.shape))
-                needed = _FURNITURE_MIN_VISIBLE
-                share = next(
-                    (s for s in (self._share_in_sight(x, world_T_camera) for x in ordered) if s >= needed),
-                    0.0,
-                )
+        pieces = [list(members) for _, members in groupby(self._truth.solids(), key=_piece)]
+        # of furniture the largest face first: mostly that one question is enough
+        first = [max(solids, key=_area) for solids in pieces]
+        for solids, tried, share in zip(
+            pieces, first, self._sight.shares(first, world_T_camera), strict=True
+        ):
+            needed = self._model.min_visible if tried.category == "object" else _FURNITURE_MIN_VISIBLE
+            if share < needed and len(solids) > 1:
+                rest = [solid for solid in solids if solid is not tried]
+                share = max(self._sight.shares(rest, world_T_camera))
             if share < needed or share == 0.0:
                 continue
             if self._frame_rng.random() >= self._model.dropout:
                 for solid in solids:
                     yield solid, share
-
-    def _share_in_sight(self, solid: TrueObject, world_T_camera: Transform) -> float:
-        points, normals = surface_points(solid.shape)
-        rotation, position = solid.world_T_object[:3, :3], solid.world_T_object[:3, 3]
-        eye = rotation.T @ (world_T_camera[:3, 3] - position)
-        facing = np.einsum("ij,ij->i", normals, eye - points) > 0.0
-        count = int(facing.sum())
-        if count == 0:
-            return 0.0
-        world = points[facing] @ rotation.T + position
-        inside = self._in_view((world - world_T_camera[:3, 3]) @ world_T_camera[:3, :3])
-        if not inside.any():
-            return 0.0
-        return float(self._truth.visible(solid.name, world[inside]).sum()) / count
-
-    def _in_view(self, camera_points: Array) -> NDArray[np.bool_]:
-        x, y, z = camera_points.T
-        near, far = self._camera.range_m
-        inside: NDArray[np.bool_] = (
-            (z >= near) & (z <= far) & (np.abs(x) <= self._tan[0] * z) & (np.abs(y) <= self._tan[1] * z)
-        )
-        return inside
 
     def _merge(self, seen: list[tuple[TrueObject, float]]) -> list[tuple[TrueObject, float]]:
         """Replace pairs of nearly touching objects by one that covers both, by chance."""
@@ -184,30 +154,40 @@ class PerceptionStub:
         return seen
 
     def _detect(
-        self, solid: TrueObject, share: float, stamp_s: float, camera_T_world: Transform, noise: Array
-    ) -> Detection:
-        episode, model = self._episode(solid), self._model
-        world_T_object = solid.world_T_object.copy()
-        world_T_object[:3, 3] += episode.bias_m + model.noise_m * noise[:3]
-        world_T_object[:3, 3] += self.faults.offset_m(solid.category, solid.kind, stamp_s)
-        turn = poses.rotation_from_vector(model.orientation_noise_rad * noise[3:6])
-        world_T_object[:3, :3] = world_T_object[:3, :3] @ turn
-        camera_T_object = camera_T_world @ world_T_object
-        return Detection(
-            category=solid.category,
-            kind=solid.kind,
-            color=self.faults.color_of(solid.category, solid.kind, solid.color),
-            camera_T_object=camera_T_object,
-            shape=_scaled(solid.shape, episode.scale),
-            confidence=self._confidence(camera_T_object, share, float(noise[6])),
-        )
+        self, seen: list[tuple[TrueObject, float]], stamp_s: float, world_T_camera: Transform
+    ) -> list[Detection]:
+        """Spoil what is seen; all of a frame together, because it is done thirty times a second."""
+        if not seen:
+            return []
+        model, solids = self._model, [solid for solid, _ in seen]
+        # a row for each detection: position, orientation, confidence
+        noise = self._frame_rng.standard_normal((len(seen), 7))
+        world_T_object = np.array([solid.world_T_object for solid in solids])
+        world_T_object[:, :3, 3] += model.noise_m * noise[:, :3]
+        world_T_object[:, :3, 3] += [
+            self._episode(solid).bias_m + self.faults.offset_m(solid.category, solid.kind, stamp_s)
+            for solid in solids
+        ]
+        world_T_object[:, :3, :3] @= _turns(model.orientation_noise_rad * noise[:, 3:6])
+        camera_T_object = poses.inverse(world_T_camera) @ world_T_object
+        return [
+            Detection(
+                category=solid.category,
+                kind=solid.kind,
+                color=self.faults.color_of(solid.category, solid.kind, solid.color),
+                camera_T_object=pose,
+                shape=_resized(solid.shape, self._episode(solid).scale),
+                confidence=self._confidence(pose, share, float(row[6])),
+            )
+            for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
+        ]
 
     def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""
         x, y, z = (float(value) for value in camera_T_object[:3, 3])
         distance = math.hypot(x, y, z)
         depth = max(z, 1e-6)
-        off_axis = max(abs(x) / (self._tan[0] * depth), abs(y) / (self._tan[1] * depth))
+        off_axis = max(abs(x) / (self._sight.tan[0] * depth), abs(y) / (self._sight.tan[1] * depth))
         value: float = 0.98 * (1.0 - 0.05 * max(0.0, distance - 1.0)) * (0.6 + 0.4 * share)
         value *= 1.0 - 0.1 * min(max(off_axis - 0.7, 0.0) / 0.3, 1.0)
         return min(max(value + 0.01 * noise, 0.0), 1.0)
@@ -218,7 +198,7 @@ class PerceptionStub:
         detections = []
         for _ in range(int(rng.poisson(self._model.false_rate))):
             depth = rng.uniform(max(0.5, self._camera.range_m[0]), min(2.0, self._camera.range_m[1]))
-            across = rng.uniform(-0.9, 0.9, 2) * self._tan * np.array([depth, depth])
+            across = rng.uniform(-0.9, 0.9, 2) * self._sight.tan * np.array([depth, depth])
             kind, shape = _FALSE_KINDS[int(rng.integers(len(_FALSE_KINDS)))]
             upright = world_T_camera[:3, :3].T @ poses.rotation_z(rng.uniform(-math.pi, math.pi))
             detections.append(
@@ -236,11 +216,9 @@ class PerceptionStub:
     def _episode(self, solid: TrueObject) -> _Episode:
         name = _piece(solid)
         if name not in self._episodes:
-            rng = self._episode_rng
-            self._episodes[name] = _Episode(
-                bias_m=rng.normal(0.0, self._model.bias_m, 3),
-                scale=1.0 + rng.normal(0.0, self._model.size_noise, 3),
-            )
+            bias_m = self._episode_rng.normal(0.0, self._model.bias_m, 3)
+            x, y, z = (1.0 + self._episode_rng.normal(0.0, self._model.size_noise, 3)).tolist()
+            self._episodes[name] = _Episode(bias_m, (x, y, z))
         return self._episodes[name]
 
 
@@ -249,8 +227,9 @@ def _piece(solid: TrueObject) -> str:
     return solid.name if solid.category == "object" else solid.name.split("/", 1)[0]
 
 
-def _extent(shape: Shape) -> float:
-    """Largest horizontal area, to ask the most telling solid first."""
+def _area(solid: TrueObject) -> float:
+    """Horizontal area, to ask the most telling solid of a piece first."""
+    shape = solid.shape
     if isinstance(shape, Box):
         return shape.size_m[0] * shape.size_m[1]
     return math.pi * shape.radius_m**2
@@ -283,10 +262,23 @@ def _cover(a: TrueObject, b: TrueObject) -> TrueObject:
     return replace(large, shape=shape, world_T_object=middle)
 
 
-def _scaled(shape: Shape, scale: Array) -> Shape:
+def _turns(vectors_rad: Array) -> Array:
+    """Rotations of small rotation vectors, shape (n, 3), as matrices, shape (n, 3, 3), by Rodrigues."""
+    angle = np.linalg.norm(vectors_rad, axis=1)[:, None, None]
+    x, y, z = vectors_rad.T
+    skew = np.zeros((len(vectors_rad), 3, 3))
+    skew[:, 0, 1], skew[:, 0, 2], skew[:, 1, 2] = -z, y, -x
+    skew[:, 1, 0], skew[:, 2, 0], skew[:, 2, 1] = z, -y, x
+    half = np.sinc(angle / (2.0 * np.pi))
+    turns: Array = np.eye(3) + np.sinc(angle / np.pi) * skew + 0.5 * half * half * (skew @ skew)
+    return turns
+
+
+@lru_cache(maxsize=256)
+def _resized(shape: Shape, scale: tuple[float, float, float]) -> Shape:
     if isinstance(shape, Box):
-        x, y, z = (float(a * b) for a, b in zip(shape.size_m, scale, strict=True))
+        x, y, z = (a * b for a, b in zip(shape.size_m, scale, strict=True))
         return Box((x, y, z))
     if isinstance(shape, Cylinder):
-        return Cylinder(float(shape.radius_m * scale[0]), float(shape.height_m * scale[2]))
-    return Ball(float(shape.radius_m * scale[0]))
+        return Cylinder(shape.radius_m * scale[0], shape.height_m * scale[2])
+    return Ball(shape.radius_m * scale[0])
