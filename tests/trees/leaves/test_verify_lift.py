@@ -99,16 +99,22 @@ def test_a_lift_that_is_too_low_does_not_count(knowing, planned, target):
 
 def test_one_doubtful_reading_does_not_count(lifted):
     hand = lifted.fake.grippers["right"]
-
-    def falter():
-        hand.effort_nm = -0.1
-
-    def recover():
-        hand.effort_nm = -3.5
-
-    lifted.leaf.toolbox.grippers["right"]._lost = lambda name: False
-    falter()
+    hand._lost = lambda name: False
+    hand.effort_nm = -0.1
     lifted.tick(lifted.leaf)
-    recover()
+    hand.effort_nm = -3.5
 
     assert verify(lifted) is Status.SUCCESS
+
+
+@pytest.mark.requirement("M2")
+def test_a_doubtful_reading_at_the_end_of_the_hold_is_waited_out(lifted):
+    hand = lifted.fake.grippers["right"]
+    hand._lost = lambda name: False
+    ticks_of_the_hold = round(lifted.toolbox.policy.hold_s / 0.02)
+
+    def lose_effort():
+        hand.effort_nm = -0.1
+
+    assert verify(lifted, ticks_of_the_hold, lose_effort) is Status.FAILURE
+    assert lifted.leaf.failure.message == "the red cup was lost after the lift"
