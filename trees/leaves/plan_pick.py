@@ -7,7 +7,7 @@ from typing import Any
 from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
-from kinematics.robot_description import HANDS
+from kinematics.robot_description import HANDS, Hand
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.job_leaf import JobLeaf
@@ -15,6 +15,9 @@ from trees.plan_failures import no_plan_failure
 from trees.ports import ports
 from trees.steps import Step, Target
 from trees.tasks import PickTask
+
+# So many grasps of one hand in vain, and it is the other one's turn.
+_GRASPS_A_HAND = 2
 
 
 class PlanPick(JobLeaf):
@@ -32,16 +35,16 @@ class PlanPick(JobLeaf):
     )
 
     def request(self) -> PickRequest:
-        """Either hand, unless the task names one; no grasp that was tried in vain."""
-        toolbox, task = self.toolbox, self.get_input("task")
+        """Either hand, unless one is named or has failed enough; no grasp that was tried in vain."""
+        toolbox, task, tried = self.toolbox, self.get_input("task"), self.get_input("tried")
         self._world_version = toolbox.world.scene.version
         return PickRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
             target=self.get_input("target").name,
-            hands=HANDS if task.hand is None else (task.hand,),
-            excluded=self.get_input("tried"),
+            hands=hands_to_try(task.hand, tried),
+            excluded=tried,
             lift_m=toolbox.policy.lift_m,
             seed=int(toolbox.rng.integers(2**31)),
         )
@@ -61,3 +64,17 @@ class PlanPick(JobLeaf):
 
     def _versioned(self, step: PlannedStep) -> Step:
         return Step(step.name, step.trajectory, step.scene, self._world_version)
+
+
+def hands_to_try(named: Hand | None, tried: frozenset[str]) -> tuple[Hand, ...]:
+    """Which hands the planner may use.
+
+    Args:
+        named: The hand that the task asks for, or None.
+        tried: Grasps that were tried in vain, as "hand label".
+    """
+    if named is not None:
+        return (named,)
+    failed = {hand: sum(key.startswith(f"{hand} ") for key in tried) for hand in HANDS}
+    rested = tuple(hand for hand in HANDS if failed[hand] < _GRASPS_A_HAND)
+    return rested or HANDS

@@ -3,7 +3,7 @@ from py_trees.common import Status
 
 from kinematics.requests import NoPlan
 from trees.failures import FailureKind
-from trees.leaves.plan_pick import PlanPick
+from trees.leaves.plan_pick import PlanPick, hands_to_try
 from trees.tasks import ObjectDescription, PickTask
 
 TASK = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
@@ -74,3 +74,18 @@ def test_an_answer_to_another_question_is_a_defect(knowing, target):
     leaf, _ = plan(knowing, target)
 
     assert leaf.failure.message == "TypeError: the planner answered int to a pick"
+
+
+@pytest.mark.requirement("M5")
+@pytest.mark.parametrize(
+    ("named", "tried", "hands"),
+    [
+        (None, (), {"left", "right"}),
+        (None, ("right side",), {"left", "right"}),
+        (None, ("right side", "right top"), {"left"}),
+        (None, ("right side", "right top", "left side", "left top"), {"left", "right"}),
+        ("right", ("right side", "right top"), {"right"}),
+    ],
+)
+def test_a_hand_that_failed_twice_leaves_its_turn_to_the_other(named, tried, hands):
+    assert set(hands_to_try(named, frozenset(tried))) == hands
