@@ -45,7 +45,6 @@ class StandingDynamics:
         self._chains = [_chain_columns(model, frame) for frame, _ in stance.soles]
         self._rest_v = np.zeros(model.nv)
         self._rest_a = np.zeros(model.nv)
-        self._net = np.empty(6)
 
     def holding_efforts(self, q: Array) -> Array:
         """Efforts that hold a configuration, Nm, shape (n,), order of ``q[7:]``."""
@@ -63,23 +62,12 @@ class StandingDynamics:
         jacobian = pin.computeJointJacobians(self._model, self._data, q)
         efforts: Array = generalized[6:]
         efforts += self._armature * a[6:]
-        wrenches = self._to_soles @ self._at_origin(generalized[:6])
+        # The free-flyer's generalized force, moved to the world's origin and turned into world axes.
+        net = self._data.oMi[1].act(pin.Force(generalized[:6]))
+        wrenches = self._to_soles @ net.vector
         for k, (columns, rows) in enumerate(self._chains):
             efforts[rows] -= jacobian[:, columns].T @ wrenches[6 * k : 6 * k + 6]
         return efforts
-
-    def _at_origin(self, base_wrench: Array) -> Array:
-        """Turn the free-flyer's generalized force into a wrench at the world's origin, in world axes."""
-        base = self._data.oMi[1]
-        rotation, (x, y, z) = base.rotation, base.translation
-        force, moment = rotation @ base_wrench[:3], rotation @ base_wrench[3:]
-        fx, fy, fz = force
-        net = self._net
-        net[:3] = force
-        net[3] = moment[0] + y * fz - z * fy
-        net[4] = moment[1] + z * fx - x * fz
-        net[5] = moment[2] + x * fy - y * fx
-        return net
 
 
 def _wrench_distribution(stance: Stance) -> Array:

@@ -110,22 +110,31 @@ class BaseEstimator:
         base_T_soles = [pin.updateFramePlacement(self._model, self._data, i) for i in self._sole_ids]
         base_R_imu = pin.updateFramePlacement(self._model, self._data, self._imu_id).rotation
         weights = self._weights(foot_wrench)
-        flat_soled = _blend_rotations(
-            weights,
-            [
-                anchor.rotation @ base_T_sole.rotation.T
-                for anchor, base_T_sole in zip(self._anchors, base_T_soles, strict=True)
-            ],
-        )
-        self._advance_tilt(stamp_s, flat_soled @ base_R_imu, gyro_rad_s, accelerometer_m_s2)
-        rotation = pin.exp3(self.tilt_rad) @ flat_soled
+        flat_soled, pivot = self._flat_soled(weights, base_T_soles)
+        self._advance_tilt(stamp_s, flat_soled.rotation @ base_R_imu, gyro_rad_s, accelerometer_m_s2)
+        # The soles tip where they carry, and take the base with them.
+        tip = pin.exp3(self.tilt_rad)
+        odom_T_base = pin.SE3(tip, pivot - tip @ pivot) * flat_soled
         estimate: Array = q.copy()
-        estimate[:3] = 0.0
-        for weight, anchor, base_T_sole in zip(weights, self._anchors, base_T_soles, strict=True):
-            if weight > 0.0:
-                estimate[:3] += weight * (anchor.translation - rotation @ base_T_sole.translation)
-        estimate[3:7] = pin.Quaternion(rotation).coeffs()
+        estimate[:7] = pin.SE3ToXYZQUAT(odom_T_base)
         return estimate
+
+    def _flat_soled(self, weights: list[float], base_T_soles: list[pin.SE3]) -> tuple[pin.SE3, Array]:
+        """Where the base would be with flat soles, and the point between the soles that carries.
+
+        Soles that disagree (by the encoders' noise) are blended by weight.
+        """
+        base: pin.SE3 | None = None
+        pivot = np.zeros(3)
+        taken = 0.0
+        for weight, anchor, base_T_sole in zip(weights, self._anchors, base_T_soles, strict=True):
+            if weight <= 0.0:
+                continue
+            taken += weight
+            pivot += weight * anchor.translation
+            candidate = anchor * base_T_sole.inverse()
+            base = candidate if base is None else pin.SE3.Interpolate(base, candidate, weight / taken)
+        return base, pivot
 
     def _weights(self, foot_wrench: Array) -> list[float]:
         """Share of each sole in the answer: by normal force; all alike when none is felt."""
@@ -156,31 +165,8 @@ class BaseEstimator:
                 seen - self.gravity_tilt_rad
             )
         # What the gyro felt beyond the turn that the joints explain is a turn of the soles.
-        unexplained = odom_R_imu @ (gyro_rad_s * dt - _small_turn(last[1].T @ odom_R_imu))
+        unexplained = odom_R_imu @ (gyro_rad_s * dt - pin.log3(last[1].T @ odom_R_imu))
         share = settings.gravity_share if any(self.carrying) else 1.0
         tilt = self.tilt_rad + unexplained
         returning = min(1.0, dt / settings.kinematics_time_s)
         self.tilt_rad = tilt + returning * (share * self.gravity_tilt_rad - tilt)
-
-
-def _blend_rotations(weights: list[float], rotations: list[Array]) -> Array:
-    """Weighted mean of rotations that lie close together; weights sum to one."""
-    mean: Array | None = None
-    sum_of_weights = 0.0
-    for weight, rotation in zip(weights, rotations, strict=True):
-        if weight <= 0.0:
-            continue
-        sum_of_weights += weight
-        if mean is None:
-            mean = rotation
-        else:
-            mean = mean @ pin.exp3(weight / sum_of_weights * _small_turn(mean.T @ rotation))
-    if mean is None:
-        raise KinematicsError("no sole has a weight")
-    return mean
-
-
-def _small_turn(rotation: Array) -> Array:
-    """Rotation vector of a rotation near the identity (error of third order), rad, shape (3,)."""
-    (_, r01, r02), (r10, _, r12), (r20, r21, _) = rotation.tolist()
-    return np.array([0.5 * (r21 - r12), 0.5 * (r02 - r20), 0.5 * (r10 - r01)])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.trajectory import Trajectory
@@ -61,6 +62,8 @@ class TrajectorySampler:
         self._blocks[:, 0, n + 3 :] = linear[:-1]
         self._blocks[:, 1, n + 3 :] = np.diff(linear, axis=0)
         self._segment = 0
+        self._powers = np.zeros((3, 4))
+        self._powers[0, 0] = 1.0
 
     @property
     def duration_s(self) -> float:
@@ -79,14 +82,27 @@ class TrajectorySampler:
         segment = self._find(t_s)
         per_s = 1.0 / float(self._h_s[segment])
         u = (t_s - float(self._t_s[segment])) * per_s
-        powers = np.array(
-            [
-                [1.0, u, u * u, u * u * u],
-                [0.0, per_s, 2.0 * u * per_s, 3.0 * u * u * per_s],
-                [0.0, 0.0, 2.0 * per_s * per_s, 6.0 * u * per_s * per_s],
-            ]
-        )
-        return self._assemble(powers @ self._blocks[segment], rate, rate_slope)
+        powers = self._powers
+        powers[0, 1:] = u, u * u, u * u * u
+        powers[1, 1:] = per_s, 2.0 * u * per_s, 3.0 * u * u * per_s
+        powers[2, 2:] = 2.0 * per_s * per_s, 6.0 * u * per_s * per_s
+        value, slope, curve = powers @ self._blocks[segment]
+        n = self._joints
+        q, v, a = np.empty(n + 7), np.empty(n + 6), np.empty(n + 6)
+        orientation = pin.Quaternion(value[n + 3 : n + 7])
+        orientation.normalize()
+        q[:3], q[3:7], q[7:] = value[:3], orientation.coeffs(), value[3 : n + 3]
+        v[3:6], v[6:] = value[n + 7 :], slope[3 : n + 3]
+        a[3:6], a[6:] = slope[n + 7 :], curve[3 : n + 3]
+        # The base's polynomial is in world axes, its twist in its own.
+        rotation = orientation.matrix()
+        v[:3], a[:3] = slope[:3] @ rotation, curve[:3] @ rotation
+        a *= rate * rate
+        a += rate_slope * v
+        v *= rate
+        vx, vy, vz, wx, wy, wz = v[:6].tolist()
+        a[:3] -= (wy * vz - wz * vy, wz * vx - wx * vz, wx * vy - wy * vx)
+        return MotionSample(q, v, a)
 
     def many(self, t_s: Array, rate: Array, rate_slope: Array) -> MotionSample:
         """Evaluate at many times, shape (k,) each; the arrays of the answer have k rows."""
@@ -99,27 +115,19 @@ class TrajectorySampler:
         powers[:, 0] = np.stack([np.ones_like(u), u, u**2, u**3], axis=1)
         powers[:, 1, 1:] = np.stack([per_s, 2.0 * u * per_s, 3.0 * u**2 * per_s], axis=1)
         powers[:, 2, 2:] = np.stack([2.0 * per_s**2, 6.0 * u * per_s**2], axis=1)
-        return self._assemble(powers @ self._blocks[segments], rate[:, None], rate_slope[:, None])
-
-    def _assemble(self, rows: Array, rate: float | Array, rate_slope: float | Array) -> MotionSample:
-        """Put values, slopes and curvatures, shape (..., 3, m), in the order of q, v and a."""
-        n = self._joints
-        value, slope, curve = rows[..., 0, :], rows[..., 1, :], rows[..., 2, :]
-        shape = rows.shape[:-2]
-        q, v, a = np.empty((*shape, n + 7)), np.empty((*shape, n + 6)), np.empty((*shape, n + 6))
-        quaternion = value[..., n + 3 : n + 7]
-        quaternion = quaternion / np.sqrt(np.sum(quaternion * quaternion, axis=-1, keepdims=True))
-        q[..., :3], q[..., 3:7], q[..., 7:] = value[..., :3], quaternion, value[..., 3 : n + 3]
-        omega = value[..., n + 7 :]
-        v[..., :3], v[..., 3:6], v[..., 6:] = slope[..., :3], omega, slope[..., 3 : n + 3]
-        a[..., :3], a[..., 3:6], a[..., 6:] = curve[..., :3], slope[..., n + 7 :], curve[..., 3 : n + 3]
-        a *= rate * rate
-        a += rate_slope * v
+        rows = powers @ self._blocks[segments]
+        value, slope, curve = rows[:, 0], rows[:, 1], rows[:, 2]
+        n, rate, rate_slope = self._joints, rate[:, None], rate_slope[:, None]
+        quaternion = value[:, n + 3 : n + 7]
+        quaternion = quaternion / np.linalg.norm(quaternion, axis=1, keepdims=True)
+        q = np.hstack([value[:, :3], quaternion, value[:, 3 : n + 3]])
+        own_axes = quaternion * _CONJUGATE
+        twist = np.hstack([_rotate(own_axes, slope[:, :3]), value[:, n + 7 :]])
+        v = np.hstack([twist, slope[:, 3 : n + 3]])
+        linear, angular = _rotate(own_axes, curve[:, :3]), slope[:, n + 7 :]
+        a = rate * rate * np.hstack([linear, angular, curve[:, 3 : n + 3]]) + rate_slope * v
         v *= rate
-        if v[..., :3].any() or a[..., :3].any():
-            conjugate = quaternion * _CONJUGATE
-            v[..., :3] = _rotate(conjugate, v[..., :3])
-            a[..., :3] = _rotate(conjugate, a[..., :3]) - np.cross(v[..., 3:6], v[..., :3])
+        a[:, :3] -= np.cross(v[:, 3:6], v[:, :3])
         return MotionSample(q, v, a)
 
     def _find(self, t_s: float) -> int:
@@ -135,8 +143,8 @@ class TrajectorySampler:
 
 
 def _rotate(xyzw: Array, vectors: Array) -> Array:
-    """Rotate vectors, shape (..., 3), by unit quaternions, shape (..., 4)."""
-    axis, w = xyzw[..., :3], xyzw[..., 3:]
+    """Rotate vectors, shape (k, 3), by unit quaternions, shape (k, 4)."""
+    axis, w = xyzw[:, :3], xyzw[:, 3:]
     twice = 2.0 * np.cross(axis, vectors)
     return np.asarray(vectors + w * twice + np.cross(axis, twice), dtype=np.float64)
 

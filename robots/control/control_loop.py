@@ -20,7 +20,8 @@ from robots.control.events import ControlSink, SetpointRefused, StopStarted
 from robots.control.grip_keeper import GripKeeper
 from robots.control.gripper_control import GripperControl
 from robots.control.motion_handle import MotionStatus
-from robots.control.motion_streamer import MotionStreamer, Proposal
+from robots.control.motion_streamer import MotionStreamer
+from robots.control.proposal import Proposal
 from robots.control.refusal import Refusal
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +10,6 @@ from numpy.typing import NDArray
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory, Stance
-from kinematics.trajectory_sampler import MotionSample
 from robots.clock import Clock
 from robots.control.authority import STOP, Authority, together
 from robots.control.body_track import BodyTrack
@@ -21,29 +19,11 @@ from robots.control.guarded_motion import GuardedMotion
 from robots.control.guarded_track import GuardedTrack
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_start import lead_in, why_not
+from robots.control.proposal import Proposal
 from robots.control.refusal import Limit, Refusal
 from robots.interface import RobotState
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True)
-class Proposal:
-    """What the streamer wants the robot to follow next.
-
-    Attributes:
-        owner: Who moves something in it.
-        q, v: Setpoint of the actuated joints, shape (n,).
-        body: The same with base and accelerations, for the feed-forward.
-        refusal: The online checker's, when a guarded motion broke its promise; then the rest is
-            not to be used.
-    """
-
-    owner: str
-    q: Array
-    v: Array
-    body: MotionSample
-    refusal: Refusal | None = None
 
 
 class MotionStreamer:

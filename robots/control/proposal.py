@@ -1,0 +1,32 @@
+"""What is meant to be commanded next, before it has been judged."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.trajectory_sampler import MotionSample
+from robots.control.refusal import Refusal
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """What the streamer wants the robot to follow next.
+
+    Attributes:
+        owner: Who moves something in it.
+        q, v: Setpoint of the actuated joints, shape (n,).
+        body: The same with base and accelerations, for the feed-forward.
+        refusal: The online checker's, when a guarded motion broke its promise; then the rest is
+            not to be used.
+    """
+
+    owner: str
+    q: Array
+    v: Array
+    body: MotionSample
+    refusal: Refusal | None = None
