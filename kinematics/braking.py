@@ -6,6 +6,7 @@ import numpy as np
 import ruckig
 from numpy.typing import NDArray
 
+from kinematics.check_settings import DEFAULT_SETTINGS
 from kinematics.errors import InvalidMotionError
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 
@@ -13,11 +14,9 @@ Array = NDArray[np.float64]
 
 _FASTEST_BRAKE_1_S2 = 40.0
 """Largest slope of the rate: from full speed to rest in 25 ms, sooner than any joint could follow."""
-_SOFTER = (1.0, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.12, 0.08, 0.05)
-"""Shares of the hardest brake that are tried in turn."""
+_SHARES = (1.0, 0.75, 0.55, 0.4, 0.28, 0.18, 0.1)
+"""Shares of the hardest slope and of its hardest change that are tried, the quickest pair first."""
 _MOVING_RAD_S = 1e-9
-_LIMIT_TOLERANCE = 1e-6
-"""Relative; the profile is meant to reach the limits, rounding must not refuse it."""
 
 
 def brake_along(
@@ -42,8 +41,11 @@ def brake_along(
     speed = np.maximum(np.abs(here.v[6:]), _MOVING_RAD_S)
     hardest = min(_FASTEST_BRAKE_1_S2, float(np.min(acceleration / speed)))
     hardest_jerk = float(np.min(jerk / speed))
-    for share in _SOFTER:
-        passed, rate, slope = _brake_rate(share * hardest, share * hardest_jerk, period_s)
+    pairs = [(a * hardest, j * hardest_jerk) for a in _SHARES for j in _SHARES]
+    for slope_limit, jerk_limit in sorted(pairs, key=_brake_time_s):
+        if t_s + 0.5 * _brake_time_s((slope_limit, jerk_limit)) > sampler.duration_s:
+            break  # a brake takes half its time of the path, and all that follow take longer
+        passed, rate, slope = _brake_rate(slope_limit, jerk_limit, period_s)
         if t_s + passed[-1] > sampler.duration_s:
             continue
         motion = sampler.many(t_s + passed, rate, slope)
@@ -53,10 +55,19 @@ def brake_along(
 
 
 def _holds(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
-    if np.any(np.abs(a) > acceleration * (1.0 + _LIMIT_TOLERANCE)):
+    # As much room as the checker gives: the path that is being braked may use it already.
+    if np.any(np.abs(a) > acceleration * (1.0 + DEFAULT_SETTINGS.acceleration_fraction)):
         return False
     change = np.diff(np.vstack([start, a]), axis=0) / period_s
-    return not np.any(np.abs(change) > jerk * (1.0 + _LIMIT_TOLERANCE))
+    return not np.any(np.abs(change) > jerk * (1.0 + DEFAULT_SETTINGS.jerk_fraction))
+
+
+def _brake_time_s(limits: tuple[float, float]) -> float:
+    """Time in which a rate of 1 falls to 0 with a limited slope and a limited change of it."""
+    slope, jerk = limits
+    if slope * slope >= jerk:
+        return 2.0 / float(np.sqrt(jerk))
+    return 1.0 / slope + slope / jerk
 
 
 def _brake_rate(slope_limit: float, jerk_limit: float, period_s: float) -> tuple[Array, Array, Array]:

@@ -128,10 +128,12 @@ class ControlLoop:
         """
         try:
             self._command()
-        except Exception:
+        except Exception as defect:
             self._gate.repeat()
-            self._streamer.halt()
-            self._pass_period()
+            try:
+                self._give_up(f"a defect of the control loop: {defect!r}")
+            finally:
+                self._pass_period()
             raise
         self._pass_period()
 
@@ -178,6 +180,13 @@ class ControlLoop:
         self._gate.repeat()
         self._streamer.halt()
         self._stuck = True
+
+    def _give_up(self, reason: str) -> None:
+        """End all motions where the robot is; it was told already to stay there."""
+        self._note_stop(2, reason)
+        self._streamer.stop(reason, along_path=False, status=MotionStatus.REFUSED)
+        self._streamer.revert()
+        self._streamer.halt()
 
     def _submit(self, proposal: Proposal) -> Refusal | None:
         if proposal.refusal is not None:
@@ -226,7 +235,9 @@ def _resting(model: RobotModel, measured: Array) -> tuple[Array, dict[Hand, floa
     """What the robot is taken to be commanded at the start: configuration, and finger positions."""
     description = model.description
     home = np.array([description.home[name] for name in description.actuated])
-    joints = np.where(np.abs(measured - home) <= _AT_HOME_RAD, home, measured)
+    limits = np.array([description.limits[name].position for name in description.actuated])
+    inside = np.clip(measured, limits[:, 0], limits[:, 1])
+    joints = np.where(np.abs(measured - home) <= _AT_HOME_RAD, home, inside)
     by_name = dict(zip(description.actuated, joints.tolist(), strict=True))
     q = model.on_the_floor({name: by_name[name] for name in model.joints})
     fingers = {hand: by_name[description.grippers[hand].joint] for hand in HANDS}

@@ -52,7 +52,7 @@ class GripKeeper:
         speed = min(gripper.closing_speed_rad_s, limits.velocity)
         self._make_tracker = (speed, limits.acceleration, period_s)
         self._tracker = JointTracker(start_rad, *self._make_tracker)
-        self._before = (start_rad, 0.0)
+        self._committed = (start_rad, 0.0)
         self._position_share = min(1.0, period_s / _POSITION_TIME_S)
         self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
         self._fingers_rad = start_rad
@@ -76,8 +76,7 @@ class GripKeeper:
         return tracker
 
     def propose(self) -> tuple[float, float]:
-        """Advance one period; ``revert`` takes it back when the gate refuses."""
-        self._before = self.setpoint
+        """Advance one period; ``commit`` makes it so, ``revert`` takes it back."""
         if self.pressing:
             wanted = self._fingers_rad + self._inwards * self._squeeze_rad
             most = self._gripper.closed_rad
@@ -90,17 +89,21 @@ class GripKeeper:
         return self.setpoint
 
     def follow(self, q_rad: float, v_rad_s: float) -> None:
-        """Take over what a motion commands on this joint."""
-        self._before = self.setpoint
+        """Propose what a motion commands on this joint."""
         self._tracker.q_rad, self._tracker.v_rad_s = q_rad, v_rad_s
 
+    def commit(self) -> None:
+        """What was proposed is what the robot follows now."""
+        self._committed = self.setpoint
+
     def revert(self) -> None:
-        """Go back to the setpoint before the last ``propose`` or ``follow``: it was refused."""
-        self._tracker.q_rad, self._tracker.v_rad_s = self._before
+        """Go back to what the robot follows: the rest was refused."""
+        self._tracker.q_rad, self._tracker.v_rad_s = self._committed
 
     def halt(self) -> None:
-        """Forget the speed: the robot was told to stay where the setpoint is."""
-        self._tracker.v_rad_s = 0.0
+        """Rest where the robot was told to stay: at the last position that it follows."""
+        self._tracker.q_rad, self._tracker.v_rad_s = self._committed[0], 0.0
+        self.commit()
 
     def reading(self) -> GripperReading:
         """What the gripper's sensors say now, efforts averaged over some control periods."""

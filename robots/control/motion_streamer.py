@@ -168,6 +168,8 @@ class MotionStreamer:
     def commit(self) -> None:
         """The last proposal is what the robot follows now."""
         self._track.commit()
+        for keeper in self._keepers.values():
+            keeper.commit()
         handle = self._body_handle
         if handle is not None:
             handle.progress = self._track.progress

@@ -7,6 +7,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.check_settings import DEFAULT_SETTINGS
 from robots.clock import Clock
 from robots.control.authority import HOLD, Authority
 from robots.control.refusal import Limit, Refusal
@@ -15,7 +16,7 @@ from robots.interface import JointSetpoint, Robot
 Array = NDArray[np.float64]
 
 _ROUNDING = 1e-9
-"""Relative room for rounding. A motion may reach a limit; it may not go beyond."""
+"""Room for rounding: a motion may reach a limit."""
 _JUMP_RAD = 1e-5
 """A position may differ by this from where the last one and the speeds lead: the jerk inside one
 control period gives 1e-7 rad, a step that a servo would feel 1e-4."""
@@ -59,9 +60,12 @@ class SetpointGate:
         lower = -upper
         lower[0] = [limit.position[0] for limit in limits]
         self._upper, self._lower = upper, lower
-        # Room for rounding, precomputed so that the hot path only compares.
-        self._upper_rounded = upper + _ROUNDING * np.maximum(np.abs(upper), 1.0)
-        self._lower_rounded = lower - _ROUNDING * np.maximum(np.abs(lower), 1.0)
+        # What the checker let pass as numerical noise must not be refused on the way.
+        room = _ROUNDING * np.maximum(np.abs(upper), 1.0)
+        room[0] += DEFAULT_SETTINGS.position_rad
+        room[1] += DEFAULT_SETTINGS.velocity_fraction * upper[1]
+        room[3] += DEFAULT_SETTINGS.acceleration_fraction * upper[3]
+        self._most, self._least = upper + room, lower - room
         self._judged = np.empty((5, n))
         rest = np.zeros(n)
         self.last = JointSetpoint(clock.now_s() - period_s, 0, HOLD, start_rad.copy(), rest, rest.copy())
@@ -125,7 +129,7 @@ class SetpointGate:
         judged[4] *= -0.5 * dt
         judged[4] += moved
         # A value that is not a number fails every comparison, so it cannot pass.
-        if not ((judged <= self._upper_rounded) & (judged >= self._lower_rounded)).all():
+        if not ((judged <= self._most) & (judged >= self._least)).all():
             return self._explain()
         forbidden = self._authority.forbidden(setpoint.owner)
         taken = ((moved != 0.0) | (setpoint.v != 0.0)) & forbidden
@@ -142,7 +146,7 @@ class SetpointGate:
         if not finite.all():
             row, joint = np.argwhere(~finite)[0]
             return Refusal(Limit.NOT_FINITE, self._joints[joint], float(judged[row, joint]), 0.0)
-        excess = np.maximum(judged - self._upper_rounded, self._lower_rounded - judged)
+        excess = np.maximum(judged - self._most, self._least - judged)
         row = int(np.argmax((excess > 0.0).any(axis=1)))
         joint = int(np.argmax(excess[row]))
         value = float(judged[row, joint])
