@@ -131,7 +131,7 @@ def test_a_motion_towards_a_position_limit_is_held_before_it(rig, motions):
 @pytest.mark.parametrize("category", [1, 2])
 def test_a_stop_brings_the_body_to_rest_within_its_limits(rig, motions, category):
     handle = rig.loop.motion.start(motions.arms(rig.loop.motion.reference(), amount=0.8))
-    rig.run(0.5)
+    rig.run(0.3)
 
     rig.loop.stop(category, "a person wants it")
     late = rig.loop.motion.start(motions.arms(rig.loop.motion.reference()))
@@ -140,6 +140,8 @@ def test_a_stop_brings_the_body_to_rest_within_its_limits(rig, motions, category
     assert (handle.status, handle.reason) == (MotionStatus.CANCELED, "a person wants it")
     assert late.status is MotionStatus.REFUSED
     assert resting_at_the_end(rig)
+    jerk = np.diff([setpoint.v[:30] for setpoint in rig.robot.commands], n=2, axis=0) / 0.002**2
+    assert np.abs(jerk).max() <= 120.0 * 1.005
     assert rig.loop.statistics.refused == 0
     assert [(stop.category, stop.reason) for stop in rig.loop.statistics.stops] == [
         (category, "a person wants it")

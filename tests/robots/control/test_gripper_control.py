@@ -1,6 +1,9 @@
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from robots.control.guarded_motion import MotionBounds
 from robots.control.motion_handle import MotionStatus
 
 LEFT = "gripper_left_joint"
@@ -124,3 +127,23 @@ def test_a_gripper_that_cannot_open_is_given_up_after_its_declared_time(rig, lef
     assert handle.status is MotionStatus.REFUSED
     assert "duration" in handle.reason
     assert rig.loop.statistics.refused == 1
+
+
+def test_a_refused_motion_of_arm_and_gripper_leaves_the_grip_its_joint(rig, left, motions):
+    close_on(rig, left, -0.233)
+    rig.loop.motion.start(motions.arms(rig.loop.motion.reference()))
+    one = np.ones(2)
+    both = SimpleNamespace(
+        name="jog arm and gripper",
+        bounds=MotionBounds(("arm_left_1_joint", LEFT), -one, one, one, one, 1.0),
+        sample=lambda elapsed_s, state: None,
+    )
+
+    refused = rig.loop.motion.start(both)
+    del rig.robot.obstacle_rad[LEFT]
+    rig.run(0.6)
+
+    assert refused.status is MotionStatus.REFUSED
+    assert "arm_left_1_joint is held by" in refused.reason
+    assert left.reading().opening_m < 0.01
+    assert rig.loop.statistics.refused == 0
