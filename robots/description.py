@@ -177,11 +177,11 @@ def _srdf_posture(srdf: ElementTree.Element, name: str) -> dict[str, float]:
 
 
 def _disabled_pairs(srdf: ElementTree.Element, gripper: Table) -> frozenset[tuple[str, str]]:
-    pairs = {(item.attrib["link1"], item.attrib["link2"]) for item in srdf.findall("disable_collisions")}
+    pairs = [(item.attrib["link1"], item.attrib["link2"]) for item in srdf.findall("disable_collisions")]
     for hand in HANDS:
         cluster = sorted(name.format(hand=hand) for name in (*gripper["links"], *gripper["cluster"]))
-        pairs |= set(combinations(cluster, 2))
-    return frozenset(tuple(sorted(pair)) for pair in pairs)  # type: ignore[misc]
+        pairs += combinations(cluster, 2)
+    return frozenset((min(pair), max(pair)) for pair in pairs)
 
 
 def _limits(urdf: ElementTree.Element, actuated: tuple[str, ...], data: Table) -> dict[str, JointLimits]:
