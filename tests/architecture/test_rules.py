@@ -24,7 +24,10 @@ HEAVY = {
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
 TRUTH = ("robots.simulated.truth", "robots.perception.truth_view")
-TRUTH_USERS = ("robots.perception.stub", "robots.simulated", "robots.fake", "executive.assembly", "tools")
+TRUTH_USERS = (
+    "robots.perception.stub", "robots.perception.sight", "robots.simulated", "robots.fake",
+    "executive.assembly", "tools",
+)  # fmt: skip
 NETWORK = ("socket", "ssl", "http", "urllib.request", "requests", "httpx", "aiohttp", "ftplib", "smtplib")
 WALL_CLOCK = re.compile(
     r"(time\.(time|time_ns|monotonic|monotonic_ns|perf_counter|perf_counter_ns|sleep|process_time|localtime"
