@@ -38,6 +38,7 @@ _EXPECTED: dict[Kind, set[str]] = {
     "balance": {"balance", "tipping"},
     "jump": {"position", "velocity", "acceleration", "jerk", "stance"},
 }
+_NEEDS_NO_SCENE = ("limit", "balance", "jump")
 _TRIES = 300
 
 
@@ -88,7 +89,9 @@ class Generator:
             if made is None:
                 continue
             trajectory, scene, size = made
-            verdict = self._referee.judge(trajectory, scene)
+            verdict = self._referee.judge_alone(trajectory)
+            if kind not in _NEEDS_NO_SCENE and not (kind == "sound" and verdict.unsafe):
+                verdict = self._referee.judge(trajectory, scene, verdict)
             wanted = (
                 not verdict.unsafe if kind == "sound" else bool(_EXPECTED[kind] & set(verdict.violations))
             )

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance, Trajectory
@@ -17,6 +18,7 @@ Array = NDArray[np.float64]
 
 PELVIS = ("x", "y", "z", "yaw", "pitch")
 _PELVIS_SIZE = {"x": 0.04, "y": 0.05, "z": 0.06, "yaw": 0.15, "pitch": 0.1}
+_LEG_INSTANTS = 121
 _GROUPS = ("left_arm", "right_arm", "torso", "head")
 
 
@@ -77,6 +79,7 @@ class Choreographer:
         self.model = model
         self.stance = stance_at_home(model)
         self._data = model.pin.createData()
+        self._known: dict[int, tuple[Motion, CubicSpline]] = {}
         self._feet = [
             (model.frame_id(name), pin.SE3(world_T_sole), self._leg_columns(model.frame_id(name)))
             for name, world_T_sole in self.stance.soles
@@ -104,25 +107,46 @@ class Choreographer:
         return q, v
 
     def _move_pelvis(self, motion: Motion, s: Array, q: Array, v: Array) -> None:
+        q[:, :7], v[:, :6] = self._base(motion, s)
+        columns = np.concatenate([columns for _, _, columns in self._feet])
+        legs = self._legs(motion)
+        q[:, columns + 1], v[:, columns] = legs(s), legs(s, 1)
+
+    def _base(self, motion: Motion, s: Array) -> tuple[Array, Array]:
+        """Base pose (position, quaternion) and twist in its own frame."""
         still = np.zeros_like(s)
         place = {name: motion.pelvis[name](s) if name in motion.pelvis else (still, still) for name in PELVIS}
-        home = pin.SE3(pin.XYZQUATToSE3(self.model.q_home[:7]))
-        guess = self.model.q_home.copy()
+        home = pin.XYZQUATToSE3(self.model.q_home[:7])
+        pose, twist = np.empty((len(s), 7)), np.empty((len(s), 6))
         for i in range(len(s)):
             yaw, pitch = place["yaw"][0][i], place["pitch"][0][i]
-            turn = pin.utils.rotate("z", yaw) @ pin.utils.rotate("y", pitch)
-            rotation = turn @ home.rotation
+            heading = pin.utils.rotate("z", yaw)
+            rotation = heading @ pin.utils.rotate("y", pitch) @ home.rotation
             shift = np.array([place[name][0][i] for name in ("x", "y", "z")])
             velocity = np.array([place[name][1][i] for name in ("x", "y", "z")])
             spin = np.array([0.0, 0.0, place["yaw"][1][i]])
-            spin += pin.utils.rotate("z", yaw) @ np.array([0.0, place["pitch"][1][i], 0.0])
-            q[i, :3] = home.translation + shift
-            q[i, 3:7] = pin.Quaternion(rotation).coeffs()
-            v[i, :3], v[i, 3:6] = rotation.T @ velocity, rotation.T @ spin
-            for _, _, columns in self._feet:
-                q[i, columns + 1] = guess[columns + 1]
+            spin += heading @ np.array([0.0, place["pitch"][1][i], 0.0])
+            pose[i, :3] = home.translation + shift
+            pose[i, 3:] = pin.Quaternion(rotation).coeffs()
+            twist[i] = np.concatenate([rotation.T @ velocity, rotation.T @ spin])
+        return pose, twist
+
+    def _legs(self, motion: Motion) -> CubicSpline:
+        """Leg joints that keep the feet: exact at some instants, a cubic spline between."""
+        known = self._known.get(id(motion))
+        if known is not None and known[0] is motion:
+            return known[1]
+        s = np.linspace(0.0, 1.0, _LEG_INSTANTS)
+        q, v = np.tile(self.model.q_home, (len(s), 1)), np.zeros((len(s), self.model.nv))
+        q[:, :7], v[:, :6] = self._base(motion, s)
+        columns = np.concatenate([columns for _, _, columns in self._feet])
+        for i in range(len(s)):
+            if i:
+                q[i, columns + 1] = q[i - 1, columns + 1] + v[i - 1, columns] * (s[i] - s[i - 1])
             self._keep_feet(q[i], v[i])
-            guess = q[i]
+        legs = CubicSpline(s, q[:, columns + 1], bc_type=((1, v[0, columns]), (1, v[-1, columns])))
+        self._known = {id(motion): (motion, legs)}
+        return legs
 
     def _keep_feet(self, q: Array, v: Array) -> None:
         model, data = self.model.pin, self._data

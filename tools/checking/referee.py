@@ -26,9 +26,9 @@ Array = NDArray[np.float64]
 STEP_S = 0.0005
 STEP_M = 0.0002
 _LOOK_S = 0.02
-_NEAR_M = 0.08
+_NEAR_M = 0.05
 """Pairs farther apart than this at two looks that follow each other are not looked at between: they
-would have to close in at 8 m/s."""
+would have to close in at 5 m/s."""
 _STANCE_STEP_S = 0.004
 
 
@@ -75,9 +75,9 @@ class Referee:
         self._stance_and_balance(trajectory, verdict)
         return verdict
 
-    def judge(self, trajectory: Trajectory, scene: PlanningScene) -> Verdict:
-        """Judge everything that can be violated."""
-        verdict = self.judge_alone(trajectory)
+    def judge(self, trajectory: Trajectory, scene: PlanningScene, alone: Verdict | None = None) -> Verdict:
+        """Judge everything that can be violated; ``alone`` is what ``judge_alone`` said before."""
+        verdict = alone or self.judge_alone(trajectory)
         self._collisions(trajectory, scene, verdict)
         return verdict
 
@@ -85,7 +85,7 @@ class Referee:
         t, h = trajectory.t_s, np.diff(trajectory.t_s)
         q, v = trajectory.q[:, 7:], trajectory.v[:, 6:]
         spline = CubicHermiteSpline(t, q, v)
-        u = np.linspace(0.0, 1.0, 41)[1:-1]
+        u = np.linspace(0.0, 1.0, 13)[1:-1]
         inside = np.sort(np.concatenate([t, (t[:-1, None] + h[:, None] * u).ravel()]))
         position, speed = spline(inside), np.abs(spline(inside, 1))
         just_after, just_before = spline(t[:-1], 2), spline(t[1:] - 1e-9 * h, 2)
@@ -100,7 +100,10 @@ class Referee:
         self._over(verdict, "acceleration", acceleration / model.acceleration, 1.0, t[:-1])
         self._over(verdict, "jerk", jerk / model.jerk, 1.0, t[:-1])
         if len(step):
-            self._over(verdict, "jerk", step / model.jerk, 1.0, t[1:-1])
+            spread = (
+                np.abs(np.diff(np.diff(v, axis=0) / h[:, None], axis=0)) / (0.5 * (h[1:] + h[:-1]))[:, None]
+            )
+            self._over(verdict, "jerk", np.maximum(step, spread) / model.jerk, 1.0, t[1:-1])
 
     def _over(self, verdict: Verdict, kind: str, value: Array, limit: float, times: Array) -> None:
         excess = value - limit
