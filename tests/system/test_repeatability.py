@@ -5,8 +5,6 @@ import os
 import subprocess
 import sys
 
-import pytest
-
 
 def digest(folder, seed):
     report = folder / f"{seed}-{len(list(folder.iterdir()))}.json"
@@ -24,7 +22,6 @@ def digest(folder, seed):
     return json.loads(report.read_text("utf-8"))["events_sha256"]
 
 
-@pytest.mark.requirement("U1")
 def test_the_same_seed_in_two_processes_gives_the_same_digest_and_another_seed_does_not(tmp_path):
     first, again, other = (digest(tmp_path, seed) for seed in (4, 4, 5))
 

@@ -67,7 +67,6 @@ def test_the_wheel_holds_neither_tools_nor_tests(wheel):
     assert {name for name in folders if not name.endswith(".dist-info")} == set(PACKAGES)
 
 
-@pytest.mark.requirement("U5")
 def test_the_installed_wheel_does_the_main_job_from_another_folder(installed, tmp_path):
     where = python(
         installed, tmp_path, "-c", "import executive, robots; print(executive.__file__, robots.__file__)"
