@@ -245,16 +245,26 @@ class Generator:
         return self._timed(rng, Motion(scaled, motion.pelvis))
 
     def _scene(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
+        if rng.random() < 0.3:
+            return self._graze(rng)
         trajectory = self._with_use(rng, random_motion(self._model, rng), rng.uniform(0.5, 0.97))
         if self._referee.judge_alone(trajectory).unsafe:
             return None
         scene = self._surroundings(rng, trajectory) if rng.random() < 0.5 else PlanningScene()
         item = self._random_object(rng, "obstacle")
-        if rng.random() < 0.25:
-            # a mere graze, which lasts a few milliseconds
-            size = float(np.exp(rng.uniform(np.log(0.0004), np.log(0.005))))
         placed = self._placer.place(rng, trajectory, scene, item, -size)
         return None if placed is None else (trajectory, scene.with_object(placed), size)
+
+    def _graze(self, rng: np.random.Generator) -> tuple[Trajectory, PlanningScene, float] | None:
+        """A fast arm that just touches something, for a few milliseconds."""
+        group = str(rng.choice(["left_arm", "right_arm"]))
+        trajectory = self._with_use(rng, random_motion(self._model, rng, [group]), 0.97)
+        if self._referee.judge_alone(trajectory).unsafe:
+            return None
+        size = float(np.exp(rng.uniform(np.log(0.0001), np.log(0.001))))
+        item = self._random_object(rng, "obstacle")
+        placed = self._placer.place(rng, trajectory, PlanningScene(), item, -size, around_s=0.06)
+        return None if placed is None else (trajectory, PlanningScene().with_object(placed), size)
 
     def _held(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         scene = self._holding(rng, PlanningScene(), large=rng.random() < 0.5)

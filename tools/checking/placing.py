@@ -16,7 +16,7 @@ from tools.checking.referee import CollisionWorld, Referee
 
 Array = NDArray[np.float64]
 
-_CLOSENESS_M = 0.0003
+_CLOSENESS_M = 0.00005
 
 
 def random_shape(rng: np.random.Generator) -> Shape:
@@ -55,6 +55,7 @@ class Placer:
         item: SceneObject,
         gap_m: float,
         link: str | None = None,
+        around_s: float | None = None,
     ) -> SceneObject | None:
         """Move an object along a ray from the robot until it is ``gap_m`` beyond its margin away.
 
@@ -65,6 +66,7 @@ class Placer:
             item: The object; its orientation is kept.
             gap_m: Smallest distance over the motion, less the margin; negative to collide.
             link: Link or held object at which the ray starts; a moving one when not given.
+            around_s: Look at so much time around the drawn instant alone, but every millisecond.
 
         Returns:
             The object in place, or none when the ray does not get there.
@@ -72,6 +74,12 @@ class Placer:
         count = int(np.clip(trajectory.duration_s / 0.02, 20, 100))
         rows = self._referee.configurations(trajectory, np.linspace(0.0, trajectory.duration_s, count))
         when = int(rng.integers(count))
+        if around_s is not None:
+            middle_s = trajectory.duration_s * rng.uniform(0.2, 0.8)
+            start, end = max(middle_s - around_s, 0.0), min(middle_s + around_s, trajectory.duration_s)
+            instants = np.linspace(start, end, int((end - start) / 0.001) + 1)
+            rows = self._referee.configurations(trajectory, instants)
+            when = len(rows) // 2
         origin = self._centre(rows[when], scene, link or self._moving_link(rng, trajectory))
         ray = rng.normal(size=3)
         ray /= np.linalg.norm(ray)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from kinematics.check_pairs import PairBuilder
+from kinematics.check_settings import CheckSettings
 from kinematics.check_timeline import Timeline
 from kinematics.trajectory import Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
@@ -79,9 +80,12 @@ def test_a_checker_that_leaves_out_a_link_is_caught(talos, collisions, monkeypat
     assert missed(TrajectoryChecker(talos), collisions)
 
 
-def test_a_checker_that_trusts_its_samples_is_caught(talos, collisions, monkeypatch):
-    """Without path lengths the certificate is a plain check every 40 ms."""
+def test_a_checker_that_trusts_the_instants_it_looks_at_is_caught(talos, collisions, monkeypatch):
+    """Without path lengths the certificate is a plain check at every cell's middle."""
+    coarse = TrajectoryChecker(talos, CheckSettings(cell_s=0.8))
+    assert not missed(coarse, collisions)
+
     lengths = Timeline.path_lengths
     monkeypatch.setattr(Timeline, "path_lengths", lambda self, knots: 0.0 * lengths(self, knots))
 
-    assert missed(TrajectoryChecker(talos), collisions)
+    assert missed(coarse, collisions)
