@@ -162,6 +162,23 @@ class HandCollision:
                     return True
         return False
 
+    def clearance_m(self, world_T_tcp: Transform, enough_m: float) -> float:
+        """Room between the open hand and everything but the target, beyond the margins.
+
+        No more than ``enough_m`` is measured; 0 or less means that ``collides`` is true.
+        """
+        request, result = coal.DistanceRequest(), coal.DistanceResult()
+        room = enough_m
+        for geometry, tcp_T_part in self._parts:
+            placed = _coal_transform(world_T_tcp @ tcp_T_part)
+            for solid, at, margin in self._solids:
+                result.clear()
+                distance = float(coal.distance(geometry, placed, solid, at, request, result))
+                room = min(room, distance - margin)
+                if room <= 0.0:
+                    return room
+        return room
+
 
 def _coal_transform(pose: Transform) -> coal.Transform3s:
     return coal.Transform3s(pose[:3, :3], pose[:3, 3])

@@ -29,10 +29,11 @@ TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 75, 90))
 # Left between pads and object on each side, so that a perception error of this size still fits.
 OPENING_RESERVE_M = 0.006
 # The pads reach at least this far over an object's edge, and a palm keeps this from its top.
-PAD_OVERLAP_M = 0.025
+PAD_OVERLAP_M = 0.02
 PALM_GAP_M = 0.012
-# Pointing down, the TCP stays this far above the object's foot: the fingertips reach 2 to 3 cm beyond.
-TIP_GAP_M = 0.055
+# Pointing down, the TCP stays this far above the object's foot: the fingertips reach 2 to 3 cm beyond,
+# and farther as they close.
+TIP_GAP_M = 0.057
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
 # An object that stands is upright to within this; a lying one is grasped like a box.

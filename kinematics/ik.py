@@ -6,6 +6,7 @@ every residual is measured again with Pinocchio. An answer is never returned unv
 
 from __future__ import annotations
 
+import functools
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 
@@ -179,6 +180,7 @@ class WholeBodyIk:
         )
 
 
+@functools.cache
 def _without_meshes(urdf: str) -> str:
     """A URDF of bodies and joints alone: PlaCo loads every mesh otherwise, for 0.8 s."""
     root = ElementTree.fromstring(urdf)

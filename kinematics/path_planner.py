@@ -70,9 +70,9 @@ class PathPlanner:
             moving: Columns that may leave the straight line between start and goal.
             rng: Source of the samples.
         """
-        line = np.stack([start, goal])
-        if self.curve_is_free(self._rounded(line)):
-            return self._rounded(line)
+        line = self.straight(start, goal)
+        if line is not None:
+            return line
         polyline = self._rrt_connect(start, goal, moving, rng)
         if polyline is None:
             return None
@@ -83,6 +83,11 @@ class PathPlanner:
         # rounding touched something: finer control points stay nearer to the free polyline
         curve = RoundedPolyline(polyline, self._space.weights, ROUNDING / 4)
         return curve if self.curve_is_free(curve) else None
+
+    def straight(self, start: Array, goal: Array) -> Curve | None:
+        """The straight line between two points, or None when it is not free."""
+        line = self._rounded(np.stack([start, goal]))
+        return line if self.curve_is_free(line) else None
 
     def curve_is_free(self, curve: Curve) -> bool:
         """Check a curve at points no farther apart than the resolution."""

@@ -7,6 +7,7 @@ the open hand alone fit there?), then tried with whole-body inverse kinematics, 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +26,7 @@ from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedSte
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
+from kinematics.stance import SupportPolygon
 from kinematics.timing import Pace, time_curve
 
 Array = NDArray[np.float64]
@@ -34,22 +36,32 @@ PLANNING_RESERVE_M = 0.004
 SELF_MARGIN_M = 0.005
 # Straight approach: long enough that open fingers clear the object before it begins.
 APPROACH_M = 0.10
-SHORT_APPROACH_M = 0.075
 # Points of the straight approach and lift that are solved; a cubic runs through them.
 CARTESIAN_POINTS = 4
 REACH_PACE = Pace(velocity=0.5, acceleration=0.7)
 CARTESIAN_PACE = Pace(velocity=0.2, acceleration=0.5)
 # An arm reaches no farther than this from its shoulder to the TCP, trunk leaning included.
 FARTHEST_M = 1.15
+# So many grasps that a straight reach comes to are compared; without one, so many get a detour.
+CHOICES = 2
+MOST_BLOCKED = 8
+# What a hand without room, or a CoM at its limit, costs against 1 rad of an unnatural approach.
+CLEARANCE_COST = 0.5
+ENOUGH_CLEARANCE_M = 0.03
+BALANCE_COST = 0.5
+ENOUGH_BALANCE_M = 0.06
 
 
 @dataclass(frozen=True, slots=True)
 class _Goal:
-    """A grasp with the configurations that carry it out."""
+    """A grasp with the curves that carry it out; ``cost`` ranks it, smaller first."""
 
     grasp: Grasp
-    approach: Array
-    lift: Array
+    cost: float
+    approach: Curve
+    lift: Curve
+    x_pregrasp: Array
+    lift_scene: PlanningScene
 
 
 class PickPlanner:
@@ -59,126 +71,182 @@ class PickPlanner:
         self._model = model
 
     def plan(self, request: PickRequest) -> PickPlan | NoPlan:
-        """Plan reach, approach and lift, or say honestly why there is no plan."""
+        """Plan reach, approach and lift, or say honestly why there is no plan.
+
+        Of the first few grasps that a straight reach comes to, the best one is taken: by reach,
+        clearance and balance. Only when there is none are detours searched.
+        """
         target = request.scene.objects[request.target]
         task = _PickTask(self._model, request, target)
-        reasons: Counter[str] = Counter()
-        candidates = task.candidates(reasons)
-        for considered, candidate in enumerate(candidates, start=1):
-            goal = task.solve(candidate.grasp, reasons)
+        straight: list[tuple[_Goal, Curve]] = []
+        blocked: list[_Goal] = []
+        for candidate in task.candidates():
+            goal = task.solve(candidate)
             if goal is None:
                 continue
-            plan = task.connect(goal, considered, reasons)
-            if plan is not None:
+            reach = task.straight_reach(goal)
+            if reach is None:
+                blocked.append(goal)
+            else:
+                straight.append((goal, reach))
+            if len(straight) >= CHOICES or (len(blocked) >= MOST_BLOCKED and not straight):
+                break
+        for goal, reach in sorted(straight, key=lambda item: item[0].cost):
+            if (plan := task.timed(goal, reach)) is not None:
+                return plan
+        for goal in sorted(blocked, key=lambda item: item.cost):
+            detour = task.detour(goal)
+            if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
         hands = " or ".join(request.hands)
         return NoPlan(
             f"no way to grasp the {request.target} with the {hands} hand was found",
-            dict(reasons),
-            {"grasps_considered": float(sum(reasons.values()))},
+            dict(task.reasons),
+            {"grasps_considered": float(task.considered)},
         )
 
 
 class _PickTask:
-    """The state of one planning problem."""
+    """The state of one planning problem.
+
+    Attributes:
+        reasons: How many grasps failed for which reason so far.
+        considered: How many grasps were looked at so far.
+    """
 
     def __init__(self, model: RobotModel, request: PickRequest, target: SceneObject) -> None:
         self._model, self._request, self._target = model, request, target
         self._space = FreeCoordinates(model, request.stance)
+        self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
         self._ik: dict[Hand, WholeBodyIk] = {}
-        self._reach_scene = request.scene
-        self._reach_world = CollisionWorld(model, request.scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
-        self._grasp_worlds: dict[Hand, tuple[PlanningScene, CollisionWorld]] = {}
+        self._hands: dict[Hand, HandCollision] = {}
+        self._reach_planner = self._planner(
+            CollisionWorld(model, request.scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
+        )
+        self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
         self._x_start = self._space.from_q(request.q_start)
         # the search starts at home, which keeps elbows where they belong
         self._seed = model.home_over(request.stance)
+        self.reasons: Counter[str] = Counter()
+        self.considered = 0
 
-    def candidates(self, reasons: Counter[str]) -> list[GraspCandidate]:
-        """Grasps of all allowed hands that the open hand alone could reach, best first."""
+    def candidates(self) -> list[GraspCandidate]:
+        """Grasps of all allowed hands, most natural first; nothing is judged yet."""
         found = []
         for hand in self._request.hands:
-            model, gripper = self._model, self._model.description.grippers[hand]
-            shoulder = self._shoulder(hand)
-            offset = self._target.world_T_object[:3, 3] - shoulder
-            natural = float(np.arctan2(offset[1], offset[0]))
+            gripper = self._model.description.grippers[hand]
+            offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
             distance = float(np.linalg.norm(offset[:2]))
             if distance > FARTHEST_M:
-                reasons["out of reach"] += 1
+                self.reasons["out of reach"] += 1
                 continue
-            fits = HandCollision(model, hand, self._request.scene, self._target.name, PLANNING_RESERVE_M)
+            natural = float(np.arctan2(offset[1], offset[0]))
             for candidate in grasp_candidates(self._target, gripper, natural, APPROACH_M):
                 if key_of(hand, candidate.grasp.label) in self._request.excluded:
-                    reasons["tried before"] += 1
-                elif fits.collides(candidate.grasp.world_T_tcp):
-                    reasons["hand collides at the grasp"] += 1
+                    self.reasons["tried before"] += 1
                 else:
                     found.append(GraspCandidate(candidate.grasp, candidate.cost + 2.0 * distance))
         return sorted(found, key=lambda candidate: candidate.cost)
 
-    def solve(self, grasp: Grasp, reasons: Counter[str]) -> _Goal | None:
-        """Find configurations for approach and lift of a grasp."""
+    def solve(self, candidate: GraspCandidate) -> _Goal | None:
+        """Find curves for approach and lift of a grasp; a failure is counted with its reason."""
+        self.considered += 1
+        goal = self._solve(candidate)
+        if isinstance(goal, str):
+            self.reasons[goal] += 1
+            return None
+        return goal
+
+    def straight_reach(self, goal: _Goal) -> Curve | None:
+        """The straight way to the pre-grasp, if it is free."""
+        return self._reach_planner.straight(self._x_start, goal.x_pregrasp)
+
+    def detour(self, goal: _Goal) -> Curve | None:
+        """A way around what is between here and the pre-grasp."""
+        groups = self._model.description.groups
+        joints = (*groups[f"{goal.grasp.hand}_arm"], *groups["torso"])
+        moving = [self._space.index(joint) for joint in joints]
+        curve = self._reach_planner.plan(self._x_start, goal.x_pregrasp, moving, self._rng)
+        if curve is None:
+            self.reasons["no path to the pre-grasp"] += 1
+        return curve
+
+    def timed(self, goal: _Goal, reach: Curve) -> PickPlan | None:
+        """Give all three motions their time."""
+        grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
+        steps = [
+            self._step("reach", reach, REACH_PACE, self._request.scene),
+            self._step("approach", goal.approach, CARTESIAN_PACE, grasp_scene),
+            self._step("lift", goal.lift, CARTESIAN_PACE, goal.lift_scene),
+        ]
+        if any(step is None for step in steps):
+            self.reasons["legs cannot follow"] += 1
+            return None
+        first, second, third = (step for step in steps if step is not None)
+        return PickPlan(goal.grasp, first, second, third, self.considered)
+
+    def _solve(self, candidate: GraspCandidate) -> _Goal | str:
+        grasp = candidate.grasp
+        clearance_m = self._hand_clearance_m(grasp)
+        if clearance_m <= 0.0:
+            return "hand collides at the grasp"
         ik = self._ik_of(grasp.hand)
-        pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
-        _, world = self._grasp_world(grasp.hand)
-        first = ik.solve(grasp.world_T_tcp, self._seed, IkTolerance())
+        grasp_scene, near = self._grasp_planner(grasp.hand)
+        first = ik.solve(grasp.world_T_tcp, self._seed)
         if not first.within(IkTolerance()):
-            reasons["no inverse kinematics at the grasp"] += 1
-            return None
-        if world.collides(first.q):
-            reasons["collision at the grasp"] += 1
-            return None
-        approach = self._straight(ik, first.q, grasp.world_T_tcp, pregrasp)
-        if approach is None:
-            reasons["no straight approach"] += 1
-            return None
-        approach = approach[::-1]
-        if self._reach_world.collides(approach[0]):
-            reasons["collision before the approach"] += 1
-            return None
+            return "no inverse kinematics at the grasp"
+        if not near.is_free(self._space.from_q(first.q)):
+            return "collision at the grasp"
+        pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
+        back = self._straight(ik, first.q, grasp.world_T_tcp, pregrasp)
+        if back is None:
+            return "no straight approach"
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
-        lift = self._straight(ik, first.q, grasp.world_T_tcp, lifted)
-        if lift is None:
-            reasons["no straight lift"] += 1
-            return None
-        return _Goal(grasp, approach, lift)
+        up = self._straight(ik, first.q, grasp.world_T_tcp, lifted)
+        if up is None:
+            return "no straight lift"
+        gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
+        points = self._gazing(back[::-1], gaze)
+        approach, lift = PolynomialCurve(points), PolynomialCurve(self._gazing(up, gaze))
+        if not self._reach_planner.is_free(points[0]):
+            return "collision before the approach"
+        if not near.curve_is_free(approach):
+            return "approach collides"
+        lift_scene = self._lift_scene(grasp, grasp_scene)
+        if not self._planner(CollisionWorld(self._model, lift_scene, 0.0, SELF_MARGIN_M)).curve_is_free(lift):
+            return "lift collides"
+        balance_m = self._polygon.com_margin_m(self._model.com(first.q))
+        cost = (
+            candidate.cost
+            + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
+            + BALANCE_COST * max(0.0, 1.0 - balance_m / ENOUGH_BALANCE_M)
+        )
+        return _Goal(grasp, cost, approach, lift, points[0], lift_scene)
 
-    def connect(self, goal: _Goal, considered: int, reasons: Counter[str]) -> PickPlan | None:
-        """Plan the reach and time all three motions."""
-        request, model, space = self._request, self._model, self._space
-        scene, world = self._grasp_world(goal.grasp.hand)
-        gaze = gaze_joints(model, goal.approach[0], self._target.world_T_object[:3, 3])
-        approach = np.array([space.from_q(q) for q in goal.approach])
-        lift = np.array([space.from_q(q) for q in goal.lift])
+    def _hand_clearance_m(self, grasp: Grasp) -> float:
+        """Room of the hand alone, open and with the fingertips where the closing takes them."""
+        hand = grasp.hand
+        if hand not in self._hands:
+            scene = self._request.scene
+            self._hands[hand] = HandCollision(self._model, hand, scene, self._target.name, PLANNING_RESERVE_M)
+        advance_m = self._model.description.grippers[hand].closing_advance_m
+        closing = grasp.world_T_tcp @ poses.translation(advance_m, 0.0, 0.0)
+        if self._hands[hand].collides(closing):
+            return 0.0
+        return self._hands[hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
+
+    def _gazing(self, configurations: Array, gaze: Mapping[str, float]) -> Array:
+        """Free coordinates of configurations, with the head turned to the target."""
+        x = np.array([self._space.from_q(q) for q in configurations])
         for joint, angle in gaze.items():
-            approach[:, space.index(joint)] = angle
-            lift[:, space.index(joint)] = angle
-        approach_curve, lift_curve = PolynomialCurve(approach), PolynomialCurve(lift)
-        lift_scene = self._lift_scene(goal.grasp, scene)
-        near = PathPlanner(model, space, request.stance, world)
-        if not near.curve_is_free(approach_curve):
-            reasons["approach collides"] += 1
-            return None
-        lift_world = CollisionWorld(model, lift_scene, 0.0, SELF_MARGIN_M)
-        if not PathPlanner(model, space, request.stance, lift_world).curve_is_free(lift_curve):
-            reasons["lift collides"] += 1
-            return None
-        moving = [space.index(joint) for joint in model.description.groups[f"{goal.grasp.hand}_arm"]]
-        moving += [space.index(joint) for joint in model.description.groups["torso"]]
-        planner = PathPlanner(model, space, request.stance, self._reach_world)
-        reach_curve = planner.plan(self._x_start, approach[0], moving, self._rng)
-        if reach_curve is None:
-            reasons["no path to the pre-grasp"] += 1
-            return None
-        reach = self._timed("reach", reach_curve, REACH_PACE, self._reach_scene)
-        straight = self._timed("approach", approach_curve, CARTESIAN_PACE, scene)
-        up = self._timed("lift", lift_curve, CARTESIAN_PACE, lift_scene)
-        if reach is None or straight is None or up is None:
-            reasons["legs cannot follow"] += 1
-            return None
-        return PickPlan(goal.grasp, reach, straight, up, considered)
+            x[:, self._space.index(joint)] = angle
+        return x
 
-    def _timed(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
+    def _planner(self, world: CollisionWorld) -> PathPlanner:
+        return PathPlanner(self._model, self._space, self._request.stance, world)
+
+    def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
         trajectory = time_curve(self._model, self._space, self._request.stance, curve, pace)
         return None if trajectory is None else PlannedStep(name, trajectory, scene)
 
@@ -186,20 +254,20 @@ class _PickTask:
         """Configurations along a straight line of the TCP, the first one given, or None."""
         found = [q]
         for fraction in np.linspace(0.0, 1.0, CARTESIAN_POINTS)[1:]:
-            result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1], IkTolerance())
+            result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1])
             if not result.within(IkTolerance()):
                 return None
             found.append(result.q)
         return np.array(found)
 
-    def _grasp_world(self, hand: Hand) -> tuple[PlanningScene, CollisionWorld]:
-        """Scene and world in which this hand may touch the target."""
-        if hand not in self._grasp_worlds:
+    def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
+        """Scene and planner in which this hand may touch the target."""
+        if hand not in self._grasp_planners:
             links = self._model.description.grippers[hand].touch_links
             scene = self._request.scene.allowing((link, self._target.name) for link in links)
             world = CollisionWorld(self._model, scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
-            self._grasp_worlds[hand] = scene, world
-        return self._grasp_worlds[hand]
+            self._grasp_planners[hand] = scene, self._planner(world)
+        return self._grasp_planners[hand]
 
     def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
         """The scene with the target in the hand; what it stands on may still touch it."""

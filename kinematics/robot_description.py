@@ -56,6 +56,7 @@ class GripperDescription:
         pad_half_size_m, pad_position_m: Half-sizes of a finger pad (across, thickness, length) and its
             centre, in the fingertip link.
         palm_distance_m: From the TCP back to the palm, along the approach.
+        closing_advance_m: How much farther the fingertips reach along the approach when they close.
     """
 
     hand: Hand
@@ -75,6 +76,7 @@ class GripperDescription:
     pad_half_size_m: tuple[float, float, float]
     pad_position_m: tuple[float, float, float]
     palm_distance_m: float
+    closing_advance_m: float
 
     @property
     def max_opening_m(self) -> float:

@@ -1,3 +1,5 @@
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -35,7 +37,7 @@ def test_a_rounded_corner_is_left_by_less_than_the_spacing(seed):
     curve = RoundedPolyline(points, ONES, 0.1)
 
     dense = np.concatenate(
-        [a + (b - a) * np.linspace(0, 1, 400)[:, None] for a, b in zip(points, points[1:], strict=False)]
+        [a + (b - a) * np.linspace(0, 1, 400)[:, None] for a, b in itertools.pairwise(points)]
     )
     for point in curve(np.linspace(0, 1, 200)):
         assert np.sqrt(np.sum((dense - point) ** 2, axis=1)).min() < 0.1

@@ -1,3 +1,5 @@
+import itertools
+
 import numpy as np
 import pytest
 
@@ -18,7 +20,7 @@ def test_reach_approach_and_lift_are_one_chain(talos, stance, tabletop):
     assert isinstance(answer, PickPlan)
     steps = [answer.reach, answer.approach, answer.lift]
     assert steps[0].trajectory.q[0] == pytest.approx(talos.q_home, abs=1e-9)
-    for before, after in zip(steps, steps[1:], strict=False):
+    for before, after in itertools.pairwise(steps):
         assert after.trajectory.q[0] == pytest.approx(before.trajectory.q[-1], abs=1e-9)
     frame = talos.description.grippers[answer.grasp.hand].tcp_frame
     grasped = talos.frame_pose(answer.approach.trajectory.q[-1], frame)
