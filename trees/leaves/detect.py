@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.standing import standing_on_tops
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE
@@ -39,7 +40,7 @@ class Detect(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
         world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = self._not_in_hand(estimates_of(views))
+        estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
         update = updated_scene(world.scene, estimates, policy, lambda point: self._unseen(views[-1], point))
         world.update(update.scene)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)

@@ -1,0 +1,40 @@
+import pytest
+
+from kinematics import poses
+from kinematics.shapes import Box, Cylinder
+from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.standing import standing_on_tops
+
+
+def top(height_m=0.9):
+    place = poses.translation(0.6, 0.0, height_m - 0.02)
+    return ObjectEstimate("furniture", "table", None, place, Box((0.6, 1.2, 0.04)), 0.9, 8, 0.003)
+
+
+def cup(foot_m, x=0.5, tilt_rad=0.0):
+    place = poses.transform(poses.rotation_x(tilt_rad), (x, 0.1, foot_m + 0.05))
+    return ObjectEstimate("object", "cup", "red", place, Cylinder(0.03, 0.1), 0.9, 8, 0.003)
+
+
+def foot(item):
+    return item.odom_T_object[2, 3] - 0.05
+
+
+def test_a_top_and_what_stands_on_it_agree_on_the_mean_height():
+    table, low, high = standing_on_tops([top(0.900), cup(0.894), cup(0.909, x=0.7)])
+
+    assert table.odom_T_object[2, 3] + 0.02 == pytest.approx(0.901)
+    assert foot(low) == pytest.approx(0.901)
+    assert foot(high) == pytest.approx(0.901)
+
+
+@pytest.mark.parametrize(
+    "other",
+    [cup(1.0), cup(0.89, x=2.0), cup(0.89, tilt_rad=1.5)],
+    ids=["in the air", "beside the table", "lying"],
+)
+def test_what_does_not_stand_on_the_top_is_left_alone(other):
+    table, same = standing_on_tops([top(), other])
+
+    assert same.odom_T_object[2, 3] == other.odom_T_object[2, 3]
+    assert table.odom_T_object[2, 3] == pytest.approx(0.88)
