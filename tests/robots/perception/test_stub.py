@@ -302,3 +302,26 @@ class TestFirstLookError:
         bench.stub.set_error("cup", self.OFFSET, first_look_only=False)
 
         assert self.errors(bench, 3.0)[-1, 1] == pytest.approx(0.04)
+
+
+def test_no_pictures_are_taken_while_nobody_looks_and_fresh_ones_when_somebody_does():
+    bench = Bench(thing())
+    bench.truth.asked = 0
+
+    def counted(name, points):
+        bench.truth.asked += 1
+        return np.ones(len(points), dtype=bool)
+
+    bench.truth.visible = counted
+    for _ in range(5000):
+        bench.clock.advance(0.002)
+        bench.stub.tick()
+    idle = bench.truth.asked
+    began_s = bench.clock.now_s()
+    bench.stub.latest()
+    for _ in range(100):
+        bench.clock.advance(0.002)
+        bench.stub.tick()
+
+    assert idle <= 0.5 * EXACT.rate_hz + 1
+    assert bench.stub.latest().stamp_s >= began_s
