@@ -11,10 +11,10 @@ class CheckSettings:
 
     Attributes:
         position_rad: A joint may pass its position limit by this much (numerical noise only).
-        velocity_fraction: A joint's speed may pass its limit by this fraction.
+        velocity_fraction: A joint's speed may pass its limit by this fraction (the same).
         acceleration_fraction: The same for the acceleration. Cubic pieces through exact samples of a
             motion that rides on both its acceleration and its jerk limit overshoot the former by up
-            to 8/27 of jerk times spacing; half of a percent covers that at control rate.
+            to 8/27 of jerk times spacing; who times motions has to leave that room.
         jerk_fraction: The same for the jerk.
         jerk_window_s: A sudden change of acceleration at a sample is spread over the spacing of the
             samples, but over no more than this, to be judged as jerk.
@@ -35,10 +35,10 @@ class CheckSettings:
         zmp_margin_m: The ZMP stays this far inside the support polygon. At zero the feet begin to tip.
     """
 
-    position_rad: float = 1e-5
-    velocity_fraction: float = 2e-3
-    acceleration_fraction: float = 5e-3
-    jerk_fraction: float = 5e-3
+    position_rad: float = 1e-6
+    velocity_fraction: float = 1e-4
+    acceleration_fraction: float = 1e-4
+    jerk_fraction: float = 1e-4
     jerk_window_s: float = 0.02
     discontinuity_factor: float = 4.0
     stance_m: float = 1e-3
