@@ -21,18 +21,33 @@ class View:
     frame: PerceptionFrame
 
 
-class LookLeaf(Leaf):
+class GatheringLeaf(Leaf):
     """Gathers frames whose pictures were taken after its start, each once, with the camera's pose then."""
 
     _views: list[View]
 
-    def judge(self, views: list[View]) -> Status | Failure:
-        """With enough frames gathered: what follows from them."""
-        raise NotImplementedError
-
     def begin(self) -> None:
         """Forget earlier frames."""
         self._views = []
+
+    def gather(self) -> None:
+        """Take the newest frame if it is one that we have not got."""
+        frame = self.toolbox.detector.latest()
+        if frame is None or frame.stamp_s < self._started_s:
+            return
+        if self._views and frame.sequence <= self._views[-1].frame.sequence:
+            return
+        q = self.toolbox.sensing.state_at(frame.stamp_s).q
+        model = self.toolbox.model
+        self._views.append(View(model.frame_pose(q, model.description.camera.frame), frame))
+
+
+class LookLeaf(GatheringLeaf):
+    """Gathers a look's worth of frames, and judges them."""
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """With enough frames gathered: what follows from them."""
+        raise NotImplementedError
 
     def step(self) -> Status | Failure:
         """Gather until there are enough."""
@@ -47,17 +62,6 @@ class LookLeaf(Leaf):
     def deadline_s(self) -> float:
         """The policy's time for a look."""
         return self.toolbox.policy.look_timeout_s
-
-    def gather(self) -> None:
-        """Take the newest frame if it is one that we have not got."""
-        frame = self.toolbox.detector.latest()
-        if frame is None or frame.stamp_s < self._started_s:
-            return
-        if self._views and frame.sequence <= self._views[-1].frame.sequence:
-            return
-        q = self.toolbox.sensing.state_at(frame.stamp_s).q
-        model = self.toolbox.model
-        self._views.append(View(model.frame_pose(q, model.description.camera.frame), frame))
 
 
 def estimates_of(views: list[View]) -> tuple[ObjectEstimate, ...]:

@@ -14,13 +14,13 @@ from trees.contract import Contract
 from trees.failures import Failure, Number
 from trees.grip import grip_failure
 from trees.leaf import DONE, RUNNING
-from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.look_leaf import GatheringLeaf, View, estimates_of
 from trees.ports import ports
 from trees.recognition import nearest_sighting
 from trees.steps import Target
 
 
-class VerifyLift(LookLeaf):
+class VerifyLift(GatheringLeaf):
     """Watch gripper and camera while the object is held in the air.
 
     The gripper must say "holding", at the object's size, all the time; nothing outweighs that. What the
@@ -69,10 +69,6 @@ class VerifyLift(LookLeaf):
         if self._lost_since_s is not None:
             return RUNNING  # never end on a doubtful reading
         return self._succeed(seen)
-
-    def judge(self, views: list[View]) -> Status | Failure:
-        """Not used: this leaf looks for as long as it holds."""
-        raise NotImplementedError
 
     def _lost_grip(self) -> Failure | None:
         grasp: Grasp = self.get_input("grasp")
