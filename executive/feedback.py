@@ -105,6 +105,9 @@ def result_line(result: TaskResult) -> str:
     links = chain(result.failure)
     if not links:
         return f"{result.outcome}: {result.text}{times}"
+    if result.outcome == "question" and result.failure is not None:
+        choices = result.failure.choices
+        return f"question: {links[-1].message}: {', '.join(choices[:-1])} or {choices[-1]}{times}"
     reason = links[0].message
     if links[-1] is not links[0] and links[-1].message not in reason:
         reason += f", because {links[-1].message}"

@@ -133,7 +133,10 @@ class Session:
             if tree.status != "running":
                 break
             self._advance()
-        return ("done", None) if tree.status == "success" else ("failed", tree.failure)
+        if tree.status == "success":
+            return "done", None
+        asks = tree.failure is not None and tree.failure.choices
+        return ("question" if asks else "failed"), tree.failure
 
     def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
         tree.halt(reason)

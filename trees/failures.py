@@ -23,6 +23,9 @@ class FailureKind(Enum):
 
 Number = float | int | str | bool
 
+CHOICES_JOINED_BY = " | "
+"""Between the words of a failure's ``choices``."""
+
 
 @dataclass(frozen=True, slots=True)
 class Failure:
@@ -84,6 +87,15 @@ class Failure:
     def caused_by(self, cause: Failure | None) -> Failure:
         """The same failure with its cause."""
         return replace(self, cause=cause)
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """What a person has to choose from, when several things fit; at the root of the chain."""
+        root = self
+        while root.cause is not None:
+            root = root.cause
+        told = root.numbers.get("choices")
+        return tuple(str(told).split(CHOICES_JOINED_BY)) if told is not None else ()
 
     def to_json(self) -> dict[str, Any]:
         """As the command-line contract writes a failure."""

@@ -2,6 +2,7 @@
 
 import pytest
 
+from executive.exit_codes import ExitCode
 from executive.feedback import failure_lines, line_for, quantity, result_line, result_line_of_all
 from executive.task_result import TaskResult, TaskTimes
 from robots.control.events import SetpointRefused
@@ -91,3 +92,13 @@ def test_a_refused_setpoint_names_the_limit_and_the_value():
     line = line_for(SetpointRefused(1.0, "reach", "velocity", "arm_left_1_joint", 3.2, 2.7))
 
     assert line == "refused setpoint of reach: arm_left_1_joint velocity 3.2, limit 2.7"
+
+
+def test_several_that_fit_end_in_a_question_with_its_choices():
+    root = Failure.infeasible("which cup? there are 2", choices="blue cup | red cup", count=2)
+    failure = Failure.infeasible("could not pick up the cup", root)
+
+    result = TaskResult("pick up the cup", "pick", "question", failure=failure)
+
+    assert result_line(result).startswith("question: which cup? there are 2: blue cup or red cup (")
+    assert result.exit_code is ExitCode.QUESTION

@@ -68,7 +68,6 @@ def test_legs_that_cannot_follow_give_no_trajectory(talos, stance):
     assert time_curve(talos, space, stance, curve, Pace()) is None
 
 
-@pytest.mark.requirement("U5")
 def test_timing_opens_no_socket(talos, stance, monkeypatch):
     def refuse(*arguments, **options):
         raise AssertionError("a socket was opened")

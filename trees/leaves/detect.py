@@ -11,7 +11,7 @@ from py_trees.common import Status
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.contract import Contract
-from trees.failures import Failure
+from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
@@ -104,7 +104,7 @@ class Detect(LookLeaf):
             choices = _described({name: fitting[name] for name in on_source})
             return Failure.infeasible(
                 f"which {wanted}? there are {len(on_source)}",
-                choices=" | ".join(choices),
+                choices=CHOICES_JOINED_BY.join(choices),
                 count=len(on_source),
             )
         name, estimate = on_source[0], fitting[on_source[0]]

@@ -38,13 +38,18 @@ def pick(toolbox: Toolbox) -> CleanUp:
     main = _sequence("pick up", search("search", toolbox), attempts)
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
-    return CleanUp("pick", timed, _give_up(toolbox), worth_it=lambda failure: not defect(failure))
+    return CleanUp("pick", timed, _give_up(toolbox), worth_it=_tidying_helps)
+
+
+def _tidying_helps(failure: Failure) -> bool:
+    """Not after a defect; and while a question is open nothing moves."""
+    return not defect(failure) and not failure.choices
 
 
 def no_other_attempt_helps(failure: Failure, before: Failure | None) -> bool:
     """A defect, or the planner's second no in a row: it has been asked from home, with a new look."""
-    infeasible = failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or (infeasible and before is not None and before.kind is FailureKind.INFEASIBLE)
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    return defect(failure) or bool(failure.choices) or twice
 
 
 class _Sequence(Sequence):

@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives, defect
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure
 from trees.leaves.detect import Detect
 from trees.leaves.look_at import LookAt
 from trees.toolbox import Toolbox
@@ -23,4 +23,4 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
 
 def looking_elsewhere_is_useless(failure: Failure) -> bool:
     """A defect, or several objects in view that fit: that takes an answer, not another look."""
-    return defect(failure) or (failure.kind is FailureKind.INFEASIBLE and "choices" in failure.numbers)
+    return defect(failure) or bool(failure.choices)
