@@ -57,6 +57,9 @@ def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console) -> list[E
             records.append(record)
             held = sum(item.truth for item in records)
             progress.update(task, advance=1, description=f"held {held} of {len(records)}")
+            if not messages.is_terminal:  # a bar is drawn only at its end there
+                count = f"{len(records)} of {len(orders)}"
+                messages.print(f"{count}: seed {record.seed} {record.outcome}, held {held}")
     return sorted(records, key=lambda record: record.seed)
 
 
