@@ -36,6 +36,8 @@ PALM_GAP_M = 0.012
 TIP_GAP_M = 0.057
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
+# Flat pads along the object hold it better than the edges of two pads that it stands between.
+STRADDLE_COST = 1.0
 # An object that stands is upright to within this; a lying one is grasped like a box.
 UPRIGHT_COSINE = math.cos(math.radians(20))
 
@@ -103,14 +105,19 @@ def _placements(
     centre = item.world_T_object[:3, 3]
     limit = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
     if isinstance(item.shape, Ball):
-        if 2.0 * item.shape.radius_m <= limit:
-            yield from _rolled(rotation, centre, 2.0 * item.shape.radius_m)
+        if gripper.pad_gap_m < 2.0 * item.shape.radius_m <= limit:
+            yield from _rolled(rotation, centre, _straddled_opening(item.shape.radius_m, gripper))
         return
     if isinstance(item.shape, Cylinder) and abs(up[2]) >= UPRIGHT_COSINE:
         diameter = 2.0 * item.shape.radius_m
         if diameter <= limit:
             depth = _reach_in(item.shape.height_m, item.shape.radius_m, tilt, gripper)
-            yield from _rolled(rotation, centre + np.array([0.0, 0.0, depth]), diameter)
+            place = centre + np.array([0.0, 0.0, depth])
+            if not _straddled(tilt, gripper):
+                yield from _rolled(rotation, place, diameter)
+            elif item.shape.radius_m > 0.5 * gripper.pad_gap_m:
+                opening = _straddled_opening(item.shape.radius_m, gripper)
+                yield from _rolled(rotation, place, opening, STRADDLE_COST)
         return
     yield from _box_placements(item, gripper, rotation, tilt, limit)
 
@@ -165,7 +172,17 @@ def _reach_in(height: float, half_depth: float, tilt: float, gripper: GripperDes
     return max(blended, lowest)
 
 
-def _rolled(rotation: Array, centre: Array, diameter: float) -> Iterator[_Placement]:
+def _straddled(tilt: float, gripper: GripperDescription) -> bool:
+    """Whether the line along which an upright cylinder touches a side passes between its pads."""
+    return 0.5 * gripper.pad_gap_m * math.sin(tilt) > gripper.pad_half_size_m[2] * math.cos(tilt)
+
+
+def _straddled_opening(radius: float, gripper: GripperDescription) -> float:
+    """Opening on something round that sinks in between the pads of one side."""
+    return radius + math.sqrt(radius**2 - (0.5 * gripper.pad_gap_m) ** 2)
+
+
+def _rolled(rotation: Array, centre: Array, opening: float, cost: float = 0.0) -> Iterator[_Placement]:
     half_turn = poses.rotation_x(math.pi)
-    yield _Placement(poses.transform(rotation, centre), diameter, "", 0.0)
-    yield _Placement(poses.transform(rotation @ half_turn, centre), diameter, " rolled", 0.3)
+    yield _Placement(poses.transform(rotation, centre), opening, "", cost)
+    yield _Placement(poses.transform(rotation @ half_turn, centre), opening, " rolled", cost + 0.3)

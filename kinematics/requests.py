@@ -28,7 +28,7 @@ class Grasp:
         label: Short name, unique among the object's candidates: "side 30 deg", "top 45 deg".
         world_T_tcp: Pose of the TCP when the fingers close, shape (4, 4).
         approach_m: Length of the straight approach along the TCP's x axis.
-        diameter_m: Extent of the object between the pads.
+        diameter_m: Opening that is expected when the pads hold the object.
     """
 
     hand: Hand

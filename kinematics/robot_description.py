@@ -55,6 +55,8 @@ class GripperDescription:
         held_effort_nm: At least this effort is felt when something is held.
         pad_half_size_m, pad_position_m: Half-sizes of a finger pad (across, thickness, length) and its
             centre, in the fingertip link.
+        pad_gap_m: Between neighbouring pads of one side, across the approach: what is round about the
+            approach sinks in between them.
         palm_distance_m: From the TCP back to the palm, along the approach.
         closing_advance_m: How much farther the fingertips reach along the approach when they close.
     """
@@ -75,6 +77,7 @@ class GripperDescription:
     held_effort_nm: float
     pad_half_size_m: tuple[float, float, float]
     pad_position_m: tuple[float, float, float]
+    pad_gap_m: float
     palm_distance_m: float
     closing_advance_m: float
 

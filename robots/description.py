@@ -238,6 +238,7 @@ def _gripper(hand: Hand, data: Table) -> GripperDescription:
         held_effort_nm=data["held_effort_nm"],
         pad_half_size_m=tuple(data["pad_half_size_m"]),
         pad_position_m=tuple(data["pad_position_m"]),
+        pad_gap_m=data["pad_gap_m"],
         palm_distance_m=data["palm_distance_m"],
         closing_advance_m=data["closing_advance_m"],
     )

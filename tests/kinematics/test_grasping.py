@@ -13,14 +13,19 @@ def candidates(talos, shape, place=(0.5, -0.2, 0.9), turn=0.0, hand="right"):
     return [c.grasp for c in grasp_candidates(SceneObject("thing", shape, pose), gripper, 0.0, 0.1)]
 
 
+def tilt_of(grasp):
+    return -np.degrees(np.arcsin(np.clip(grasp.world_T_tcp[2, 0], -1.0, 1.0)))
+
+
 def test_a_cup_is_grasped_across_its_axis_from_side_to_top(talos):
     grasps = candidates(talos, Cylinder(0.03, 0.12))
 
-    tilts = {round(float(-np.degrees(np.arcsin(g.world_T_tcp[2, 0])))) for g in grasps}
+    tilts = {round(tilt_of(grasp)) for grasp in grasps}
     assert min(tilts) == 0
     assert max(tilts) == 90
     for grasp in grasps:
-        assert grasp.diameter_m == pytest.approx(0.06)
+        flat = tilt_of(grasp) < 61
+        assert grasp.diameter_m == pytest.approx(0.06 if flat else 0.03 + np.sqrt(0.03**2 - 0.016**2))
         assert abs(grasp.world_T_tcp[2, 1]) < 1e-9  # the opening is horizontal
         # the TCP is on the cup's axis, inside its height
         assert grasp.world_T_tcp[:2, 3] == pytest.approx([0.5, -0.2])
@@ -46,6 +51,14 @@ def test_a_ball_has_grasps(talos):
 )
 def test_what_is_wider_than_the_hand_has_no_grasp(talos, shape):
     assert candidates(talos, shape) == []
+
+
+def test_what_fits_between_neighbouring_pads_is_not_grasped_from_above(talos):
+    thin = candidates(talos, Cylinder(0.015, 0.12))
+
+    assert thin
+    assert max(tilt_of(grasp) for grasp in thin) < 61
+    assert candidates(talos, Ball(0.015)) == []
 
 
 def test_the_reserve_for_perception_errors_is_kept(talos):
