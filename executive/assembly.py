@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from executive.events import EventSink
 from executive.planning_jobs import PlanningJobs
-from executive.session import PERIOD_S, Session
+from executive.session import PERIOD_S, Session, TreeBuilder
 from kinematics.motion_planner import MotionPlanner
 from kinematics.robot_model import RobotModel
 from robots.clock import ManualClock
@@ -18,7 +18,7 @@ from robots.description import load_description
 from robots.perception.stub import PerceptionStub
 from robots.scene_description import SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
-from trees.build import TaskTree
+from trees.build import TaskTree, build_tree
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -56,11 +56,24 @@ def assemble(
     on_period: Callable[[], None] | None = None,
     on_tick: Callable[[TaskTree], None] | None = None,
     policy: TreePolicy | None = None,
+    build: TreeBuilder = build_tree,
+    posture: Mapping[str, float] | None = None,
 ) -> Assembly:
     """Put a robot into a scene.
 
     Each consumer of randomness draws from a child of ``seed`` of its own, in a fixed order, so that one
     that draws more or less does not change what the others see.
+
+    Args:
+        robot: Name of the robot.
+        scene: What is around it.
+        seed: Of everything random.
+        sink: Takes every event.
+        on_period: Called after each control period.
+        on_tick: Called after each tick of a tree.
+        policy: Numbers that behaviors go by.
+        build: Makes a task's tree.
+        posture: Positions of joints that are not where the home posture has them; it is home then.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -71,6 +84,8 @@ def assemble(
         np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(3)
     )
     description = load_description(robot)
+    if posture:
+        description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)
     clock = ManualClock()
     world = build_world(description, scene, for_world)
@@ -91,6 +106,13 @@ def assemble(
         policy=policy or TreePolicy(),
     )
     session = Session(
-        toolbox, loop, planning, sink, tick_sensors=perception.tick, on_period=on_period, on_tick=on_tick
+        toolbox,
+        loop,
+        planning,
+        sink,
+        tick_sensors=perception.tick,
+        on_period=on_period,
+        on_tick=on_tick,
+        build=build,
     )
     return Assembly(world, session, loop, perception, planning, model, clock)

@@ -8,7 +8,7 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from executive.commands import doctor, list_, parse, run, runs, tree, why
+from executive.commands import check, doctor, list_, parse, run, runs, tree, why
 from executive.errors import UserError
 from executive.exit_codes import ExitCode
 from robots.errors import DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError
@@ -58,6 +58,7 @@ app = typer.Typer(
 app.command("run")(run.run)
 app.command("parse")(parse.parse)
 app.command("tree")(tree.tree)
+app.command("check")(check.check)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("list")(list_.list_)

@@ -5,6 +5,7 @@ ExecutiveError
 │   ├── NotWritableError     a folder or file that cannot be written
 │   ├── UnknownRunError      a recorded run that is not there
 │   ├── ScriptError          a task script that cannot be one: file, key and reason
+│   ├── TrajectoryFileError  a stored trajectory that cannot be one: file, place and reason
 │   └── MissingPartError     a library or program that an option needs is not installed
 └── VocabularyError      word lists that contradict the grammar: a defect of the data
 
@@ -47,6 +48,13 @@ class ScriptError(UserError):
 
     def __init__(self, source: str, key: str, reason: str) -> None:
         super().__init__(f"{source}: {key}: {reason}" if key else f"{source}: {reason}")
+
+
+class TrajectoryFileError(UserError):
+    """A stored trajectory that cannot be one."""
+
+    def __init__(self, path: Path, reason: str) -> None:
+        super().__init__(f"{path}: {reason}")
 
 
 class MissingPartError(UserError):

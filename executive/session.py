@@ -13,7 +13,7 @@ from executive.task_result import Outcome, TaskResult, TaskTimes
 from robots.clock import Clock, WallClock
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
-from trees.tasks import PickTask
+from trees.tasks import PickTask, Task
 from trees.toolbox import Sensing, Toolbox
 
 PERIOD_S = 0.002
@@ -33,6 +33,9 @@ NOTED_EVERY_TICKS = 25
 
 TASK_TIMEOUT_S = 180.0
 """Simulated time after which a task is given up; several times the longest recovery."""
+
+
+TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
 
 class Steps(Protocol):
@@ -59,6 +62,7 @@ class Session:
         tick_sensors: Called each control period: simulated sensors that run beside the loop.
         on_period: Called after each control period: an evaluation's monitor, a camera.
         on_tick: Called before the first tick and after each with the tree: a display.
+        build: Makes a task's tree.
     """
 
     def __init__(
@@ -71,10 +75,12 @@ class Session:
         tick_sensors: Callable[[], None] | None = None,
         on_period: Callable[[], None] | None = None,
         on_tick: Callable[[TaskTree], None] | None = None,
+        build: TreeBuilder = build_tree,
     ) -> None:
         self._toolbox, self._loop, self._planning, self._sink = toolbox, loop, planning, sink
         self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
         self._on_tick = on_tick
+        self._build = build
         self._clock: Clock = toolbox.clock
         self._ticks = 0
         self._settled = False
@@ -110,7 +116,7 @@ class Session:
         if isinstance(command, StopCommand):
             outcome, tree = self._halted_nothing(), None
         else:
-            tree = build_tree(command, self._toolbox)
+            tree = self._build(command, self._toolbox)
             outcome = self._run(tree, began_s + timeout_s)
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}

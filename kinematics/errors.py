@@ -3,7 +3,8 @@
 KinematicsError
 ├── UnknownNameError      a frame, joint, group or object that is not there
 ├── ModelError            a robot description that cannot be turned into a model
-└── InvalidMotionError    arrays that cannot be a path or a trajectory
+├── InvalidMotionError    arrays that cannot be a path or a trajectory
+└── TrajectoryDocumentError  a stored trajectory that cannot be one: place and reason
 
 Expected outcomes (no plan found, an unsafe trajectory) are return values, not errors.
 """
@@ -33,3 +34,11 @@ class ModelError(KinematicsError):
 
 class InvalidMotionError(KinematicsError):
     """Arrays that cannot be a path or a trajectory."""
+
+
+class TrajectoryDocumentError(KinematicsError):
+    """A stored trajectory that cannot be one: the place in the document and the reason."""
+
+    def __init__(self, place: str, reason: str) -> None:
+        self.place, self.reason = place, reason
+        super().__init__(f"{place}: {reason}")

@@ -1,0 +1,55 @@
+"""``executive check``: judge without moving."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+
+
+def check(
+    text: Annotated[
+        str, typer.Argument(metavar="SENTENCE|SCRIPT.toml|TRAJECTORY.json", help="What to judge.")
+    ],
+    robot: Annotated[
+        str | None, typer.Option(help="Name of the robot.", show_default=f"{DEFAULT_ROBOT}, or the file's")
+    ] = None,
+    scene: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME|FILE.toml",
+            help="Where.",
+            show_default=f"{DEFAULT_SCENE}; for a trajectory the TOML file beside it",
+        ),
+    ] = None,
+    seed: Annotated[int | None, typer.Option(min=0, help="Of everything random.", show_default="0")] = None,
+    margin_m: Annotated[
+        float,
+        typer.Option(
+            "--margin", min=0.0, max=1.0, metavar="METRES", help="Kept from a stored trajectory's scene."
+        ),
+    ] = 0.0,
+    report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
+) -> None:
+    """Say whether a stored trajectory is safe, or what a sentence would do; moves nothing."""
+    from executive.run_log import require_writable, write_report
+
+    if report is not None:
+        require_writable(report)
+    if text.endswith(".json"):
+        from executive.stored_check import check_stored
+
+        answer = check_stored(Path(text), robot, scene, margin_m)
+    else:
+        from executive.rehearsal import rehearse
+
+        answer = rehearse(text, robot, scene, seed)
+    if report is not None:
+        write_report(report, answer.to_json())
+    for line in [answer.message] if quiet else answer.lines():
+        typer.echo(line.encode("utf-8", "backslashreplace").decode("utf-8"))
+    raise typer.Exit(answer.exit_code)

@@ -1,0 +1,176 @@
+"""What a sentence or a script would do: understand, look, plan and check, without moving."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from executive.check_report import CheckReport, MotionVerdict, Outcome
+from executive.command_parser import parse
+from executive.config import leave_opengl_to_the_renderer
+from executive.exit_codes import ExitCode
+from executive.meaning import wording
+from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.statement import Statement
+from executive.task_result import TaskResult, chain
+from executive.task_script import TaskScript, is_script, load_script
+from kinematics.requests import CheckRequest, PickPlan, PlanRequest
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from robots.description import load_description
+from robots.scene_description import SceneDescription
+from robots.scene_file import load_scene
+from trees.failures import FailureKind
+from trees.policy import Gaze, TreePolicy
+from trees.rehearsal import build_rehearsal
+from trees.tasks import PickTask, Task
+from trees.toolbox import Job, Planning, Toolbox
+
+if TYPE_CHECKING:
+    from trees.task_tree import TaskTree
+
+
+def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) -> CheckReport:
+    """Say what a sentence or a script would do.
+
+    Every command is judged from the start: the home posture with the head already turned to where a run
+    would look, empty hands, the scene as it is perceived from there. A run would lean over as well.
+
+    Args:
+        text: A sentence, or the path of a task script.
+        robot: Name of the robot.
+        scene: Name of a scene, or path of a scene file.
+        seed: Of everything random. What is left out is the script's, else the usual.
+
+    Raises:
+        UserError: The script cannot be one.
+        RobotsError: There is no such robot or scene.
+    """
+    script = load_script(Path(text)) if is_script(text) else TaskScript((Statement(parse(text)),))
+    robot, scene = robot or script.robot or DEFAULT_ROBOT, scene or script.scene or DEFAULT_SCENE
+    seed = next(value for value in (seed, script.seed, 0) if value is not None)
+    world = load_scene(scene)
+    for one in script.statements:
+        if one.parsed.outcome not in ("tasks", one.expect):
+            outcome, code, message = _not_understood(one)
+            return CheckReport(text, robot, scene, outcome, code, message)
+    notes: list[str] = []
+    motions: list[MotionVerdict] = []
+    for one in script.statements:
+        if not one.parsed.commands:
+            notes.append(f"{one.parsed.text!r}: {one.parsed.outcome}, as expected")
+        for command in one.parsed.commands:
+            if not isinstance(command, PickTask):
+                notes.append(
+                    f"{wording(command)}: from the home posture with nothing under way, nothing moves"
+                )
+                continue
+            rehearsal = _Rehearsal(robot, world, seed)
+            result = rehearsal.of(command)
+            notes += rehearsal.notes
+            motions += rehearsal.motions
+            if result.outcome == "done" or result.outcome == one.expect:
+                continue
+            outcome, message = _verdict(result)
+            failure = None if result.failure is None else result.failure.to_json()
+            return CheckReport(
+                text, robot, scene, outcome, result.exit_code, message, notes, motions, failure
+            )
+    planned = f"safe: {len(motions)} motions planned and checked" if motions else "safe: no motion is needed"
+    return CheckReport(text, robot, scene, "safe", ExitCode.DONE, planned, notes, motions)
+
+
+def _not_understood(one: Statement) -> tuple[Outcome, ExitCode, str]:
+    if one.parsed.question is not None:
+        return "question", ExitCode.QUESTION, f"question: {one.parsed.question.text}"
+    return "refused", ExitCode.INVALID, f"refused: {one.parsed.refusal}"
+
+
+def _verdict(result: TaskResult) -> tuple[Outcome, str]:
+    """The outcome in the words of a check, and the last line."""
+    root = chain(result.failure)[-1]
+    if result.outcome == "question" and result.failure is not None:
+        return "question", f"question: {root.message}: {' or '.join(result.failure.choices)}"
+    if root.kind is FailureKind.UNSAFE:
+        return "unsafe", root.message
+    hint = "; a run would lean over as well" if root.kind is FailureKind.POSTCONDITION else ""
+    return "failed", f"failed: {root.message}{hint} [{root.kind.value}]"
+
+
+@dataclass(slots=True)
+class _Listening:
+    """Passes requests on to the planning service, and remembers them with their jobs."""
+
+    planning: Planning
+    jobs: list[tuple[PlanRequest, Job]] = field(default_factory=list)
+
+    def submit(self, request: PlanRequest) -> Job:
+        job = self.planning.submit(request)
+        self.jobs.append((request, job))
+        return job
+
+
+class _Motionless:
+    """A motion control that tells where the robot stands and starts nothing."""
+
+    def __init__(self, toolbox: Toolbox) -> None:
+        self.reference, self.stance = toolbox.motion.reference, toolbox.motion.stance
+
+    def start(self, _motion: Any) -> Any:
+        raise RuntimeError("a rehearsal moves nothing")
+
+    def cancel(self, _handle: Any, _reason: str) -> None:
+        raise RuntimeError("a rehearsal moves nothing")
+
+
+class _Rehearsal:
+    """One command, tried out in worlds of its own.
+
+    Attributes:
+        notes: What was seen and chosen.
+        motions: What was planned and judged.
+    """
+
+    def __init__(self, robot: str, scene: SceneDescription, seed: int) -> None:
+        self._place = robot, scene, seed
+        self.notes: list[str] = []
+        self.motions: list[MotionVerdict] = []
+
+    def of(self, command: PickTask) -> TaskResult:
+        """Rehearse a command, with one gaze after the other until what it is about is seen."""
+        leave_opengl_to_the_renderer()
+        self.notes.append(wording(command))
+        camera = load_description(self._place[0]).camera
+        gazes = [gaze for gaze in TreePolicy().search_gazes if gaze.lean_rad == 0.0]
+        for gaze in gazes:
+            result = self._look(
+                command, gaze, {camera.tilt_joint: gaze.tilt_rad, camera.pan_joint: gaze.pan_rad}
+            )
+            if result.outcome == "done" or chain(result.failure)[-1].kind is not FailureKind.POSTCONDITION:
+                break
+        return result
+
+    def _look(self, command: PickTask, gaze: Gaze, posture: Mapping[str, float]) -> TaskResult:
+        from executive.assembly import assemble
+
+        session = assemble(*self._place, build=self._build, posture=posture).session
+        result = session.run_task(command)
+        seen = ", ".join(sorted(self._toolbox.world.scene.objects)) or "nothing"
+        self.notes.append(f"  looking {gaze.name}, seen: {seen}")
+        answers = [(request, job.result()) for request, job in self._listening.jobs if job.done]
+        names = iter(("reach", "approach", "lift"))
+        for request, answer in answers:
+            if isinstance(answer, PickPlan):
+                grasp = answer.grasp
+                self.notes.append(
+                    f"  first plan: {grasp.hand} hand, {grasp.label}, {answer.considered} grasps considered"
+                )
+            elif isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory | Unsafe):
+                self.motions.append(MotionVerdict(next(names), request.trajectory, answer))
+        return result
+
+    def _build(self, task: Task, toolbox: Toolbox) -> TaskTree:
+        self._listening = _Listening(toolbox.planning)
+        self._toolbox = replace(toolbox, planning=self._listening, motion=_Motionless(toolbox))
+        return build_rehearsal(task, self._toolbox)

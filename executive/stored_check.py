@@ -1,0 +1,100 @@
+"""Judge a stored trajectory file: read it, put it into its scene, ask the checker."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from executive.check_report import CheckReport, MotionVerdict
+from executive.errors import TrajectoryFileError
+from executive.exit_codes import ExitCode
+from kinematics.errors import TrajectoryDocumentError
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import Unsafe
+from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.trajectory_document import StoredTrajectory, read_trajectory
+from kinematics.trajectory_fit import fit
+from robots.description import load_description
+from robots.scene_file import load_scene
+from robots.scene_solids import planning_scene
+
+MAX_BYTES = 64_000_000
+"""A minute of a humanoid at 500 samples a second."""
+
+
+def load_trajectory(path: Path) -> StoredTrajectory:
+    """Read a stored trajectory.
+
+    Raises:
+        TrajectoryFileError: File, place and reason.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise TrajectoryFileError(path, f"has more than {MAX_BYTES} bytes")
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except OSError as failed:
+        raise TrajectoryFileError(path, failed.strerror or "cannot be read") from failed
+    if len(content) > MAX_BYTES:  # a pipe has no size beforehand
+        raise TrajectoryFileError(path, f"has more than {MAX_BYTES} bytes")
+    try:
+        return read_trajectory(content.decode("utf-8"))
+    except UnicodeDecodeError as broken:
+        raise TrajectoryFileError(path, "is not UTF-8 text") from broken
+    except TrajectoryDocumentError as broken:
+        raise TrajectoryFileError(path, str(broken)) from broken
+
+
+def check_stored(path: Path, robot: str | None, scene: str | None, margin_m: float) -> CheckReport:
+    """Judge the trajectory of a file.
+
+    Args:
+        path: The file.
+        robot: Name of the robot; the one that the file names when left out.
+        scene: Name of a scene or path of a scene file. When left out, the TOML file beside the trajectory
+            is taken (the same name, ``.toml``); where there is none, there is only the floor.
+        margin_m: Distance to keep from everything in the scene.
+
+    Raises:
+        TrajectoryFileError: The file, or what it names.
+        RobotsError: There is no such robot or scene.
+    """
+    stored = load_trajectory(path)
+    beside = path.with_suffix(".toml")
+    if scene is None and beside.is_file():
+        scene = str(beside)
+    surroundings = PlanningScene() if scene is None else planning_scene(load_scene(scene), margin_m)
+    model = RobotModel(load_description(robot or stored.robot))
+    try:
+        asked = fit(stored, model, surroundings)
+    except TrajectoryDocumentError as unfit:
+        raise TrajectoryFileError(path, str(unfit)) from unfit
+    answer = TrajectoryChecker(model).check(asked.trajectory, asked.scene)
+    verdict = MotionVerdict("motion", asked.trajectory, answer)
+    unsafe = isinstance(verdict.answer, Unsafe)
+    return CheckReport(
+        input=str(path),
+        robot=model.description.name,
+        scene=scene,
+        outcome="unsafe" if unsafe else "safe",
+        exit_code=ExitCode.UNSAFE if unsafe else ExitCode.DONE,
+        message=str(verdict.answer) if unsafe else "safe: the checker found no defect",
+        notes=_notes(stored, scene, surroundings, margin_m),
+        motions=(verdict,),
+    )
+
+
+def _notes(
+    stored: StoredTrajectory, scene: str | None, surroundings: PlanningScene, margin_m: float
+) -> tuple[str, ...]:
+    """What was taken for granted."""
+    if scene is None:
+        around = "no scene was given and none lies beside the file: judged with nothing but the floor around"
+    else:
+        around = f"scene {scene}: {len(surroundings.objects)} solids and the floor, margin {margin_m:g} m"
+    notes = [f"robot {stored.robot}", around]
+    notes += [f"held: {item.name} by {item.frame}" for item in stored.held]
+    if stored.allowed:
+        pairs = sorted(" and ".join(sorted(pair)) for pair in stored.allowed)
+        notes.append(f"may touch, because the file says so: {', '.join(pairs)}")
+    return tuple(notes)

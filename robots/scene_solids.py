@@ -1,0 +1,34 @@
+"""A scene's truth as solids for the planning scene: for judging stored motions, never for the robot's."""
+
+from __future__ import annotations
+
+from kinematics import poses
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Cylinder
+from robots import furniture
+from robots.scene_description import SceneDescription
+from robots.scene_rules import PERSON_HEIGHT_M
+
+PERSON_REACH_M = 0.24
+"""Radius around a person's axis that holds the whole body, arms included."""
+
+
+def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningScene:
+    """Everything that a scene file describes, in the world frame.
+
+    Args:
+        scene: The scene; furniture becomes its boxes ("table/top", "table/leg_1", ...), a person an
+            upright cylinder.
+        margin_m: Distance that the robot keeps from each of them.
+    """
+    solids = [
+        SceneObject(solid.name, solid.shape, solid.world_T_solid, margin_m, movable=False)
+        for piece in scene.furniture
+        for solid in furniture.solids(piece)
+    ]
+    solids += [SceneObject(item.name, item.shape, item.world_T_object, margin_m) for item in scene.objects]
+    for person in scene.people:
+        place = poses.transform(poses.rotation_z(person.yaw_rad), (*person.position_m, 0.5 * PERSON_HEIGHT_M))
+        body = Cylinder(PERSON_REACH_M, PERSON_HEIGHT_M)
+        solids.append(SceneObject(person.name, body, place, margin_m, movable=False))
+    return PlanningScene().with_objects(solids)
