@@ -18,7 +18,7 @@ from robots.description import load_description
 from robots.perception.stub import PerceptionStub
 from robots.scene_description import SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
-from trees.build import TaskTree, build_tree
+from trees.build import TaskTree
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -56,7 +56,7 @@ def assemble(
     on_period: Callable[[], None] | None = None,
     on_tick: Callable[[TaskTree], None] | None = None,
     policy: TreePolicy | None = None,
-    build: TreeBuilder = build_tree,
+    build: TreeBuilder | None = None,
     posture: Mapping[str, float] | None = None,
 ) -> Assembly:
     """Put a robot into a scene.
@@ -72,7 +72,7 @@ def assemble(
         on_period: Called after each control period.
         on_tick: Called after each tick of a tree.
         policy: Numbers that behaviors go by.
-        build: Makes a task's tree.
+        build: Makes a task's tree; `build_tree` when left out.
         posture: Positions of joints that are not where the home posture has them; it is home then.
 
     Raises:

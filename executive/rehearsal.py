@@ -167,7 +167,8 @@ class _Rehearsal:
                     f"  first plan: {grasp.hand} hand, {grasp.label}, {answer.considered} grasps considered"
                 )
             elif isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory | Unsafe):
-                self.motions.append(MotionVerdict(next(names), request.trajectory, answer))
+                name = f"{wording(command)}: {next(names)}"
+                self.motions.append(MotionVerdict(name, request.trajectory, answer))
         return result
 
     def _build(self, task: Task, toolbox: Toolbox) -> TaskTree:

@@ -62,7 +62,7 @@ class Session:
         tick_sensors: Called each control period: simulated sensors that run beside the loop.
         on_period: Called after each control period: an evaluation's monitor, a camera.
         on_tick: Called before the first tick and after each with the tree: a display.
-        build: Makes a task's tree.
+        build: Makes a task's tree; `build_tree` when left out.
     """
 
     def __init__(
@@ -75,7 +75,7 @@ class Session:
         tick_sensors: Callable[[], None] | None = None,
         on_period: Callable[[], None] | None = None,
         on_tick: Callable[[TaskTree], None] | None = None,
-        build: TreeBuilder = build_tree,
+        build: TreeBuilder | None = None,
     ) -> None:
         self._toolbox, self._loop, self._planning, self._sink = toolbox, loop, planning, sink
         self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
@@ -116,7 +116,7 @@ class Session:
         if isinstance(command, StopCommand):
             outcome, tree = self._halted_nothing(), None
         else:
-            tree = self._build(command, self._toolbox)
+            tree = (self._build or build_tree)(command, self._toolbox)
             outcome = self._run(tree, began_s + timeout_s)
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}

@@ -45,7 +45,9 @@ def load_trajectory(path: Path) -> StoredTrajectory:
         raise TrajectoryFileError(path, str(broken)) from broken
 
 
-def check_stored(path: Path, robot: str | None, scene: str | None, margin_m: float) -> CheckReport:
+def check_stored(
+    path: Path, robot: str | None = None, scene: str | None = None, margin_m: float = 0.0
+) -> CheckReport:
     """Judge the trajectory of a file.
 
     Args:

@@ -1,0 +1,165 @@
+"""A stored trajectory meets its robot and its surroundings."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.errors import TrajectoryDocumentError
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Ball, Box
+from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajectory
+from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.trajectory_document import HeldObject, StoredTrajectory, read_trajectory, write_trajectory
+from kinematics.trajectory_fit import fit
+
+
+@pytest.fixture(scope="module")
+def checker(talos):
+    return TrajectoryChecker(talos)
+
+
+@pytest.fixture
+def still(talos, stance):
+    q = np.tile(talos.q_home, (3, 1))
+    motion = Trajectory(talos.joints, stance, np.array([0.0, 0.3, 0.6]), q, np.zeros((3, talos.nv)))
+    return StoredTrajectory("talos", motion)
+
+
+def in_left_hand(size_m=0.05, ahead_m=0.0, touch=(), name="cup"):
+    return HeldObject(name, "tcp_left", poses.translation(ahead_m, 0, 0), Ball(size_m / 2), frozenset(touch))
+
+
+def judged(checker, talos, stored, scene=None):
+    asked = fit(stored, talos, scene or PlanningScene())
+    return checker.check(asked.trajectory, asked.scene)
+
+
+def test_a_stored_motion_is_judged_as_the_motion_that_was_stored(checker, talos, still):
+    back = read_trajectory(write_trajectory(still))
+
+    assert isinstance(judged(checker, talos, back), CheckedTrajectory)
+
+
+def test_joints_come_in_any_order_and_are_found_by_name(checker, talos, still):
+    motion = still.trajectory
+    order = np.random.default_rng(0).permutation(len(talos.joints))
+    shuffled = Trajectory(
+        tuple(talos.joints[i] for i in order),
+        motion.stance,
+        motion.t_s,
+        np.hstack([motion.q[:, :7], motion.q[:, 7 + order]]),
+        np.hstack([motion.v[:, :6], motion.v[:, 6 + order]]),
+    )
+
+    asked = fit(StoredTrajectory("talos", shuffled), talos, PlanningScene())
+
+    assert asked.trajectory.joints == talos.joints
+    assert np.array_equal(asked.trajectory.q, motion.q)
+    assert isinstance(checker.check(asked.trajectory, asked.scene), CheckedTrajectory)
+
+
+def test_what_is_held_collides(checker, talos, still):
+    wall = SceneObject(
+        "wall",
+        Box((0.1, 0.1, 0.1)),
+        talos.frame_pose(talos.q_home, "tcp_left") @ poses.translation(0.3, 0, 0),
+    )
+    scene = PlanningScene().with_object(wall)
+    touch = talos.description.grippers["left"].links
+
+    empty = judged(checker, talos, still, scene)
+    short = judged(checker, talos, replace(still, held=(in_left_hand(0.05, 0.1, touch),)), scene)
+    long = judged(checker, talos, replace(still, held=(in_left_hand(0.3, 0.16, touch),)), scene)
+
+    assert isinstance(empty, CheckedTrajectory)
+    assert isinstance(short, CheckedTrajectory)
+    assert [(f.kind, set(f.subject)) for f in long.findings if "wall" in f.subject] == [
+        (FindingKind.HELD_OBJECT_COLLISION, {"cup", "wall"})
+    ]
+
+
+def test_a_held_object_leaves_the_world(checker, talos, still):
+    in_the_arm = SceneObject("cup", Ball(0.1), talos.frame_pose(talos.q_home, "arm_left_4_link"))
+    scene = PlanningScene().with_object(in_the_arm)
+    touch = talos.description.grippers["left"].links
+
+    assert not isinstance(judged(checker, talos, still, scene), CheckedTrajectory)
+    held = replace(still, held=(in_left_hand(0.03, 0.1, touch),))
+    assert isinstance(judged(checker, talos, held, scene), CheckedTrajectory)
+
+
+def test_an_allowed_pair_may_touch_and_no_other(checker, talos, still):
+    hand = talos.frame_pose(talos.q_home, "arm_left_4_link")
+    scene = PlanningScene().with_object(SceneObject("cup", Ball(0.02), hand))
+    found = judged(checker, talos, still, scene).findings
+    pairs = frozenset(frozenset(finding.subject) for finding in found)
+
+    assert isinstance(judged(checker, talos, replace(still, allowed=pairs), scene), CheckedTrajectory)
+
+
+def renamed(still, old, new):
+    motion = still.trajectory
+    return replace(motion, joints=tuple(new if name == old else name for name in motion.joints))
+
+
+def without_head(still, talos):
+    motion = still.trajectory
+    keep = [i for i, name in enumerate(talos.joints) if name != "head_1_joint"]
+    q = np.hstack([motion.q[:, :7], motion.q[:, [7 + i for i in keep]]])
+    v = np.hstack([motion.v[:, :6], motion.v[:, [6 + i for i in keep]]])
+    return replace(motion, joints=tuple(talos.joints[i] for i in keep), q=q, v=v)
+
+
+def moved_soles(still, change):
+    soles = tuple((name, world_T_sole @ change) for name, world_T_sole in still.trajectory.stance.soles)
+    return replace(still.trajectory, stance=Stance(soles))
+
+
+def renamed_sole(still):
+    return replace(still.trajectory, stance=Stance((("left_soul_link", np.eye(4)),)))
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda s, _: replace(s, robot="g1"), "robot: is 'g1', to be judged as 'talos'"),
+        (
+            lambda s, _: replace(s, trajectory=renamed(s, "head_1_joint", "haed_1_joint")),
+            "no joint 'haed_1_joint' among 30; did you mean 'head_1_joint'?",
+        ),
+        (lambda s, t: replace(s, trajectory=without_head(s, t)), "the robot's 'head_1_joint' is missing"),
+        (lambda s, _: replace(s, trajectory=renamed_sole(s)), "did you mean 'left_sole_link'?"),
+        (
+            lambda s, _: replace(s, trajectory=moved_soles(s, poses.translation(0, 0, 0.1))),
+            "stance.left_sole_link: lies not on the floor: height 0.1 m",
+        ),
+        (
+            lambda s, _: replace(
+                s, trajectory=moved_soles(s, poses.transform(poses.rotation_x(0.1), (0.0, 0.0, 0.0)))
+            ),
+            "tilt 0.1 rad",
+        ),
+        (lambda s, _: replace(s, held=(in_left_hand(name="floor"),)), "'floor' is the floor's name"),
+        (lambda s, _: replace(s, held=(in_left_hand(name="leg_left_6_link"),)), "a part of the robot"),
+        (lambda s, _: replace(s, held=(in_left_hand(touch=["nothing"]),)), "touch_links: no link 'nothing'"),
+        (
+            lambda s, _: replace(s, allowed=frozenset([frozenset(["cup", "torso_2_link"])])),
+            "allowed: no link or object 'cup'",
+        ),
+    ],
+)
+def test_what_does_not_fit_the_robot_is_refused_with_its_place(talos, still, change, says):
+    with pytest.raises(TrajectoryDocumentError) as refused:
+        fit(change(still, talos), talos, PlanningScene())
+
+    assert says in str(refused.value)
+
+
+@pytest.mark.parametrize("name", ["floor", "torso_2_link"])
+def test_a_scene_cannot_take_the_floor_away_or_pose_as_the_robot(talos, still, name):
+    scene = PlanningScene().with_object(SceneObject(name, Ball(0.01), poses.translation(3, 0, 3)))
+
+    with pytest.raises(TrajectoryDocumentError, match=name):
+        fit(still, talos, scene)
