@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from executive.check_report import CheckReport, MotionVerdict
@@ -53,9 +54,9 @@ def check_stored(
     Args:
         path: The file.
         robot: Name of the robot; the one that the file names when left out.
-        scene: Name of a scene or path of a scene file. When left out, the TOML file beside the trajectory
-            is taken (the same name, ``.toml``); where there is none, there is only the floor.
-        margin_m: Distance to keep from everything in the scene.
+        scene: Name of a scene or path of a scene file. When left out, it is what the trajectory's own file
+            says to be around, else the TOML file beside it (the same name, ``.toml``), else only the floor.
+        margin_m: Distance to keep from everything in the scene, at least.
 
     Raises:
         TrajectoryFileError: The file, or what it names.
@@ -63,9 +64,9 @@ def check_stored(
     """
     stored = load_trajectory(path)
     beside = path.with_suffix(".toml")
-    if scene is None and beside.is_file():
+    if scene is None and stored.objects is None and beside.is_file():
         scene = str(beside)
-    surroundings = PlanningScene() if scene is None else planning_scene(load_scene(scene), margin_m)
+    surroundings = _surroundings(stored, scene, margin_m)
     model = RobotModel(load_description(robot or stored.robot))
     try:
         asked = fit(stored, model, surroundings)
@@ -86,11 +87,21 @@ def check_stored(
     )
 
 
+def _surroundings(stored: StoredTrajectory, scene: str | None, margin_m: float) -> PlanningScene:
+    if scene is not None:
+        return planning_scene(load_scene(scene), margin_m)
+    around = [replace(item, margin_m=max(item.margin_m, margin_m)) for item in stored.objects or ()]
+    return PlanningScene().with_objects(around)
+
+
 def _notes(
     stored: StoredTrajectory, scene: str | None, surroundings: PlanningScene, margin_m: float
 ) -> tuple[str, ...]:
     """What was taken for granted."""
-    if scene is None:
+    if scene is None and stored.objects is not None:
+        count = len(surroundings.objects)
+        around = f"scene of the file itself: {count} solids with their margins, and the floor"
+    elif scene is None:
         around = "no scene was given and none lies beside the file: judged with nothing but the floor around"
     else:
         around = f"scene {scene}: {len(surroundings.objects)} solids and the floor, margin {margin_m:g} m"

@@ -7,6 +7,7 @@ that names its place. Written exactly: times, configurations and velocities come
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +15,7 @@ import numpy as np
 from kinematics import poses
 from kinematics.json_reader import Node, parse_document
 from kinematics.poses import Transform
-from kinematics.scene import Pair
+from kinematics.scene import Pair, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from kinematics.trajectory import Array, Stance, Trajectory
 
@@ -66,12 +67,14 @@ class StoredTrajectory:
         trajectory: The motion, in the world frame of its scene.
         held: What the robot carries meanwhile.
         allowed: Pairs of names (links, objects) that may touch.
+        objects: What is around, in the trajectory's frame; None when the document does not say.
     """
 
     robot: str
     trajectory: Trajectory
     held: tuple[HeldObject, ...] = ()
     allowed: frozenset[Pair] = frozenset()
+    objects: tuple[SceneObject, ...] | None = None
 
 
 def write_trajectory(stored: StoredTrajectory) -> str:
@@ -96,6 +99,16 @@ def write_trajectory(stored: StoredTrajectory) -> str:
         ]
     if stored.allowed:
         head["allowed"] = sorted(sorted(pair) for pair in stored.allowed)
+    if stored.objects is not None:
+        head["objects"] = [
+            {
+                "name": item.name,
+                "shape": _shape_json(item.shape),
+                **_pose_json(item.world_T_object),
+                "margin_m": item.margin_m,
+            }
+            for item in stored.objects
+        ]
     samples = ",\n".join(
         json.dumps({"t_s": t_s, "q": q, "v": v})
         for t_s, q, v in zip(motion.t_s.tolist(), motion.q.tolist(), motion.v.tolist(), strict=True)
@@ -115,23 +128,35 @@ def read_trajectory(text: str) -> StoredTrajectory:
             the reason.
     """
     root = parse_document(text)
-    root.only(("schema", "robot", "joints", "stance", "samples"), ("held", "allowed"))
+    root.only(("schema", "robot", "joints", "stance", "samples"), ("held", "allowed", "objects"))
     schema = root.key("schema")
     if type(schema.value) is not int or schema.value != SCHEMA:  # JSON's true and 1.0 equal 1 too
         raise schema.error(f"must be {SCHEMA}, not {schema.shown()}")
     robot = root.key("robot").text()
     joints = tuple(item.text() for item in root.key("joints").items(0, MAX_JOINTS))
-    for i, name in enumerate(joints):
-        if name in joints[:i]:
-            raise root.key("joints").error(f"{name!r} is there twice")
+    _require_unique(root, "joints", joints)
     soles = tuple((frame, _pose(node)) for frame, node in root.key("stance").entries(MAX_ENTRIES))
     motion = _motion(root.key("samples"), joints, Stance(soles))
-    held = tuple(_held(node) for node in root.key("held").items(0, MAX_ENTRIES)) if root.has("held") else ()
-    for i, item in enumerate(held):
-        if item.name in [other.name for other in held[:i]]:
-            raise root.key("held").error(f"{item.name!r} is there twice")
-    pairs = root.key("allowed").items(0, MAX_ENTRIES) if root.has("allowed") else []
-    return StoredTrajectory(robot, motion, held, frozenset(_pair(node) for node in pairs))
+    held = tuple(_held(node) for node in _optional(root, "held"))
+    _require_unique(root, "held", [item.name for item in held])
+    pairs = frozenset(_pair(node) for node in _optional(root, "allowed"))
+    if not root.has("objects"):
+        return StoredTrajectory(robot, motion, held, pairs)
+    objects = tuple(_object(node) for node in _optional(root, "objects"))
+    _require_unique(root, "objects", [item.name for item in objects])
+    return StoredTrajectory(robot, motion, held, pairs, objects)
+
+
+def _optional(root: Node, key: str) -> list[Node]:
+    return root.key(key).items(0, MAX_ENTRIES) if root.has(key) else []
+
+
+def _require_unique(root: Node, key: str, names: Sequence[str]) -> None:
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
+            raise root.key(key).error(f"{name!r} is there twice")
+        seen.add(name)
 
 
 def _motion(samples: Node, joints: tuple[str, ...], stance: Stance) -> Trajectory:
@@ -156,14 +181,21 @@ def _motion(samples: Node, joints: tuple[str, ...], stance: Stance) -> Trajector
 
 def _held(node: Node) -> HeldObject:
     node.only(("name", "frame", "shape", "position_m", "quaternion_xyzw"), ("touch_links",))
-    links = node.key("touch_links").items(0, MAX_ENTRIES) if node.has("touch_links") else []
     return HeldObject(
         name=node.key("name").text(),
         frame=node.key("frame").text(),
         frame_T_object=_placed(node),
         shape=_shape(node.key("shape")),
-        touch_links=frozenset(link.text() for link in links),
+        touch_links=frozenset(link.text() for link in _optional(node, "touch_links")),
     )
+
+
+def _object(node: Node) -> SceneObject:
+    node.only(("name", "shape", "position_m", "quaternion_xyzw"), ("margin_m",))
+    margin_m = node.key("margin_m").number(MAX_SIZE_M) if node.has("margin_m") else 0.0
+    if margin_m < 0.0:
+        raise node.key("margin_m").error(f"must be 0 or more, not {margin_m!r}")
+    return SceneObject(node.key("name").text(), _shape(node.key("shape")), _placed(node), margin_m)
 
 
 def _pair(node: Node) -> Pair:

@@ -1,4 +1,4 @@
-"""A stored trajectory brought together with a robot and its surroundings, ready to be judged."""
+"""Between a stored trajectory and what the checker is asked: a robot, a motion, a scene."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.trajectory import Trajectory
-from kinematics.trajectory_document import StoredTrajectory
+from kinematics.trajectory_document import HeldObject, StoredTrajectory
 
 SOLE_HEIGHT_M = 0.005
 SOLE_TILT_RAD = 0.02
@@ -37,7 +37,7 @@ def fit(stored: StoredTrajectory, model: RobotModel, surroundings: PlanningScene
     name = model.description.name
     if stored.robot != name:
         raise TrajectoryDocumentError("robot", f"is {stored.robot!r}, to be judged as {name!r}")
-    frames = [str(frame.name) for frame in model.pin.frames]
+    frames = _frames(model)
     for name in surroundings.objects:
         _require_free("scene", name, frames)
     motion = _arranged(stored.trajectory, model)
@@ -51,6 +51,28 @@ def fit(stored: StoredTrajectory, model: RobotModel, surroundings: PlanningScene
                 place, f"lies not on the floor: height {height_m:.4g} m, tilt {tilt_rad:.4g} rad"
             )
     return CheckRequest(motion, _scene(stored, model, motion, surroundings, frames))
+
+
+def stored_from(request: CheckRequest, model: RobotModel) -> StoredTrajectory:
+    """What ``fit`` makes the same question of: a motion with all that it was judged in."""
+    scene = request.scene
+    held = tuple(
+        HeldObject(name, item.frame, item.frame_T_object, item.body.shape, item.touch_links)
+        for name, item in scene.attached.items()
+    )
+    known = {*_frames(model), FLOOR, *scene.objects, *scene.attached}
+    return StoredTrajectory(
+        robot=model.description.name,
+        trajectory=request.trajectory,
+        held=held,
+        # pairs with things that are gone say nothing any more
+        allowed=frozenset(pair for pair in scene.allowed if pair <= known),
+        objects=tuple(scene.objects.values()),
+    )
+
+
+def _frames(model: RobotModel) -> list[str]:
+    return [str(frame.name) for frame in model.pin.frames]
 
 
 def _arranged(motion: Trajectory, model: RobotModel) -> Trajectory:

@@ -13,6 +13,7 @@ from hypothesis.extra.numpy import arrays
 
 from kinematics import poses
 from kinematics.errors import TrajectoryDocumentError
+from kinematics.scene import SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
 from kinematics.trajectory import Stance, Trajectory
 from kinematics.trajectory_document import (
@@ -61,8 +62,16 @@ def stored_trajectories(draw):
         )
     )
     pairs = draw(st.frozensets(st.frozensets(names, min_size=2, max_size=2), max_size=2))
+    objects = draw(
+        st.none()
+        | st.lists(
+            st.builds(SceneObject, names, shapes, places, st.floats(0.0, 0.1)),
+            max_size=2,
+            unique_by=lambda item: item.name,
+        ).map(tuple)
+    )
     motion = Trajectory(joints, Stance(tuple(soles.items())), t_s, q, v)
-    return StoredTrajectory(draw(names), motion, tuple(held), pairs)
+    return StoredTrajectory(draw(names), motion, tuple(held), pairs, objects)
 
 
 def same_places(first, second):
@@ -84,6 +93,13 @@ def test_what_was_written_is_read_back(stored):
     assert [(h.name, h.frame, h.shape, h.touch_links) for h in back.held] == [
         (h.name, h.frame, h.shape, h.touch_links) for h in stored.held
     ]
+    assert (back.objects is None) == (stored.objects is None)
+    assert [(o.name, o.shape, o.margin_m) for o in back.objects or ()] == [
+        (o.name, o.shape, o.margin_m) for o in stored.objects or ()
+    ]
+    assert same_places(
+        [o.world_T_object for o in back.objects or ()], [o.world_T_object for o in stored.objects or ()]
+    )
     assert same_places([h.frame_T_object for h in back.held], [h.frame_T_object for h in stored.held])
 
 
@@ -103,6 +119,7 @@ def document():
         "samples": [{"t_s": t_s, "q": list(q), "v": list(v)} for t_s in (0, 0.01, 0.02)],
         "held": [{"name": "cup", "frame": "hand", "shape": {"kind": "ball", "radius_m": 0.03}, **still}],
         "allowed": [["cup", "hand"]],
+        "objects": [{"name": "ball", "shape": {"kind": "ball", "radius_m": 0.03}, **copy.deepcopy(still)}],
     }
 
 
@@ -157,6 +174,8 @@ BROKEN = [
     (("held", 0, "shape"), {"kind": "box", "size_m": [1, 1, -1]}, "size_m[2] (z): must be above 0"),
     (("held", 0, "touch_links"), [3], "held[0].touch_links[0]: must be a text"),
     (("allowed",), [["cup", "cup"]], "allowed[0]: 'cup' cannot touch itself"),
+    (("objects", 0, "margin_m"), -0.1, "objects[0].margin_m: must be 0 or more"),
+    (("objects", 0, "name"), "", "objects[0].name: must be a text"),
     (("allowed",), [["cup"]], "allowed[0]: must have 2 entries, not 1"),
 ]
 

@@ -12,7 +12,7 @@ from kinematics.shapes import Ball, Box
 from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajectory
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.trajectory_document import HeldObject, StoredTrajectory, read_trajectory, write_trajectory
-from kinematics.trajectory_fit import fit
+from kinematics.trajectory_fit import fit, stored_from
 
 
 @pytest.fixture(scope="module")
@@ -97,6 +97,23 @@ def test_an_allowed_pair_may_touch_and_no_other(checker, talos, still):
     pairs = frozenset(frozenset(finding.subject) for finding in found)
 
     assert isinstance(judged(checker, talos, replace(still, allowed=pairs), scene), CheckedTrajectory)
+
+
+def test_what_the_checker_was_asked_can_be_stored_and_asked_again(checker, talos, still):
+    place = talos.frame_pose(talos.q_home, "tcp_left") @ poses.translation(0.3, 0, 0)
+    wall = SceneObject("wall", Box((0.1, 0.1, 0.1)), place, margin_m=0.01)
+    touch = talos.description.grippers["left"].links
+    held = replace(still, held=(in_left_hand(0.3, 0.16, touch),))
+    asked = fit(held, talos, PlanningScene().with_object(wall).allowing([("torso_2_link", "gone")]))
+
+    back = read_trajectory(write_trajectory(stored_from(asked, talos)))
+    again = fit(back, talos, PlanningScene().with_objects(back.objects))
+
+    first = checker.check(asked.trajectory, asked.scene).findings
+    second = checker.check(again.trajectory, again.scene).findings
+    assert [(f.kind, f.t_s, f.subject, f.limit) for f in first] == [
+        (f.kind, f.t_s, f.subject, f.limit) for f in second
+    ]
 
 
 def renamed(still, old, new):
