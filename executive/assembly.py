@@ -11,7 +11,11 @@ from executive.events import EventSink
 from executive.planning_jobs import PlanningJobs
 from executive.session import PERIOD_S, Session, TreeBuilder
 from kinematics.motion_planner import MotionPlanner
+from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.trajectory_document import StoredTrajectory
+from kinematics.trajectory_fit import stored_from
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.description import load_description
@@ -58,6 +62,7 @@ def assemble(
     policy: TreePolicy | None = None,
     build: TreeBuilder | None = None,
     posture: Mapping[str, float] | None = None,
+    on_judged: Callable[[StoredTrajectory, bool], None] | None = None,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -74,6 +79,7 @@ def assemble(
         policy: Numbers that behaviors go by.
         build: Makes a task's tree; `build_tree` when left out.
         posture: Positions of joints that are not where the home posture has them; it is home then.
+        on_judged: Called with every trajectory that the checker judged, and whether it is safe.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -91,7 +97,12 @@ def assemble(
     world = build_world(description, scene, for_world)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, for_perception)
-    planning = PlanningJobs(MotionPlanner(model), clock, sink)
+
+    def judged(request: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
+        if on_judged is not None:
+            on_judged(stored_from(request, model), isinstance(answer, CheckedTrajectory))
+
+    planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=judged)
     toolbox = Toolbox(
         clock=clock,
         model=model,

@@ -22,6 +22,7 @@ from executive.run_request import RunRequest
 from executive.session import TASK_TIMEOUT_S
 from executive.statement import Statement
 from executive.task_result import TaskResult
+from kinematics.trajectory_document import StoredTrajectory, write_trajectory
 from robots.control.events import SetpointRefused, StopStarted
 from robots.description import known_robots
 from robots.errors import UnknownRobotError
@@ -88,7 +89,8 @@ def perform(request: RunRequest, display: Display) -> Performance:
             tally.add(event)
             display.event(event)
 
-        results, checked = _results(request, scene, sink, display, pictures)
+        keep = log if request.keep_trajectories else None
+        results, checked = _results(request, scene, sink, display, pictures, keep)
         line, outcome, code = _verdict(request, results)
         report = Report(
             input=request.input,
@@ -142,6 +144,7 @@ def _results(
     sink: Callable[[Event], None],
     display: Display,
     pictures: Pictures | None,
+    keep: RunLog | None,
 ) -> tuple[list[Said], int]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
     spoiled = [one for one in request.statements if not _may_start(one)]
@@ -150,7 +153,14 @@ def _results(
         return [(one, [_not_understood(one, 0.0, sink)]) for one in statements], 0
     from executive.assembly import assemble
 
-    assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick)
+    def judged(stored: StoredTrajectory, safe: bool) -> None:
+        if keep is not None:
+            keep.add_motion(write_trajectory(stored), "safe" if safe else "unsafe")
+
+    on_judged = None if keep is None else judged
+    assembly = assemble(
+        request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=on_judged
+    )
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)

@@ -11,8 +11,8 @@ from concurrent.futures import Executor, Future
 from typing import Any, Protocol
 
 from executive.events import PlanningAnswered
-from kinematics.requests import PlanRequest
-from kinematics.trajectory import CheckedTrajectory
+from kinematics.requests import CheckRequest, PlanRequest
+from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.clock import Clock, WallClock
 from trees.toolbox import Job
 
@@ -68,6 +68,8 @@ class PlanningJob:
 class PlanningJobs:
     """Submits requests to an executor; satisfies ``trees.toolbox.Planning``.
 
+    ``on_judged`` hears of every trajectory that was judged, with the verdict: a recorder.
+
     Attributes:
         wall_s: Wall time that answers took so far, for reports only.
         checked: Trajectories that passed the checker so far.
@@ -80,10 +82,14 @@ class PlanningJobs:
         sink: Callable[[PlanningAnswered], None],
         executor: Executor | None = None,
         charged_s: float = CHARGED_S,
+        on_judged: Callable[[CheckRequest, CheckedTrajectory | Unsafe], None] = lambda _request, _answer: (
+            None
+        ),
     ) -> None:
         self._planner, self._clock, self._sink = planner, clock, sink
         self._executor = executor or InlineExecutor()
         self._charged_s = charged_s
+        self._on_judged = on_judged
         self._wall = WallClock()
         self.wall_s = 0.0
         self.checked = 0
@@ -105,4 +111,6 @@ class PlanningJobs:
         finally:
             self.wall_s += self._wall.now_s() - began_s
         self.checked += isinstance(answer, CheckedTrajectory)
+        if isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory | Unsafe):
+            self._on_judged(request, answer)
         return answer

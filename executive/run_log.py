@@ -1,7 +1,8 @@
 """Recorded runs: a folder each, with what was asked, every event, and the report.
 
 ``run.json`` says what was asked of which robot in which scene, ``scene.toml`` is a copy of the scene's
-file, ``events.jsonl`` holds the canonical events, ``report.json`` the report.
+file, ``events.jsonl`` holds the canonical events, ``report.json`` the report, and ``trajectories``, where
+they were asked for, the motions that the checker judged.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ class RunLog:
     def __init__(self, directory: Path, header: Mapping[str, Any], scene_file: Path | None = None) -> None:
         self.digest = EventDigest()
         self.complaint: str | None = None
+        self._motions = 0
         when = utc_timestamp()
         try:
             self.path = _new_folder(directory, when.replace(":", "-"))
@@ -71,6 +73,17 @@ class RunLog:
                 self._file.write(canonical_line(event) + "\n")
             except OSError as failed:
                 self.complaint = f"the run's log broke off: {failed.strerror or failed}"
+
+    def add_motion(self, text: str, verdict: str) -> None:
+        """Store a judged motion, as ``executive check`` reads it, under its number and verdict."""
+        folder = self.path / "trajectories"
+        self._motions += 1
+        if self.complaint is None:
+            try:
+                folder.mkdir(exist_ok=True)
+                (folder / f"{self._motions:03d}_{verdict}.json").write_text(text, "utf-8")
+            except OSError as failed:
+                self.complaint = f"a trajectory could not be stored: {failed.strerror or failed}"
 
     def finish(self, report: Mapping[str, Any]) -> None:
         """Write the report; what goes wrong now is a complaint, because the robot has moved already."""

@@ -25,6 +25,7 @@ class RunRequest:
         report: Where to write the report, or None.
         snapshot: Where to write a picture of the end, or None.
         video: Where to write a film, or None.
+        keep_trajectories: Whether the recorded run holds the motions that were judged.
     """
 
     input: str
@@ -36,3 +37,4 @@ class RunRequest:
     report: Path | None = None
     snapshot: Path | None = None
     video: Path | None = None
+    keep_trajectories: bool = False

@@ -25,7 +25,9 @@ def run(
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
     snapshot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="A picture of the end.")] = None,
     video: Annotated[Path | None, typer.Option(metavar="FILE.mp4", help="A film of the run.")] = None,
-    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the run in this folder.")] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories too.")
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
     plain: Annotated[
         bool, typer.Option("--plain", help="Lines instead of a drawing; automatic in a pipe.")
@@ -49,6 +51,7 @@ def run(
         scene=scene or script.scene or DEFAULT_SCENE,
         seed=next(value for value in (seed, script.seed, 0) if value is not None),
         record=record or runs_directory(),
+        keep_trajectories=record is not None,
         report=report,
         snapshot=snapshot,
         video=video,

@@ -198,6 +198,20 @@ def test_a_sentence_is_planned_and_checked_and_nothing_is_streamed(executive, mo
     assert "seen: blue box, red cup, table" in result.stdout
 
 
+@pytest.mark.requirement("S6")
+def test_every_motion_of_a_recorded_run_can_be_checked_again_with_the_same_verdict(executive, tmp_path):
+    executive("run", "pick up the red cup on the table", "--quiet", "--record", str(tmp_path / "runs"))
+
+    stored = sorted((tmp_path / "runs").glob("*/trajectories/*.json"))
+
+    assert len(stored) >= 4
+    for path in stored:
+        schema = json.loads((DOCS / "trajectory.schema.json").read_text())
+        jsonschema.validate(json.loads(path.read_text()), schema)
+        verdict = executive("check", str(path))
+        assert (path.stem[4:], verdict.exit_code) in (("safe", 0), ("unsafe", 5))
+
+
 def test_an_object_that_is_not_seen_is_exit_code_1_with_what_is(executive):
     result = executive("check", "pick up the yellow ball", "--report", "report.json")
 
