@@ -34,6 +34,8 @@ MAX_SIZE_M = 1e3
 """Bounds of plausibility, in m, rad and per second: beyond them sums of squares lose all meaning."""
 UNIT_TOLERANCE = 1e-3
 """A quaternion of a pose may miss length 1 by this much; it is normalised."""
+LEAST_QUATERNION = 0.1
+"""A base quaternion shorter than this has no direction; one that is not quite 1 is the checker's to find."""
 
 _BASE_Q = tuple(f"base {axis}" for axis in "xyz") + tuple(f"base quaternion {axis}" for axis in "xyzw")
 _BASE_V = tuple(f"base {kind} {axis}" for kind in ("velocity", "angular velocity") for axis in "xyz")
@@ -175,6 +177,8 @@ def _motion(samples: Node, joints: tuple[str, ...], stance: Stance) -> Trajector
                 f"must be at least {MIN_SPACING_S:g} s after {before!r}, the one before, not {t_s!r}"
             )
         q[i] = node.key("q").numbers(q_names, MAX_POSITION)
+        if not float(np.linalg.norm(q[i, 3:7])) >= LEAST_QUATERNION:
+            raise node.key("q").error("the base quaternion (3 to 6) vanishes")
         v[i] = node.key("v").numbers(v_names, MAX_VELOCITY)
     return Trajectory(joints, stance, times, q, v)
 

@@ -52,6 +52,7 @@ def stored_trajectories(draw):
     t_s = np.concatenate([[0.0], np.cumsum(spacing)])
     bounded = st.floats(-MAX_POSITION, MAX_POSITION)
     q = draw(arrays(float, (len(t_s), 7 + len(joints)), elements=bounded))
+    q[:, 3] += np.where(np.linalg.norm(q[:, 3:7], axis=1) < 0.1, 1.0, 0.0)
     v = draw(arrays(float, (len(t_s), 6 + len(joints)), elements=st.floats(-MAX_VELOCITY, MAX_VELOCITY)))
     soles = draw(st.dictionaries(names, places, max_size=2))
     held = draw(
@@ -167,6 +168,7 @@ BROKEN = [
     (("samples", 1, "q", 2), float("inf"), "samples[1].q[2] (base z): must be a finite number"),
     (("samples", 1, "v", 7), 1e5, "samples[1].v[7] (wrist): must be a finite number within ±10000"),
     (("samples", 1, "v", 0), 10**400, "samples[1].v[0] (base velocity x): must be a finite number"),
+    (("samples", 1, "q"), [0] * 9, "samples[1].q: the base quaternion (3 to 6) vanishes"),
     (("samples", 1, "a"), [], "samples[1]: unknown key"),
     (("held", 0, "shape", "kind"), "bal", "held[0].shape.kind: must be one of box, cylinder, ball"),
     (("held", 0, "shape", "kind"), [], "held[0].shape.kind: must be one of"),
