@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -51,5 +52,12 @@ def check(
     if report is not None:
         write_report(report, answer.to_json())
     for line in [answer.message] if quiet else answer.lines():
-        typer.echo(line.encode("utf-8", "backslashreplace").decode("utf-8"))
+        typer.echo(_sayable(line))
     raise typer.Exit(answer.exit_code)
+
+
+def _sayable(line: str) -> str:
+    """What the terminal can show; names come from files, and must not steer it."""
+    shown = "".join(char if char.isprintable() else f"\\x{ord(char):02x}" for char in line)
+    encoding = sys.stdout.encoding or "utf-8"
+    return shown.encode(encoding, "backslashreplace").decode(encoding)

@@ -123,6 +123,18 @@ def test_a_margin_is_kept_from_the_scene(executive, store):
     assert executive("check", str(path), "--scene", "tabletop", "--margin", "0.3").exit_code == 5
 
 
+def test_a_name_from_a_file_does_not_steer_the_terminal(executive, store):
+    path = store("head_2_joint", 0.3)
+    ball = {"name": "\x1b[2Jcup", "frame": "tcp_left", "shape": {"kind": "ball", "radius_m": 0.01}}
+    place = {"position_m": [0.3, 0, 0], "quaternion_xyzw": [0, 0, 0, 1]}
+    broken(path, lambda document: document.__setitem__("held", [{**ball, **place}]))
+
+    result = executive("check", str(path))
+
+    assert result.exit_code == 0
+    assert "held: \\x1b[2Jcup by tcp_left" in result.stdout
+
+
 def broken(path, change):
     document = json.loads(path.read_text())
     change(document)
