@@ -30,6 +30,7 @@ from kinematics.requests import (
     RetreatRequest,
 )
 from kinematics.robot_model import RobotModel
+from kinematics.start_state import relaxed_at
 from kinematics.timing import time_curve
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
@@ -64,7 +65,8 @@ class MotionPlanner:
             goal = space.from_q(model.home_over(request.stance))
         for joint, angle in request.joints.items():
             goal[space.index(joint)] = angle
-        world = CollisionWorld(model, request.scene, 0.0, 0.0)
+        scene = relaxed_at(model, request.scene, request.q_start)
+        world = CollisionWorld(model, scene, 0.0, 0.0)
         planner = PathPlanner(model, space, request.stance, world)
         arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
@@ -78,7 +80,7 @@ class MotionPlanner:
         trajectory = time_curve(model, space, request.stance, curve, REACH_PACE)
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-        return MovePlan(PlannedStep("move", trajectory, request.scene))
+        return MovePlan(PlannedStep("move", trajectory, scene))
 
     def _retreat(self, request: RetreatRequest) -> MovePlan | NoPlan:
         model = self._model
@@ -102,4 +104,5 @@ class MotionPlanner:
         trajectory = time_curve(model, space, request.stance, curve, CARTESIAN_PACE)
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-        return MovePlan(PlannedStep("retreat", trajectory, request.scene))
+        scene = relaxed_at(model, request.scene, request.q_start)
+        return MovePlan(PlannedStep("retreat", trajectory, scene))

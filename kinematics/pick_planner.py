@@ -27,6 +27,7 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.stance import SupportPolygon
+from kinematics.start_state import relaxed_at
 from kinematics.timing import Pace, time_curve
 
 Array = NDArray[np.float64]
@@ -121,8 +122,9 @@ class _PickTask:
         self._rng = np.random.default_rng(request.seed)
         self._ik: dict[Hand, WholeBodyIk] = {}
         self._hands: dict[Hand, HandCollision] = {}
+        self._reach_scene = relaxed_at(model, request.scene, request.q_start, PLANNING_RESERVE_M)
         self._reach_planner = self._planner(
-            CollisionWorld(model, request.scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
+            CollisionWorld(model, self._reach_scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
         )
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
         self._x_start = self._space.from_q(request.q_start)
@@ -176,7 +178,7 @@ class _PickTask:
         """Give all three motions their time."""
         grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
         steps = [
-            self._step("reach", reach, REACH_PACE, self._request.scene),
+            self._step("reach", reach, REACH_PACE, self._reach_scene),
             self._step("approach", goal.approach, CARTESIAN_PACE, grasp_scene),
             self._step("lift", goal.lift, CARTESIAN_PACE, goal.lift_scene),
         ]

@@ -157,7 +157,9 @@ class RobotModel:
         )
         for item in geometry.geometryObjects:
             if isinstance(item.geometry, coal.BVHModelBase):
-                item.geometry.buildConvexRepresentation(False)
+                # not buildConvexRepresentation: it keeps concave meshes as they are, and distances are then
+                # too large, by up to 13 cm for the grippers' hollow parts
+                item.geometry.buildConvexHull(True, "Qt")
                 item.geometry = item.geometry.convex
         link = [self.link_of(item) for item in geometry.geometryObjects]
         disabled = {frozenset(pair) for pair in self.description.disabled_collisions}

@@ -1,0 +1,55 @@
+import pytest
+
+from kinematics import poses
+from kinematics.collision import CollisionWorld
+from kinematics.motion_planner import MotionPlanner
+from kinematics.requests import CheckRequest, MovePlan, MoveRequest
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Ball, Box
+from kinematics.start_state import relaxed_at
+from kinematics.trajectory import CheckedTrajectory
+
+
+def ball_at_the_hand(talos, gap_m, movable=True):
+    ahead = poses.translation(0.022 + 0.05 + gap_m, -0.058, 0.0)
+    place = talos.frame_pose(talos.q_home, "tcp_right") @ ahead
+    return SceneObject("ball", Ball(0.05), place, margin_m=0.03, movable=movable)
+
+
+def test_a_start_that_is_far_enough_changes_nothing(talos):
+    scene = PlanningScene().with_object(ball_at_the_hand(talos, 0.1))
+
+    assert relaxed_at(talos, scene, talos.q_home) is scene
+
+
+@pytest.mark.parametrize("gap_m", [0.015, -0.01], ids=["inside the margin", "believed to touch"])
+def test_the_way_out_of_a_margin_is_planned_and_safe(talos, stance, gap_m):
+    scene = PlanningScene().with_object(ball_at_the_hand(talos, gap_m))
+    planner = MotionPlanner(talos)
+    request = MoveRequest(
+        talos.q_home, stance, scene, {"arm_right_4_joint": -2.0, "arm_right_1_joint": 0.0}, keep_others=True
+    )
+
+    assert CollisionWorld(talos, scene).collides(talos.q_home)
+    answer = planner.answer(request)
+
+    assert isinstance(answer, MovePlan)
+    checked = planner.answer(CheckRequest(answer.step.trajectory, answer.step.scene))
+    assert isinstance(checked, CheckedTrajectory)
+
+
+def test_what_the_hand_does_not_touch_keeps_its_margin(talos):
+    other = SceneObject("wall", Box((0.1, 1.0, 1.0)), poses.translation(0.9, 0.0, 1.0), margin_m=0.02)
+    scene = PlanningScene().with_objects([ball_at_the_hand(talos, 0.015), other])
+
+    relaxed = relaxed_at(talos, scene, talos.q_home)
+
+    assert relaxed.objects["wall"].margin_m == 0.02
+    assert 0.0 < relaxed.objects["ball"].margin_m < 0.03
+    assert not relaxed.allowed
+
+
+def test_contact_with_furniture_is_never_allowed(talos):
+    scene = PlanningScene().with_object(ball_at_the_hand(talos, -0.01, movable=False))
+
+    assert not relaxed_at(talos, scene, talos.q_home).allowed
