@@ -234,7 +234,7 @@ class _PickTask:
             self._hands[hand] = HandCollision(self._model, hand, scene, self._target.name, PLANNING_RESERVE_M)
         advance_m = self._model.description.grippers[hand].closing_advance_m
         closing = grasp.world_T_tcp @ poses.translation(advance_m, 0.0, 0.0)
-        if self._hands[hand].collides(closing):
+        if self._hands[hand].collides(closing) or self._hands[hand].collides(grasp.world_T_tcp):
             return 0.0
         return self._hands[hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
 
