@@ -7,7 +7,7 @@ that is true of one robot and not of robots in general belongs there.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 Hand = Literal["left", "right"]
@@ -145,6 +145,7 @@ class RobotDescription:
         home: Joint positions of the home posture, every joint.
         groups: Joint names by group: "left_leg", "right_leg", "torso", "left_arm", "right_arm", "head".
         planning_margin_rad: Limits are shrunk by this for planning.
+        contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
     """
 
@@ -167,6 +168,7 @@ class RobotDescription:
     noise: SensorNoise
     planning_margin_rad: float
     com_margin_m: float
+    contact_effort_nm: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def actuated(self) -> tuple[str, ...]:

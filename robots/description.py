@@ -92,6 +92,11 @@ def _describe(name: str, data: Table) -> RobotDescription:
         noise=SensorNoise(**data["noise"]),
         planning_margin_rad=data["limits"]["planning_margin_rad"],
         com_margin_m=data["limits"]["com_margin_m"],
+        contact_effort_nm={
+            joint: data["limits"]["contact"][kind]
+            for joint in joints
+            if (kind := _kind(joint, data["gains"]["members"])) in data["limits"]["contact"]
+        },
     )
 
 

@@ -16,6 +16,7 @@ from kinematics.stance import stance_at
 from robots.clock import ManualClock
 from robots.control.authority import Authority
 from robots.control.balance import Balance
+from robots.control.contact_watch import ContactWatch
 from robots.control.events import ControlSink, SetpointRefused, StopStarted
 from robots.control.grip_keeper import GripKeeper
 from robots.control.gripper_control import GripperControl
@@ -95,6 +96,7 @@ class ControlLoop:
         actuated = np.concatenate([q[7:], list(fingers.values())])
         self._balance = Balance(model, stance)
         self._estimator = BaseEstimator(model, stance)
+        self._contact = ContactWatch(model.description)
         self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
         self._streamer = MotionStreamer(model, stance, q, keepers, authority, clock, sink, period_s)
         self._keepers = tuple(keepers.values())
@@ -163,6 +165,10 @@ class ControlLoop:
             return
         for keeper in self._keepers:
             keeper.sense(state)
+        contact = self._contact.judge(state.effort, self._gate.last.tau, self._streamer.carrying_out)
+        if contact is not None:
+            self._note_stop(2, str(contact))
+            self._streamer.interrupt(str(contact))
         proposal = self._streamer.propose(state)
         refusal = self._submit(proposal)
         if refusal is None:

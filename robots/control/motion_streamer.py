@@ -137,6 +137,11 @@ class MotionStreamer:
         """Whether nothing moves the body."""
         return self._track.resting and not any(track.moves_body for track in self._guarded)
 
+    @property
+    def carrying_out(self) -> bool:
+        """Whether a checked trajectory runs."""
+        return self._body_handle is not None
+
     def propose(self, state: RobotState) -> Proposal:
         """Compute the setpoint one period ahead from the newest readings."""
         n = self._bodies + len(self._keepers)
@@ -207,6 +212,13 @@ class MotionStreamer:
             self._closed_for = reason
         for handle in ended:
             self._end(handle, status, reason)
+
+    def interrupt(self, reason: str) -> None:
+        """End the running trajectory and bring every joint to rest; what comes next may start at once."""
+        handle, self._body_handle = self._body_handle, None
+        if handle is not None:
+            self._track.brake(along_path=False)
+            self._end(handle, MotionStatus.REFUSED, reason)
 
     def close(self, reason: str) -> None:
         """Refuse every motion from now on."""

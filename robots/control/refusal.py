@@ -21,6 +21,7 @@ class Limit(Enum):
     OWNER = "owner"
     MEASURED_EFFORT = "measured effort"
     DURATION = "duration"
+    CONTACT = "unexpected contact"
     DEFECT = "defect"
 
 
@@ -33,6 +34,7 @@ _UNITS = {
     Limit.AGE: "s",
     Limit.MEASURED_EFFORT: "Nm",
     Limit.DURATION: "s",
+    Limit.CONTACT: "Nm",
 }
 
 

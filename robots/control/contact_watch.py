@@ -1,0 +1,61 @@
+"""Notices when an arm pushes against something that no plan knew of.
+
+The efforts that a motion needs are known from the model; what the motors give beyond them comes from
+outside. A stiff arm that goes on pushing would sooner tip the robot over than give way.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_description import RobotDescription
+from robots.control.refusal import Limit, Refusal
+
+Array = NDArray[np.float64]
+
+# So many periods in a row: longer than noise, shorter than a centimetre of a slow approach.
+PERIODS = 5
+# A push that was there before the motion may grow by this: what is picked up has a weight.
+GROWTH_NM = 2.0
+
+
+class ContactWatch:
+    """Watches the arms' efforts while planned motions run.
+
+    Args:
+        description: The robot; joints without a contact effort are not watched.
+    """
+
+    def __init__(self, description: RobotDescription) -> None:
+        allowed = description.contact_effort_nm
+        self._joints = [joint for joint in description.actuated if joint in allowed]
+        self._indices = np.array([description.actuated.index(joint) for joint in self._joints], dtype=np.intp)
+        self._allowed = np.array([allowed[joint] for joint in self._joints])
+        self._bound = self._allowed.copy()
+        self._periods = 0
+
+    def judge(self, effort: Array, expected: Array, moving: bool) -> Refusal | None:
+        """Judge one period.
+
+        Args:
+            effort: Measured efforts of the actuated joints, Nm, shape (n,).
+            expected: What the motion needs, Nm, shape (n,).
+            moving: Whether a planned motion runs; at rest, a push is only noted, so that the motion
+                that ends it is not taken for its cause.
+
+        Returns:
+            What pushes too hard, or None.
+        """
+        outside = np.abs(effort[self._indices] - expected[self._indices])
+        if not moving:
+            self._bound = np.maximum(self._allowed, outside + GROWTH_NM)
+            self._periods = 0
+            return None
+        beyond = outside - self._bound
+        self._periods = self._periods + 1 if beyond.size and beyond.max() > 0.0 else 0
+        if self._periods < PERIODS:
+            return None
+        self._periods = 0
+        worst = int(np.argmax(beyond))
+        return Refusal(Limit.CONTACT, self._joints[worst], float(outside[worst]), float(self._bound[worst]))

@@ -1,0 +1,48 @@
+import numpy as np
+import pytest
+
+from robots.control.contact_watch import PERIODS, ContactWatch
+from robots.control.refusal import Limit
+from robots.description import load_description
+
+TALOS = load_description("talos")
+ELBOW = TALOS.actuated.index("arm_left_4_joint")
+
+
+def pushed(watch, push_nm, moving=True, periods=PERIODS):
+    expected = np.linspace(-20.0, 20.0, len(TALOS.actuated))
+    effort = expected.copy()
+    effort[ELBOW] += push_nm
+    refusals = [watch.judge(effort, expected, moving) for _ in range(periods)]
+    return next((refusal for refusal in refusals if refusal is not None), None)
+
+
+@pytest.mark.parametrize("push_nm", [12.0, -12.0])
+def test_a_push_beyond_what_the_motion_needs_is_noticed(push_nm):
+    refusal = pushed(ContactWatch(TALOS), push_nm)
+
+    assert refusal.limit is Limit.CONTACT
+    assert refusal.joint == "arm_left_4_joint"
+    assert refusal.value == pytest.approx(12.0)
+    assert str(refusal) == "unexpected contact of arm_left_4_joint: 12 Nm, allowed 10 Nm"
+
+
+def test_the_weight_of_a_cup_and_a_single_spike_are_no_contact():
+    assert pushed(ContactWatch(TALOS), 7.0, periods=50) is None
+    assert pushed(ContactWatch(TALOS), 100.0, periods=PERIODS - 1) is None
+
+
+def test_a_push_that_was_there_before_does_not_hinder_the_motion_that_ends_it():
+    watch = ContactWatch(TALOS)
+    pushed(watch, 40.0, moving=False)
+
+    assert pushed(watch, 40.0, periods=50) is None
+    assert pushed(watch, 45.0).limit is Limit.CONTACT
+
+
+def test_legs_which_balance_are_not_watched():
+    watch = ContactWatch(TALOS)
+    effort, expected = np.zeros(len(TALOS.actuated)), np.zeros(len(TALOS.actuated))
+    effort[:14] = 100.0
+
+    assert all(watch.judge(effort, expected, True) is None for _ in range(20))
