@@ -174,7 +174,7 @@ def _reach_in(height: float, half_depth: float, tilt: float, gripper: GripperDes
 
 def _straddled(tilt: float, gripper: GripperDescription) -> bool:
     """Whether the line along which an upright cylinder touches a side passes between its pads."""
-    return 0.5 * gripper.pad_gap_m * math.sin(tilt) > gripper.pad_half_size_m[2] * math.cos(tilt)
+    return 0.5 * gripper.pad_gap_m * math.sin(tilt) > gripper.pad_half_size_m[0][2] * math.cos(tilt)
 
 
 def _straddled_opening(radius: float, gripper: GripperDescription) -> float:

@@ -53,8 +53,8 @@ class GripperDescription:
         closing_speed_rad_s: Speed of a guarded closing.
         empty_below_rad: A joint that closed further than this holds nothing.
         held_effort_nm: At least this effort is felt when something is held.
-        pad_half_size_m, pad_position_m: Half-sizes of a finger pad (across, thickness, length) and its
-            centre, in the fingertip link.
+        pad_half_size_m: Half-sizes of each finger's pad (across, thickness, length), as ``pad_links``.
+        pad_position_m: Centre of each pad in its fingertip link.
         pad_gap_m: Between neighbouring pads of one side, across the approach: what is round about the
             approach sinks in between them.
         palm_distance_m: From the TCP back to the palm, along the approach.
@@ -75,8 +75,8 @@ class GripperDescription:
     closing_speed_rad_s: float
     empty_below_rad: float
     held_effort_nm: float
-    pad_half_size_m: tuple[float, float, float]
-    pad_position_m: tuple[float, float, float]
+    pad_half_size_m: tuple[tuple[float, float, float], ...]
+    pad_position_m: tuple[tuple[float, float, float], ...]
     pad_gap_m: float
     palm_distance_m: float
     closing_advance_m: float

@@ -168,12 +168,13 @@ def _add_sole(spec: mujoco.MjSpec, sole: SoleDescription) -> None:
 
 
 def _add_pads(spec: mujoco.MjSpec, gripper: GripperDescription) -> None:
-    for name in gripper.pad_links:
+    pads = zip(gripper.pad_links, gripper.pad_half_size_m, gripper.pad_position_m, strict=True)
+    for name, half_size, position in pads:
         geom = body(spec, name).add_geom(
             name=pad_name(name),
             type=mujoco.mjtGeom.mjGEOM_BOX,
-            size=list(gripper.pad_half_size_m),
-            pos=list(gripper.pad_position_m),
+            size=list(half_size),
+            pos=list(position),
             mass=0.0,
             condim=4,
             friction=[HULL_FRICTION, 0.005, 0.0001],  # with objects the pairs of the scene rule

@@ -1,3 +1,5 @@
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -24,8 +26,7 @@ def test_a_cup_is_grasped_across_its_axis_from_side_to_top(talos):
     assert min(tilts) == 0
     assert max(tilts) == 90
     for grasp in grasps:
-        flat = tilt_of(grasp) < 61
-        assert grasp.diameter_m == pytest.approx(0.06 if flat else 0.03 + np.sqrt(0.03**2 - 0.016**2))
+        assert grasp.diameter_m == pytest.approx(0.06)
         assert abs(grasp.world_T_tcp[2, 1]) < 1e-9  # the opening is horizontal
         # the TCP is on the cup's axis, inside its height
         assert grasp.world_T_tcp[:2, 3] == pytest.approx([0.5, -0.2])
@@ -53,12 +54,31 @@ def test_what_is_wider_than_the_hand_has_no_grasp(talos, shape):
     assert candidates(talos, shape) == []
 
 
-def test_what_fits_between_neighbouring_pads_is_not_grasped_from_above(talos):
-    thin = candidates(talos, Cylinder(0.015, 0.12))
+@pytest.fixture
+def gap_toothed(talos):
+    """A gripper whose pads of one side leave a gap of 32 mm."""
+    return dataclasses.replace(talos.description.grippers["right"], pad_gap_m=0.032)
 
-    assert thin
-    assert max(tilt_of(grasp) for grasp in thin) < 61
-    assert candidates(talos, Ball(0.015)) == []
+
+def test_what_fits_between_neighbouring_pads_is_not_grasped_from_above(gap_toothed):
+    thin = SceneObject("thing", Cylinder(0.015, 0.12), poses.translation(0.5, -0.2, 0.9))
+    ball = SceneObject("thing", Ball(0.015), poses.translation(0.5, -0.2, 0.9))
+
+    grasps = [candidate.grasp for candidate in grasp_candidates(thin, gap_toothed, 0.0, 0.1)]
+
+    assert grasps
+    assert max(tilt_of(grasp) for grasp in grasps) < 61
+    assert grasp_candidates(ball, gap_toothed, 0.0, 0.1) == []
+
+
+def test_what_sinks_in_between_pads_opens_them_less_and_costs_more(gap_toothed):
+    cup = SceneObject("thing", Cylinder(0.03, 0.12), poses.translation(0.5, -0.2, 0.9))
+
+    ordered = grasp_candidates(cup, gap_toothed, 0.0, 0.1)
+
+    sunken = [c for c in ordered if tilt_of(c.grasp) > 61]
+    assert all(c.grasp.diameter_m == pytest.approx(0.03 + np.sqrt(0.03**2 - 0.016**2)) for c in sunken)
+    assert min(c.cost for c in sunken) > min(c.cost for c in ordered) + 0.5
 
 
 def test_the_reserve_for_perception_errors_is_kept(talos):

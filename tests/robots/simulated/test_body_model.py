@@ -32,8 +32,9 @@ def test_each_hand_has_three_pads_and_they_are_boxes_of_the_described_size(physi
     expected = [link for hand in HANDS for link in description.grippers[hand].pad_links]
 
     assert sorted(labels(physics, Role.PAD)) == sorted(expected)
+    sizes = dict(zip(expected, 2 * description.grippers["left"].pad_half_size_m, strict=True))
     for pad in pads:
-        assert physics.model.geom_size[pad] == pytest.approx(description.grippers["left"].pad_half_size_m)
+        assert physics.model.geom_size[pad] == pytest.approx(sizes[physics.geom_label[pad]])
 
 
 def test_finger_hulls_never_touch_objects_but_do_touch_furniture(physics):
