@@ -164,6 +164,25 @@ class WholeBodyIk:
                 last = error + 0.1 * turn
         return self._verified(np.array(robot.state.q), world_T_tcp, count)
 
+    def along_line(self, q: Array, start: Transform, end: Transform, points: int) -> Array | None:
+        """Configurations along a straight line of the TCP.
+
+        Args:
+            q: Configuration at the start of the line, shape (nq,); the first of the answer.
+            start, end: Poses of the TCP, shape (4, 4).
+            points: How many configurations, both ends included.
+
+        Returns:
+            Shape (points, nq), or None when one of them is not reached within the tolerance.
+        """
+        found = [q]
+        for fraction in np.linspace(0.0, 1.0, points)[1:]:
+            result = self.solve(poses.interpolate(start, end, float(fraction)), found[-1])
+            if not result.within(IkTolerance()):
+                return None
+            found.append(result.q)
+        return np.array(found)
+
     def _verified(self, q: Array, world_T_tcp: Transform, count: int) -> IkResult:
         q[3:7] /= np.linalg.norm(q[3:7])
         feet = bool(self._legs.fill(q[None, :])[0])

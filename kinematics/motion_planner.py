@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics import poses
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
-from kinematics.ik import IkTolerance, WholeBodyIk
+from kinematics.ik import WholeBodyIk
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import (
     CARTESIAN_PACE,
@@ -90,13 +89,10 @@ class MotionPlanner:
         start = model.frame_pose(request.q_start, frame)
         end = start.copy()
         end[:3, 3] += request.world_offset_m
-        found = [request.q_start]
-        for fraction in np.linspace(0.0, 1.0, CARTESIAN_POINTS)[1:]:
-            result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1])
-            if not result.within(IkTolerance()):
-                reasons = {"no inverse kinematics": 1}
-                return NoPlan("the hand cannot be drawn back in a straight line", reasons)
-            found.append(result.q)
+        found = ik.along_line(request.q_start, start, end, CARTESIAN_POINTS)
+        if found is None:
+            reasons = {"no inverse kinematics": 1}
+            return NoPlan("the hand cannot be drawn back in a straight line", reasons)
         x = np.array([space.from_q(q) for q in found])
         for joint in model.description.groups["head"]:
             x[:, space.index(joint)] = x[0, space.index(joint)]

@@ -21,7 +21,6 @@ from kinematics.gaze import gaze_joints
 from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
 from kinematics.ik import IkTolerance, WholeBodyIk
 from kinematics.path_planner import PathPlanner
-from kinematics.poses import Transform
 from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -201,11 +200,11 @@ class _PickTask:
         if not near.is_free(self._space.from_q(first.q)):
             return "collision at the grasp"
         pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
-        back = self._straight(ik, first.q, grasp.world_T_tcp, pregrasp)
+        back = ik.along_line(first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
-        up = self._straight(ik, first.q, grasp.world_T_tcp, lifted)
+        up = ik.along_line(first.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS)
         if up is None:
             return "no straight lift"
         gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
@@ -251,16 +250,6 @@ class _PickTask:
     def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
         trajectory = time_curve(self._model, self._space, self._request.stance, curve, pace)
         return None if trajectory is None else PlannedStep(name, trajectory, scene)
-
-    def _straight(self, ik: WholeBodyIk, q: Array, start: Transform, end: Transform) -> Array | None:
-        """Configurations along a straight line of the TCP, the first one given, or None."""
-        found = [q]
-        for fraction in np.linspace(0.0, 1.0, CARTESIAN_POINTS)[1:]:
-            result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1])
-            if not result.within(IkTolerance()):
-                return None
-            found.append(result.q)
-        return np.array(found)
 
     def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
         """Scene and planner in which this hand may touch the target."""
