@@ -8,6 +8,8 @@ hip yaw, roll, pitch, knee pitch, ankle pitch, roll.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +22,26 @@ from kinematics.trajectory import Stance
 Array = NDArray[np.float64]
 
 AXES = ("JointModelRZ", "JointModelRX", "JointModelRY", "JointModelRY", "JointModelRY", "JointModelRX")
+
+
+@dataclass(frozen=True, slots=True)
+class LegGeometry:
+    """One leg over its planted foot, as the closed form sees it.
+
+    Attributes:
+        joints: Pinocchio's ids of the leg's joints, hip to ankle.
+        hip_m: Where the hip's axes meet, in the base's frame, shape (3,).
+        thigh_m, shin_m: Lengths of the bones.
+        foot_R: ``world_R_ankle`` with the foot planted, shape (3, 3).
+        ankle_m: Where the ankle's axes meet, in the world, shape (3,).
+    """
+
+    joints: tuple[int, ...]
+    hip_m: Array
+    thigh_m: float
+    shin_m: float
+    foot_R: Array
+    ankle_m: Array
 
 
 class LegIk:
@@ -37,6 +59,13 @@ class LegIk:
             for sole in model.description.soles
             if sole.side == side
         ]
+
+    @property
+    def geometry(self) -> tuple[LegGeometry, ...]:
+        """The legs' numbers, left first."""
+        return tuple(
+            LegGeometry(leg.joints, leg.hip, leg.thigh, leg.shin, leg.foot_R, leg.ankle) for leg in self._legs
+        )
 
     def fill(self, q: Array) -> NDArray[np.bool_]:
         """Write the leg joints into configurations, from their base poses.
@@ -65,17 +94,18 @@ class _Leg:
         turned = any(not np.allclose(model.pin.jointPlacements[i].rotation, np.eye(3)) for i in ids)
         if axes != AXES or not straight or turned:
             raise ModelError(f"{group}: no closed form for axes {axes} with offsets {offsets}")
+        self.joints = tuple(ids)
         self._columns = 7 + model.group(group)
-        self._hip = offsets[0]
-        self._thigh, self._shin = float(-offsets[3][2]), float(-offsets[4][2])
+        self.hip = offsets[0]
+        self.thigh, self.shin = float(-offsets[3][2]), float(-offsets[4][2])
         ankle_T_sole = np.array(model.pin.frames[model.frame_id(frame)].placement.homogeneous)
         world_T_ankle = world_T_sole @ np.linalg.inv(ankle_T_sole)
-        self._foot_R, self._ankle = world_T_ankle[:3, :3], world_T_ankle[:3, 3]
+        self.foot_R, self.ankle = world_T_ankle[:3, :3], world_T_ankle[:3, 3]
 
     def fill(self, q: Array, base_R: Array) -> NDArray[np.bool_]:
-        hip = q[:, :3] + base_R @ self._hip
-        r = (hip - self._ankle) @ self._foot_R
-        a, b = self._thigh, self._shin
+        hip = q[:, :3] + base_R @ self.hip
+        r = (hip - self.ankle) @ self.foot_R
+        a, b = self.thigh, self.shin
         distance = np.sqrt(np.sum(r * r, axis=1))
         cosine = (distance**2 - a * a - b * b) / (2.0 * a * b)
         reachable = np.abs(cosine) <= 1.0
@@ -85,7 +115,7 @@ class _Leg:
         pitch = -np.arctan2(r[:, 0], np.hypot(r[:, 1], r[:, 2])) - inner
         # base_R_thigh, of which yaw, roll and pitch of the hip are read off
         bend = -pitch - knee
-        m = np.swapaxes(base_R, 1, 2) @ self._foot_R @ _rot_x(-roll) @ _rot_y(bend)
+        m = np.swapaxes(base_R, 1, 2) @ self.foot_R @ _rot_x(-roll) @ _rot_y(bend)
         hip_yaw = np.arctan2(-m[:, 0, 1], m[:, 1, 1])
         hip_roll = np.arctan2(m[:, 2, 1], -m[:, 0, 1] * np.sin(hip_yaw) + m[:, 1, 1] * np.cos(hip_yaw))
         hip_pitch = np.arctan2(-m[:, 2, 0], m[:, 2, 2])

@@ -1,0 +1,113 @@
+"""Free coordinates of a standing or welded robot, and what a posture must keep, as flat arrays."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.leg_ik import LegIk
+from kinematics.robot_model import RobotModel
+from kinematics.stance import SupportPolygon
+from kinematics.trajectory import Stance
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# What numerical noise may overstep a limit by, as in the path planner.
+_LIMIT_NOISE_RAD = 1e-6
+# Kept in reserve against the checker, as in the path planner.
+_COM_RESERVE_M = 0.005
+
+
+class Coordinates(NamedTuple):
+    """How free coordinates ``x`` make a configuration ``q``.
+
+    Attributes:
+        floating: 1 when ``x`` begins with the base's position and rotation vector, else 0.
+        columns: Columns of ``q`` of the joints in ``x``, shape (m,).
+        leg_bodies: Bodies of each leg whose foot is planted, hip to ankle, shape (legs, 6).
+        hip: Hips in the base's frame, shape (legs, 3), m.
+        bones: Lengths of thigh and shin, shape (legs, 2), m.
+        foot_R: ``world_R_ankle``, shape (legs, 3, 3).
+        ankle: Ankles in the world, shape (legs, 3), m.
+    """
+
+    floating: int
+    columns: Indices
+    leg_bodies: Indices
+    hip: Array
+    bones: Array
+    foot_R: Array
+    ankle: Array
+
+
+class Limits(NamedTuple):
+    """What a posture must keep.
+
+    Attributes:
+        lower, upper: By column of ``q``; infinite for the base, shape (nq,).
+        inward: Inward normals of the support polygon's edges, shape (k, 2); k may be 0.
+        offset: Least ``inward @ com``, the margin included, shape (k,), m.
+    """
+
+    lower: Array
+    upper: Array
+    inward: Array
+    offset: Array
+
+
+def standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
+    """The coordinates of ``FreeCoordinates``, column by column.
+
+    Raises:
+        ModelError: The robot's legs have no closed form.
+    """
+    legs = LegIk(model, stance).geometry
+    space = FreeCoordinates(model, stance)
+    return Coordinates(
+        floating=1,
+        columns=(7 + model.indices(space.joints)).astype(np.int64),
+        leg_bodies=np.array([leg.joints for leg in legs], np.int64).reshape(-1, 6),
+        hip=np.array([leg.hip_m for leg in legs]).reshape(-1, 3),
+        bones=np.array([(leg.thigh_m, leg.shin_m) for leg in legs]).reshape(-1, 2),
+        foot_R=np.array([leg.foot_R for leg in legs]).reshape(-1, 3, 3),
+        ankle=np.array([leg.ankle_m for leg in legs]).reshape(-1, 3),
+    )
+
+
+def plain_coordinates(floating: bool, nq: int) -> Coordinates:
+    """Every joint on its own, after the base's position and rotation vector when it floats."""
+    return Coordinates(
+        floating=int(floating),
+        columns=np.arange(7 if floating else 0, nq, dtype=np.int64),
+        leg_bodies=np.zeros((0, 6), np.int64),
+        hip=np.zeros((0, 3)),
+        bones=np.zeros((0, 2)),
+        foot_R=np.zeros((0, 3, 3)),
+        ankle=np.zeros((0, 3)),
+    )
+
+
+def joint_limits(lower: Array, upper: Array, floating: bool) -> Limits:
+    """Joint limits alone, in the order of ``q``'s joints."""
+    free = np.full(7 if floating else 0, np.inf)
+    return Limits(
+        lower=np.concatenate([-free, lower - _LIMIT_NOISE_RAD]),
+        upper=np.concatenate([free, upper + _LIMIT_NOISE_RAD]),
+        inward=np.zeros((0, 2)),
+        offset=np.zeros(0),
+    )
+
+
+def standing_limits(model: RobotModel, stance: Stance) -> Limits:
+    """Joint limits shrunk for planning and the CoM's margin, as the path planner judges them."""
+    margin = model.description.planning_margin_rad
+    polygon = SupportPolygon(stance, model.description.soles).vertices_m
+    edges = np.roll(polygon, -1, axis=0) - polygon
+    inward = np.column_stack([-edges[:, 1], edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
+    least = np.sum(inward * polygon, axis=1) + model.description.com_margin_m + _COM_RESERVE_M
+    plain = joint_limits(model.lower_rad + margin, model.upper_rad - margin, floating=True)
+    return plain._replace(inward=np.ascontiguousarray(inward), offset=least)

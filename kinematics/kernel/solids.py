@@ -1,0 +1,153 @@
+"""Convex solids as flat arrays: the robot's links, what it holds and what is around."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import coal
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.errors import ModelError
+from kinematics.poses import Transform
+from kinematics.shapes import Ball, Box, Cylinder, Shape
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+HULL, BOX, CYLINDER, POINT, SEGMENT = 0, 1, 2, 3, 4
+# Vertices are left out of a hull as long as none of them is farther from the rest than this.
+REDUCTION_M = 0.001
+
+
+class Solids(NamedTuple):
+    """Each solid is a core, rounded by a ball.
+
+    Attributes:
+        kind: HULL, BOX, CYLINDER, POINT (a ball) or SEGMENT (a capsule), shape (s,).
+        body: Body that carries it; 0 is the world, shape (s,).
+        R, p: Pose in that body's frame, shapes (s, 3, 3) and (s, 3), m; hulls are already there.
+        size: Half-sizes of a box; radius and half the height of a cylinder; 0 and half the length of
+            a segment, shape (s, 3), m.
+        round: Radius of the rounding ball, shape (s,), m.
+        few: First and last row in ``points`` of the hull's chosen vertices, shape (s, 2).
+        pad: With this rounding the chosen vertices enclose the whole hull, shape (s,), m.
+        all: First and last row of all its vertices, shape (s, 2).
+        points: Vertices in the body's frame, shape (n, 3), m.
+        centre, radius: Bounding ball in the body's frame, shapes (s, 3) and (s,), m.
+    """
+
+    kind: Indices
+    body: Indices
+    R: Array
+    p: Array
+    size: Array
+    round: Array
+    few: Indices
+    pad: Array
+    all: Indices
+    points: Array
+    centre: Array
+    radius: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """One solid before it is flattened; see ``Solids``."""
+
+    kind: int
+    body: int
+    pose: Transform
+    size: tuple[float, float, float]
+    round_m: float
+    centre: Array
+    radius_m: float
+    few: Array
+    all: Array
+    pad_m: float = 0.0
+
+
+_NO_POINTS = np.zeros((0, 3))
+
+
+def plain_solid(body: int, pose: Transform, shape: Shape) -> Solid:
+    """A box, cylinder or ball on a body."""
+    match shape:
+        case Box(size_m=(x, y, z)):
+            return _primitive(BOX, body, pose, (0.5 * x, 0.5 * y, 0.5 * z), 0.0)
+        case Cylinder(radius_m=radius, height_m=height):
+            return _primitive(CYLINDER, body, pose, (radius, 0.5 * height, 0.0), 0.0)
+        case Ball(radius_m=radius):
+            return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), radius)
+
+
+def _primitive(
+    kind: int, body: int, pose: Transform, size: tuple[float, float, float], round_m: float
+) -> Solid:
+    # the size of every kind spans its circumscribed ball as if it were a vector
+    radius = float(np.linalg.norm(size)) + round_m
+    return Solid(kind, body, pose, size, round_m, np.array(pose[:3, 3]), radius, _NO_POINTS, _NO_POINTS)
+
+
+def link_solid(body: int, pose: Transform, geometry: Any) -> Solid:
+    """A solid of one of the robot's collision geometries.
+
+    Raises:
+        ModelError: It is of a kind that has no support function here.
+    """
+    if isinstance(geometry, coal.ConvexBase):
+        return _hull(body, np.array(geometry.points()) @ pose[:3, :3].T + pose[:3, 3])
+    if isinstance(geometry, coal.Box):
+        x, y, z = np.array(geometry.halfSide)
+        return _primitive(BOX, body, pose, (float(x), float(y), float(z)), 0.0)
+    if isinstance(geometry, coal.Cylinder):
+        return _primitive(CYLINDER, body, pose, (float(geometry.radius), float(geometry.halfLength), 0.0), 0.0)
+    if isinstance(geometry, coal.Sphere):
+        return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), float(geometry.radius))
+    if isinstance(geometry, coal.Capsule):
+        return _primitive(SEGMENT, body, pose, (0.0, float(geometry.halfLength), 0.0), float(geometry.radius))
+    raise ModelError(f"no support function for a {type(geometry).__name__}")
+
+
+def _hull(body: int, points: Array) -> Solid:
+    # imported here: it brings the compiler
+    from kinematics.kernel.separation import reduced_hull
+
+    points = np.ascontiguousarray(points)
+    order = np.empty(len(points), np.int64)
+    count, pad = reduced_hull(points, REDUCTION_M, order)
+    few = points[order[:count]]
+    centre = _ball_centre(points)
+    radius = float(np.linalg.norm(points - centre, axis=1).max())
+    return Solid(HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad)
+
+
+def _ball_centre(points: Array) -> Array:
+    """Centre of a nearly smallest enclosing ball (Badoiu and Clarkson, 2003)."""
+    centre = points.mean(axis=0)
+    for i in range(1, 200):
+        off = points - centre
+        centre = centre + off[np.argmax(np.einsum("ni,ni->n", off, off))] / (i + 1)
+    return np.asarray(centre, dtype=np.float64)
+
+
+def flatten(solids: Sequence[Solid]) -> Solids:
+    """Put solids into arrays, in order; points of zero solids are an empty array."""
+    clouds = [cloud for solid in solids for cloud in (solid.few, solid.all)]
+    ends = np.cumsum([0, *map(len, clouds)]).astype(np.int64)
+    return Solids(
+        kind=np.array([solid.kind for solid in solids], np.int64),
+        body=np.array([solid.body for solid in solids], np.int64),
+        R=np.array([solid.pose[:3, :3] for solid in solids], np.float64).reshape(-1, 3, 3),
+        p=np.array([solid.pose[:3, 3] for solid in solids], np.float64).reshape(-1, 3),
+        size=np.array([solid.size for solid in solids], np.float64).reshape(-1, 3),
+        round=np.array([solid.round_m for solid in solids], np.float64),
+        few=np.ascontiguousarray(np.stack([ends[:-1:2], ends[1::2]], axis=1)),
+        pad=np.array([solid.pad_m for solid in solids], np.float64),
+        all=np.ascontiguousarray(np.stack([ends[1:-1:2], ends[2::2]], axis=1)),
+        points=np.concatenate([_NO_POINTS, *clouds]),
+        centre=np.array([solid.centre for solid in solids], np.float64).reshape(-1, 3),
+        radius=np.array([solid.radius_m for solid in solids], np.float64),
+    )
