@@ -132,6 +132,8 @@ class SetpointGate:
         if not ((judged <= self._most) & (judged >= self._least)).all():
             return self._explain()
         forbidden = self._authority.forbidden(setpoint.owner)
+        if forbidden is None:
+            return None
         taken = ((moved != 0.0) | (setpoint.v != 0.0)) & forbidden
         if taken.any():
             worst = int(np.argmax(taken * (np.abs(moved) + np.abs(setpoint.v))))

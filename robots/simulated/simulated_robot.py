@@ -45,6 +45,7 @@ class SimulatedRobot:
         # MuJoCo tells what a sole presses on the floor, negated; a robot tells what the floor gives it.
         self._sensor_sign = np.array([1.0] * 6 + [-1.0] * 6 * len(description.soles))
         self._sigma = _sigmas(description)
+        self._noise, self._noise_row = np.empty((0, len(self._sigma))), 0
         self._effort = np.zeros(self._count)
         self._target = np.array(self._qpos[self._joint_qpos])
         self._former = self._target.copy()
@@ -62,8 +63,7 @@ class SimulatedRobot:
         """Return the readings of the last control period; the same ones until the next period."""
         if self._reading is None:
             n = self._count
-            noise: Array = np.asarray(self._rng.standard_normal(self._sigma.shape[0]))
-            noise *= self._sigma
+            noise = self._next_noise()
             noise[:n] += self._qpos[self._joint_qpos]
             noise[n : 2 * n] += self._qvel[self._joint_qvel]
             noise[2 * n : 3 * n] += self._effort
@@ -78,6 +78,15 @@ class SimulatedRobot:
                 foot_wrench=noise[3 * n + 6 :].reshape(-1, 6),
             )
         return self._reading
+
+    def _next_noise(self) -> Array:
+        """Noise of one set of readings, shape (k,); many are drawn at once, each is given out once."""
+        if self._noise_row == len(self._noise):
+            self._noise = self._rng.standard_normal((_NOISE_ROWS, len(self._sigma))) * self._sigma
+            self._noise_row = 0
+        noise: Array = self._noise[self._noise_row]
+        self._noise_row += 1
+        return noise
 
     def command(self, setpoint: JointSetpoint) -> None:
         """Take a setpoint; it holds until the next one.
@@ -126,6 +135,7 @@ class SimulatedRobot:
         self._reading = None
 
 
+_NOISE_ROWS = 50
 _TIMESTEP_NS = round(TIMESTEP_S * 1e9)
 
 
