@@ -135,7 +135,8 @@ class BaseEstimator:
         weights = _shares(self._loads(foot_wrench))
         flat_soled = self._flat_soled(weights, self._soles(joints_rad))
         # The soles tip where they carry, and take the base with them.
-        pivot = sum(weight * anchor.translation for weight, anchor in zip(weights, self._anchors, strict=True))
+        pairs = zip(weights, self._anchors, strict=True)
+        pivot = sum((weight * anchor.translation for weight, anchor in pairs), start=np.zeros(3))
         tip = pin.exp3(tilt_rad)
         odom_T_base = pin.SE3(tip, pivot - tip @ pivot) * flat_soled
         estimate: Array = self._q.copy()
