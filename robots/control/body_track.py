@@ -143,7 +143,10 @@ class BodyTrack:
         """Instant of the trajectory after so many periods."""
         first, rows = self._ahead or (period + 1, None)
         if rows is None or not first <= period < first + _AHEAD:
-            first, rows = period, sampler.many(self._period_s * np.arange(period, period + _AHEAD, dtype=np.float64))
+            first, rows = (
+                period,
+                sampler.many(self._period_s * np.arange(period, period + _AHEAD, dtype=np.float64)),
+            )
             self._ahead = first, rows
         k = period - first
         return MotionSample(rows.q[k], rows.v[k], rows.a[k])

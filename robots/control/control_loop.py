@@ -229,9 +229,7 @@ class ControlLoop:
     def _sense(self) -> SensedState:
         readings, estimator = self._robot.read(), self._estimator
         joints_rad, foot_wrench = readings.q[: self._bodies], readings.foot_wrench
-        estimator.update(
-            readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench
-        )
+        estimator.update(readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench)
         return SensedState(
             readings, partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
         )
