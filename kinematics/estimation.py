@@ -43,8 +43,8 @@ class EstimatorSettings:
             accelerometer's bias (2 mrad). With no sole carrying it is believed fully.
         gravity_band_m_s2: Specific force may differ by this from 1 g and still be taken for gravity.
         carrying_force_n: A sole with less normal force than this carries nothing.
-        batch: Readings of the IMU that are averaged for one step of the filter: at 500 Hz, 2 make
-            250 Hz. The tilt is late by up to ``batch - 1`` readings.
+        batch: Readings of the IMU that are averaged for one step of the filter: at 500 Hz, 3 make
+            167 Hz. The tilt is late by up to ``batch - 1`` readings.
     """
 
     kinematics_time_s: float = 0.3
@@ -52,7 +52,7 @@ class EstimatorSettings:
     gravity_share: float = 0.2
     gravity_band_m_s2: float = 0.5
     carrying_force_n: float = 30.0
-    batch: int = 2
+    batch: int = 3
 
 
 class BaseEstimator:

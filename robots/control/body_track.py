@@ -13,7 +13,7 @@ from robots.control.stop_profile import StopProfile
 
 Array = NDArray[np.float64]
 
-_AHEAD = 25
+_AHEAD = 100
 """Instants of a trajectory that are computed at once: many cost little more than one."""
 _PLAY_OUT_S = 0.3
 """A trajectory that cannot be braked before it ends is played out if it ends within this."""
