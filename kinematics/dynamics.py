@@ -58,15 +58,16 @@ class StandingDynamics:
             v: Velocity, shape (nv,).
             a: Acceleration, shape (nv,); rotor inertia is counted in.
         """
-        generalized = np.array(pin.rnea(self._model, self._data, q, v, a))
+        # ``dot`` throughout: on arrays this small the operator costs three times as much.
+        generalized = pin.rnea(self._model, self._data, q, v, a)
+        efforts: Array = self._armature * a[6:]
+        efforts += generalized[6:]
         jacobian = pin.computeJointJacobians(self._model, self._data, q)
-        efforts: Array = generalized[6:]
-        efforts += self._armature * a[6:]
         # The free-flyer's generalized force, moved to the world's origin and turned into world axes.
-        net = self._data.oMi[1].act(pin.Force(generalized[:6]))
-        wrenches = self._to_soles @ net.vector
+        net = self._data.oMi[1].toDualActionMatrix().dot(generalized[:6])
+        wrenches = self._to_soles.dot(net)
         for k, (columns, rows) in enumerate(self._chains):
-            efforts[rows] -= jacobian[:, columns].T @ wrenches[6 * k : 6 * k + 6]
+            efforts[rows] -= wrenches[6 * k : 6 * k + 6].dot(jacobian[:, columns])
         return efforts
 
 

@@ -8,7 +8,7 @@ A grasp is a TCP pose: x along the approach, y along the opening. Candidates tur
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 # Steps of 15 degrees in yaw and 20 in tilt: neighbours differ by less than the wrist can make up for.
 YAWS_RAD = tuple(math.radians(a) for a in (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90, -90, 110, 130))
 TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 75, 90))
+_STEEPEST_RAD = math.radians(70)
 # Left between pads and object on each side, so that a perception error of this size still fits.
 OPENING_RESERVE_M = 0.006
 # The pads reach at least this far over an object's edge, and a palm keeps this from its top.
@@ -36,6 +37,8 @@ PALM_GAP_M = 0.012
 TIP_GAP_M = 0.057
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
+# Where else, when that does not go: nearer to the top over a high table, lower under an overhang.
+OTHER_HEIGHTS = (0.28, 0.4, 0.0)
 # Flat pads along the object hold it better than the edges of two pads that it stands between.
 STRADDLE_COST = 1.0
 # An object that stands is upright to within this; a lying one is grasped like a box.
@@ -56,7 +59,11 @@ class GraspCandidate:
 
 
 def grasp_candidates(
-    item: SceneObject, gripper: GripperDescription, natural_yaw_rad: float, approach_m: float
+    item: SceneObject,
+    gripper: GripperDescription,
+    natural_yaw_rad: float,
+    approach_m: float,
+    heights: Sequence[float] = (ABOVE_MIDDLE,),
 ) -> list[GraspCandidate]:
     """Candidates for one hand, most natural first.
 
@@ -65,13 +72,18 @@ def grasp_candidates(
         gripper: The hand's gripper.
         natural_yaw_rad: Heading, in the world, in which this arm reaches that place most easily.
         approach_m: Length of the straight approach.
+        heights: Where to grasp from the side: above the middle, as shares of the object's height.
     """
     # the arm prefers to come from its own outer side: the elbow stays off the trunk
     outward = 1.0 if gripper.hand == "right" else -1.0
     found = []
-    for yaw, tilt in product(YAWS_RAD, TILTS_RAD):
-        for placed in _placements(item, gripper, natural_yaw_rad + outward * yaw, tilt):
-            label = f"yaw {math.degrees(outward * yaw):+.0f} tilt {math.degrees(tilt):.0f}{placed.suffix}"
+    for yaw, tilt, height in product(YAWS_RAD, TILTS_RAD, heights):
+        if height != ABOVE_MIDDLE and tilt > _STEEPEST_RAD:
+            continue  # from above, palm and fingertips leave no choice of height
+        where = "" if height == ABOVE_MIDDLE else f" at {0.5 + height:.2f}"
+        for placed in _placements(item, gripper, natural_yaw_rad + outward * yaw, tilt, height):
+            degrees = f"yaw {math.degrees(outward * yaw):+.0f} tilt {math.degrees(tilt):.0f}"
+            label = f"{degrees}{where}{placed.suffix}"
             grasp = Grasp(
                 hand=gripper.hand,
                 label=label,
@@ -98,7 +110,7 @@ class _Placement:
 
 
 def _placements(
-    item: SceneObject, gripper: GripperDescription, yaw: float, tilt: float
+    item: SceneObject, gripper: GripperDescription, yaw: float, tilt: float, height: float
 ) -> Iterator[_Placement]:
     rotation = poses.rotation_z(yaw) @ poses.rotation_y(tilt)
     up = item.world_T_object[:3, 2]
@@ -111,7 +123,7 @@ def _placements(
     if isinstance(item.shape, Cylinder) and abs(up[2]) >= UPRIGHT_COSINE:
         diameter = 2.0 * item.shape.radius_m
         if diameter <= limit:
-            depth = _reach_in(item.shape.height_m, item.shape.radius_m, tilt, gripper)
+            depth = _reach_in(item.shape.height_m, height, item.shape.radius_m, tilt, gripper)
             place = centre + np.array([0.0, 0.0, depth])
             if not _straddled(tilt, gripper):
                 yield from _rolled(rotation, place, diameter)
@@ -119,11 +131,11 @@ def _placements(
                 opening = _straddled_opening(item.shape.radius_m, gripper)
                 yield from _rolled(rotation, place, opening, STRADDLE_COST)
         return
-    yield from _box_placements(item, gripper, rotation, tilt, limit)
+    yield from _box_placements(item, gripper, rotation, tilt, height, limit)
 
 
 def _box_placements(
-    item: SceneObject, gripper: GripperDescription, rotation: Array, tilt: float, limit: float
+    item: SceneObject, gripper: GripperDescription, rotation: Array, tilt: float, at: float, limit: float
 ) -> Iterator[_Placement]:
     """Grasps of a box, or of a cylinder that lies: the opening along one of the horizontal edges."""
     size = (
@@ -145,7 +157,7 @@ def _box_placements(
         turn = math.atan2(across[1], across[0]) - math.atan2(rotation[1, 1], rotation[0, 1])
         turn = (turn + math.pi) % (2 * math.pi) - math.pi
         turned = poses.rotation_z(turn) @ rotation
-        depth = _reach_in(height, 0.5 * float(size[3 - edge - upward]), tilt, gripper)
+        depth = _reach_in(height, at, 0.5 * float(size[3 - edge - upward]), tilt, gripper)
         centre = item.world_T_object[:3, 3] + np.array([0.0, 0.0, depth])
         for placed in _rolled(turned, centre, float(size[edge])):
             yield _Placement(
@@ -153,13 +165,13 @@ def _box_placements(
             )
 
 
-def _reach_in(height: float, half_depth: float, tilt: float, gripper: GripperDescription) -> float:
+def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper: GripperDescription) -> float:
     """Height of the TCP above the object's middle.
 
-    From the side a little above the middle; from above as deep as palm and overlap want, measured
-    along the approach; in between the blend by the tilt's sine.
+    From the side at the wanted share ``at`` of the height; from above as deep as palm and overlap
+    want, measured along the approach; in between the blend by the tilt's sine.
     """
-    side = ABOVE_MIDDLE * height
+    side = at * height
     deepest = gripper.palm_distance_m - PALM_GAP_M
     overlap = max(PAD_OVERLAP_M, min(0.45 * height, height - TIP_GAP_M))
     above = 0.5 * height - min(overlap, deepest)

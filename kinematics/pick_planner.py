@@ -7,7 +7,7 @@ the open hand alone fit there?), then tried with whole-body inverse kinematics, 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +18,7 @@ from kinematics.collision import CollisionWorld, HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.gaze import gaze_joints
-from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
+from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_candidates, key_of
 from kinematics.ik import IkTolerance, WholeBodyIk
 from kinematics.path_planner import PathPlanner
 from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
@@ -33,6 +33,8 @@ Array = NDArray[np.float64]
 
 # Kept in reserve against the checker, which judges with the scene's own margins.
 PLANNING_RESERVE_M = 0.004
+# What is left of it when there is no other way: the checker has the last word anyway.
+LEAST_RESERVE_M = 0.001
 SELF_MARGIN_M = 0.005
 # Straight approach: long enough that open fingers clear the object before it begins.
 APPROACH_M = 0.10
@@ -74,10 +76,23 @@ class PickPlanner:
         """Plan reach, approach and lift, or say honestly why there is no plan.
 
         Of the first few grasps that a straight reach comes to, the best one is taken: by reach,
-        clearance and balance. Only when there is none are detours searched.
+        clearance and balance. Only when there is none are detours searched, and only when there is
+        no such grasp at all, those at other heights and with less room.
         """
-        target = request.scene.objects[request.target]
-        task = _PickTask(self._model, request, target)
+        usual = _PickTask(self._model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M)
+        if (plan := self._best(usual)) is not None:
+            return plan
+        thorough = _PickTask(self._model, request, (ABOVE_MIDDLE, *OTHER_HEIGHTS), LEAST_RESERVE_M)
+        if (plan := self._best(thorough)) is not None:
+            return plan
+        hands = " or ".join(request.hands)
+        return NoPlan(
+            f"no way to grasp the {request.target} with the {hands} hand was found",
+            dict(thorough.reasons),
+            {"grasps_considered": float(usual.considered + thorough.considered)},
+        )
+
+    def _best(self, task: _PickTask) -> PickPlan | None:
         straight: list[tuple[_Goal, Curve]] = []
         blocked: list[_Goal] = []
         for candidate in task.candidates():
@@ -98,12 +113,7 @@ class PickPlanner:
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
-        hands = " or ".join(request.hands)
-        return NoPlan(
-            f"no way to grasp the {request.target} with the {hands} hand was found",
-            dict(task.reasons),
-            {"grasps_considered": float(task.considered)},
-        )
+        return None
 
 
 class _PickTask:
@@ -114,16 +124,19 @@ class _PickTask:
         considered: How many grasps were looked at so far.
     """
 
-    def __init__(self, model: RobotModel, request: PickRequest, target: SceneObject) -> None:
-        self._model, self._request, self._target = model, request, target
+    def __init__(
+        self, model: RobotModel, request: PickRequest, heights: Sequence[float], reserve_m: float
+    ) -> None:
+        self._model, self._request, self._target = model, request, request.scene.objects[request.target]
+        self._heights, self._reserve_m = heights, reserve_m
         self._space = FreeCoordinates(model, request.stance)
         self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
         self._ik: dict[Hand, WholeBodyIk] = {}
         self._hands: dict[Hand, HandCollision] = {}
-        self._reach_scene = relaxed_at(model, request.scene, request.q_start, PLANNING_RESERVE_M)
+        self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(
-            CollisionWorld(model, self._reach_scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
+            CollisionWorld(model, self._reach_scene, self._reserve_m, SELF_MARGIN_M)
         )
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
         self._x_start = self._space.from_q(request.q_start)
@@ -131,19 +144,22 @@ class _PickTask:
         self._seed = model.home_over(request.stance)
         self.reasons: Counter[str] = Counter()
         self.considered = 0
+        self._in_reach: dict[Hand, Array] = {}
+        for hand in request.hands:
+            offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
+            if np.linalg.norm(offset[:2]) <= FARTHEST_M:
+                self._in_reach[hand] = offset
+            else:
+                self.reasons["out of reach"] += 1
 
     def candidates(self) -> list[GraspCandidate]:
         """Grasps of all allowed hands, most natural first; nothing is judged yet."""
         found = []
-        for hand in self._request.hands:
+        for hand, offset in self._in_reach.items():
             gripper = self._model.description.grippers[hand]
-            offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
             distance = float(np.linalg.norm(offset[:2]))
-            if distance > FARTHEST_M:
-                self.reasons["out of reach"] += 1
-                continue
             natural = float(np.arctan2(offset[1], offset[0]))
-            for candidate in grasp_candidates(self._target, gripper, natural, APPROACH_M):
+            for candidate in grasp_candidates(self._target, gripper, natural, APPROACH_M, self._heights):
                 if key_of(hand, candidate.grasp.label) in self._request.excluded:
                     self.reasons["tried before"] += 1
                 else:
@@ -230,7 +246,7 @@ class _PickTask:
         hand = grasp.hand
         if hand not in self._hands:
             scene = self._request.scene
-            self._hands[hand] = HandCollision(self._model, hand, scene, self._target.name, PLANNING_RESERVE_M)
+            self._hands[hand] = HandCollision(self._model, hand, scene, self._target.name, self._reserve_m)
         advance_m = self._model.description.grippers[hand].closing_advance_m
         closing = grasp.world_T_tcp @ poses.translation(advance_m, 0.0, 0.0)
         if self._hands[hand].collides(closing) or self._hands[hand].collides(grasp.world_T_tcp):
@@ -256,7 +272,7 @@ class _PickTask:
         if hand not in self._grasp_planners:
             links = self._model.description.grippers[hand].touch_links
             scene = self._request.scene.allowing((link, self._target.name) for link in links)
-            world = CollisionWorld(self._model, scene, PLANNING_RESERVE_M, SELF_MARGIN_M)
+            world = CollisionWorld(self._model, scene, self._reserve_m, SELF_MARGIN_M)
             self._grasp_planners[hand] = scene, self._planner(world)
         return self._grasp_planners[hand]
 

@@ -104,8 +104,10 @@ class TrajectorySampler:
         a[:3] -= (wy * vz - wz * vy, wz * vx - wx * vz, wx * vy - wy * vx)
         return MotionSample(q, v, a)
 
-    def many(self, t_s: Array, rate: Array, rate_slope: Array) -> MotionSample:
+    def many(self, t_s: Array, rate: Array | None = None, rate_slope: Array | None = None) -> MotionSample:
         """Evaluate at many times, shape (k,) each; the arrays of the answer have k rows."""
+        rate = np.ones(len(t_s)) if rate is None else rate
+        rate_slope = np.zeros(len(t_s)) if rate_slope is None else rate_slope
         t_s = np.clip(t_s, 0.0, self.duration_s)
         segments = np.searchsorted(self._t_s, t_s, side="right") - 1
         segments = np.minimum(segments, len(self._h_s) - 1)

@@ -26,7 +26,7 @@ class Authority:
         self._joints = tuple(joints)
         self._index = {name: i for i, name in enumerate(self._joints)}
         self._held: dict[str, NDArray[np.bool_]] = {STOP: np.ones(len(self._joints), dtype=np.bool_)}
-        self._forbidden: dict[str, NDArray[np.bool_]] = {}
+        self._forbidden: dict[str, NDArray[np.bool_] | None] = {}
 
     def claim(self, owner: str, joints: Sequence[str]) -> tuple[str, str] | None:
         """Give joints to an owner, all of them or none.
@@ -56,19 +56,18 @@ class Authority:
                 return owner
         return None
 
-    def forbidden(self, owner: str) -> NDArray[np.bool_]:
-        """Joints that a setpoint of this owner must not move, shape (n,).
+    def forbidden(self, owner: str) -> NDArray[np.bool_] | None:
+        """Joints that a setpoint of this owner must not move, shape (n,); None when it may move all.
 
         Several owners who act side by side are named together, see ``together``.
         """
-        known = self._forbidden.get(owner)
-        if known is None:
-            known = np.ones(len(self._joints), dtype=np.bool_)
+        if owner not in self._forbidden:
+            forbidden = np.ones(len(self._joints), dtype=np.bool_)
             for part in owner.split(_JOIN):
                 if part in self._held:
-                    known &= ~self._held[part]
-            self._forbidden[owner] = known
-        return known
+                    forbidden &= ~self._held[part]
+            self._forbidden[owner] = forbidden if forbidden.any() else None
+        return self._forbidden[owner]
 
 
 def together(owners: Sequence[str]) -> str:

@@ -13,6 +13,8 @@ from robots.control.stop_profile import StopProfile
 
 Array = NDArray[np.float64]
 
+_AHEAD = 100
+"""Instants of a trajectory that are computed at once: many cost little more than one."""
 _PLAY_OUT_S = 0.3
 """A trajectory that cannot be braked before it ends is played out if it ends within this."""
 
@@ -35,6 +37,7 @@ class BodyTrack:
         self._sampler: TrajectorySampler | None = None
         self._elapsed_s = 0.0
         self._periods = 0
+        self._ahead: tuple[int, MotionSample] | None = None
         self._profile: StopProfile | None = None
         self._row = 0
         self._next: MotionSample | None = None
@@ -70,7 +73,7 @@ class BodyTrack:
     def play(self, trajectory: Trajectory) -> None:
         """Begin a trajectory; the first instant of it is the present one."""
         self._sampler = TrajectorySampler(trajectory)
-        self._profile = None
+        self._profile = self._ahead = None
         self._elapsed_s, self._periods = 0.0, 0
 
     def brake(self, along_path: bool) -> None:
@@ -112,11 +115,9 @@ class BodyTrack:
         if self._profile is not None:
             self._next = self._profile.at(self._row)
         elif self._sampler is not None:
-            ahead_s = (self._periods + 1) * self._period_s
-            if ahead_s < self._sampler.duration_s:
-                self._next = self._sampler.at(ahead_s)
-            else:
-                self._next = self._at_rest(self._sampler.at(ahead_s).q)
+            self._next = self._played(self._sampler, self._periods + 1)
+            if (self._periods + 1) * self._period_s >= self._sampler.duration_s:
+                self._next = self._at_rest(self._next.q)
         else:
             # The very same object, so that what depends on it need not be computed again.
             self._next = self.now
@@ -137,6 +138,18 @@ class BodyTrack:
             self._elapsed_s = self._periods * self._period_s
             if self._elapsed_s >= self._sampler.duration_s:
                 self._sampler, self._playing_out = None, False
+
+    def _played(self, sampler: TrajectorySampler, period: int) -> MotionSample:
+        """Instant of the trajectory after so many periods."""
+        first, rows = self._ahead or (period + 1, None)
+        if rows is None or not first <= period < first + _AHEAD:
+            first, rows = (
+                period,
+                sampler.many(self._period_s * np.arange(period, period + _AHEAD, dtype=np.float64)),
+            )
+            self._ahead = first, rows
+        k = period - first
+        return MotionSample(rows.q[k], rows.v[k], rows.a[k])
 
     def _start(self, profile: StopProfile) -> None:
         self._profile, self._row = profile, 0

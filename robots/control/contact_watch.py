@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.robot_description import RobotDescription
 from robots.control.refusal import Limit, Refusal
+from robots.control.setpoint_limits import largest_excess
 
 Array = NDArray[np.float64]
 
@@ -33,6 +34,7 @@ class ContactWatch:
         self._indices = np.array([description.actuated.index(joint) for joint in self._joints], dtype=np.intp)
         self._allowed = np.array([allowed[joint] for joint in self._joints])
         self._bound = self._allowed.copy()
+        self._outside = np.zeros(len(self._joints))
         self._periods = 0
 
     def judge(self, effort: Array, expected: Array, moving: bool) -> Refusal | None:
@@ -47,15 +49,15 @@ class ContactWatch:
         Returns:
             What pushes too hard, or None.
         """
-        outside = np.abs(effort[self._indices] - expected[self._indices])
+        outside = self._outside
+        excess_nm = largest_excess(effort, expected, self._indices, self._bound, outside)
         if not moving:
             self._bound = np.maximum(self._allowed, outside + GROWTH_NM)
             self._periods = 0
             return None
-        beyond = outside - self._bound
-        self._periods = self._periods + 1 if beyond.size and beyond.max() > 0.0 else 0
+        self._periods = self._periods + 1 if excess_nm > 0.0 else 0
         if self._periods < PERIODS:
             return None
         self._periods = 0
-        worst = int(np.argmax(beyond))
+        worst = int(np.argmax(outside - self._bound))
         return Refusal(Limit.CONTACT, self._joints[worst], float(outside[worst]), float(self._bound[worst]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from types import MappingProxyType
 
 import numpy as np
@@ -226,15 +227,12 @@ class ControlLoop:
         self.sensing.add(self._sense())
 
     def _sense(self) -> SensedState:
-        readings = self._robot.read()
-        q = self._estimator.update(
-            readings.stamp_s,
-            readings.q[: self._bodies],
-            readings.gyro,
-            readings.accelerometer,
-            readings.foot_wrench,
+        readings, estimator = self._robot.read(), self._estimator
+        joints_rad, foot_wrench = readings.q[: self._bodies], readings.foot_wrench
+        estimator.update(readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench)
+        return SensedState(
+            readings, partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
         )
-        return SensedState(readings, q)
 
 
 def _resting(model: RobotModel, measured: Array) -> tuple[Array, dict[Hand, float]]:

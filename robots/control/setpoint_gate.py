@@ -11,6 +11,7 @@ from kinematics.check_settings import DEFAULT_SETTINGS
 from robots.clock import Clock
 from robots.control.authority import HOLD, Authority
 from robots.control.refusal import Limit, Refusal
+from robots.control.setpoint_limits import moves_any, within_limits
 from robots.interface import JointSetpoint, Robot
 
 Array = NDArray[np.float64]
@@ -107,7 +108,7 @@ class SetpointGate:
         self._robot.command(self.last)
 
     def _judge(self, setpoint: JointSetpoint) -> Refusal | None:
-        last, judged = self.last, self._judged
+        last = self.last
         n = len(self._joints)
         if not setpoint.q.shape == setpoint.v.shape == setpoint.tau.shape == (n,):
             return Refusal(Limit.SHAPE, setpoint.owner, float(setpoint.q.size), float(n))
@@ -119,22 +120,14 @@ class SetpointGate:
         dt = setpoint.stamp_s - last.stamp_s
         if dt <= 0.0:
             return Refusal(Limit.AGE, setpoint.owner, setpoint.stamp_s, last.stamp_s)
-        judged[0] = setpoint.q
-        judged[1] = setpoint.v
-        judged[2] = setpoint.tau
-        np.subtract(setpoint.v, last.v, out=judged[3])
-        judged[3] *= 1.0 / dt
-        moved = setpoint.q - last.q
-        np.add(setpoint.v, last.v, out=judged[4])
-        judged[4] *= -0.5 * dt
-        judged[4] += moved
-        # A value that is not a number fails every comparison, so it cannot pass.
-        if not ((judged <= self._most) & (judged >= self._least)).all():
+        if not within_limits(
+            setpoint.q, setpoint.v, setpoint.tau, last.q, last.v, dt, self._least, self._most, self._judged
+        ):
             return self._explain()
         forbidden = self._authority.forbidden(setpoint.owner)
-        taken = ((moved != 0.0) | (setpoint.v != 0.0)) & forbidden
-        if taken.any():
-            worst = int(np.argmax(taken * (np.abs(moved) + np.abs(setpoint.v))))
+        if forbidden is not None and moves_any(setpoint.q, setpoint.v, last.q, forbidden):
+            moved = setpoint.q - last.q
+            worst = int(np.argmax(forbidden * (np.abs(moved) + np.abs(setpoint.v))))
             culprit = f"{self._joints[worst]} (moved by {setpoint.owner})"
             return Refusal(Limit.OWNER, culprit, float(moved[worst]), 0.0)
         return None

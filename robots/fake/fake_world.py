@@ -85,7 +85,7 @@ class FakeWorld:
         readings = self.robot.read()
         q = self.motion.reference()
         q[7:] = readings.q[: len(self.model.joints)]
-        return SensedState(readings, q)
+        return SensedState(readings, lambda: q)
 
     def _pose_of(self, frame: str) -> Transform:
         return self.model.frame_pose(self.sensing.state().q, frame)

@@ -13,6 +13,7 @@ from robots.errors import SetpointRefusedError
 from robots.interface import JointSetpoint, RobotState
 from robots.simulated.body_model import ACCELEROMETER, GYRO
 from robots.simulated.physics import TIMESTEP_S, Physics
+from robots.simulated.servo_arrays import add_readings, servo_inputs
 
 Array = NDArray[np.float64]
 
@@ -45,6 +46,7 @@ class SimulatedRobot:
         # MuJoCo tells what a sole presses on the floor, negated; a robot tells what the floor gives it.
         self._sensor_sign = np.array([1.0] * 6 + [-1.0] * 6 * len(description.soles))
         self._sigma = _sigmas(description)
+        self._noise, self._noise_row = np.empty((0, len(self._sigma))), 0
         self._effort = np.zeros(self._count)
         self._target = np.array(self._qpos[self._joint_qpos])
         self._former = self._target.copy()
@@ -62,12 +64,18 @@ class SimulatedRobot:
         """Return the readings of the last control period; the same ones until the next period."""
         if self._reading is None:
             n = self._count
-            noise: Array = np.asarray(self._rng.standard_normal(self._sigma.shape[0]))
-            noise *= self._sigma
-            noise[:n] += self._qpos[self._joint_qpos]
-            noise[n : 2 * n] += self._qvel[self._joint_qvel]
-            noise[2 * n : 3 * n] += self._effort
-            noise[3 * n :] += self._sensors[self._sensor_order] * self._sensor_sign
+            noise = self._next_noise()
+            add_readings(
+                noise,
+                self._qpos,
+                self._joint_qpos,
+                self._qvel,
+                self._joint_qvel,
+                self._effort,
+                self._sensors,
+                self._sensor_order,
+                self._sensor_sign,
+            )
             self._reading = RobotState(
                 stamp_s=self._steps * _TIMESTEP_NS * 1e-9,
                 q=noise[:n],
@@ -79,6 +87,15 @@ class SimulatedRobot:
             )
         return self._reading
 
+    def _next_noise(self) -> Array:
+        """Noise of one set of readings, shape (k,); many are drawn at once, each is given out once."""
+        if self._noise_row == len(self._noise):
+            self._noise = self._rng.standard_normal((_NOISE_ROWS, len(self._sigma))) * self._sigma
+            self._noise_row = 0
+        noise: Array = self._noise[self._noise_row]
+        self._noise_row += 1
+        return noise
+
     def command(self, setpoint: JointSetpoint) -> None:
         """Take a setpoint; it holds until the next one.
 
@@ -86,16 +103,17 @@ class SimulatedRobot:
             SetpointRefusedError: A wrong shape or a value that is not finite: a defect upstream. The
                 robot keeps the setpoint that it had.
         """
+        n = self._count
+        if not np.shape(setpoint.q) == np.shape(setpoint.v) == np.shape(setpoint.tau) == (n,):
+            raise SetpointRefusedError(f"setpoint {setpoint.sequence} is not for {n} joints")
+        target = np.empty(n)
         try:
-            target = setpoint.v * self._damping_ratio
-            target += setpoint.tau * self._inverse_stiffness
-            target += setpoint.q
-        except (TypeError, ValueError) as wrong:
-            raise SetpointRefusedError(f"a setpoint needs arrays of {self._count}: {wrong}") from wrong
-        if target.shape != (self._count,):
-            raise SetpointRefusedError(f"a setpoint of shape {target.shape}, not ({self._count},)")
-        # A sum is finite only if all its terms are, or if they overflow: both are refused.
-        if not np.isfinite(target.sum()):
+            finite = servo_inputs(
+                setpoint.q, setpoint.v, setpoint.tau, self._damping_ratio, self._inverse_stiffness, target
+            )
+        except TypeError as wrong:
+            raise SetpointRefusedError(f"setpoint {setpoint.sequence} is no numbers: {wrong}") from wrong
+        if not finite:
             raise SetpointRefusedError(f"setpoint {setpoint.sequence} is not finite")
         self._former = self._target if self._commanded else target
         self._target, self._commanded = target, True
@@ -126,6 +144,7 @@ class SimulatedRobot:
         self._reading = None
 
 
+_NOISE_ROWS = 50
 _TIMESTEP_NS = round(TIMESTEP_S * 1e9)
 
 

@@ -28,7 +28,7 @@ class Loop:
     def state(self):
         ones = np.full(3, float(self.steps))
         readings = RobotState(self.clock.now_s(), ones, ones, ones, ones, ones, ones)
-        return SensedState(readings, ones)
+        return SensedState(readings, lambda: ones)
 
     def step(self):
         self.steps += 1

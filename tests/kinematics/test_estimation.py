@@ -40,7 +40,8 @@ class Walkthrough:
             accelerometer = accelerometer + self.rng.normal(0.0, noise.accelerometer_m_s2, 3)
             wrench += self.rng.normal(0.0, noise.foot_force_n, wrench.shape)
         self.last_imu = imu
-        estimate = self.estimator.update(self.stamp_s, measured, gyro, accelerometer, wrench)
+        self.estimator.update(self.stamp_s, measured, gyro, accelerometer, wrench)
+        estimate = self.estimator.configuration(measured, wrench, self.estimator.tilt_rad)
         self.stamp_s += PERIOD_S
         true = q.copy()
         true[:3] = turn @ q[:3]

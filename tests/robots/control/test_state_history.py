@@ -9,7 +9,7 @@ from robots.sensed_state import SensedState
 def state(stamp_s):
     nothing = np.zeros(3)
     readings = RobotState(stamp_s, nothing, nothing, nothing, nothing, nothing, np.zeros((2, 6)))
-    return SensedState(readings, nothing)
+    return SensedState(readings, lambda: nothing)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,66 @@
+"""Compiled arithmetic of a simulated robot: what its servos are given and what its sensors say."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.kernel.compiler import compiled
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+
+@compiled
+def add_readings(
+    row: Array,
+    qpos: Array,
+    qpos_of: Indices,
+    qvel: Array,
+    qvel_of: Indices,
+    effort: Array,
+    sensors: Array,
+    sensor_of: Indices,
+    sensor_sign: Array,
+) -> None:
+    """Add what the sensors see to their noise.
+
+    Args:
+        row: Noise, and the result: positions, velocities, efforts (n each), then the k other sensors.
+        qpos, qvel: The simulator's state.
+        qpos_of, qvel_of: Where the joints stand in it, shape (n,).
+        effort: Shape (n,), Nm.
+        sensors: The simulator's sensors.
+        sensor_of, sensor_sign: Which of them, shape (k,), and what they are multiplied by.
+    """
+    n = effort.shape[0]
+    for j in range(n):
+        row[j] += qpos[qpos_of[j]]
+        row[n + j] += qvel[qvel_of[j]]
+        row[2 * n + j] += effort[j]
+    for k in range(sensor_of.shape[0]):
+        row[3 * n + k] += sensors[sensor_of[k]] * sensor_sign[k]
+
+
+@compiled
+def servo_inputs(
+    q: Array, v: Array, tau: Array, damping_ratio: Array, inverse_stiffness: Array, inputs: Array
+) -> bool:
+    """Fold setpoints into the one input of each position servo.
+
+    Args:
+        q, v, tau: Setpoint, shape (n,) each.
+        damping_ratio: Damping over stiffness of each servo, shape (n,), s.
+        inverse_stiffness: Shape (n,), rad/Nm.
+        inputs: Result, shape (n,), rad.
+
+    Returns:
+        Whether all of them are finite.
+    """
+    finite = True
+    for j in range(q.shape[0]):
+        inputs[j] = v[j] * damping_ratio[j] + tau[j] * inverse_stiffness[j] + q[j]
+        finite &= math.isfinite(inputs[j])
+    return finite
