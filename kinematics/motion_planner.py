@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
-from kinematics.ik import WholeBodyIk
+from kinematics.ik import along_line, inverse_kinematics
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import (
     CARTESIAN_PACE,
@@ -84,12 +84,12 @@ class MotionPlanner:
     def _retreat(self, request: RetreatRequest) -> MovePlan | NoPlan:
         model = self._model
         space = FreeCoordinates(model, request.stance)
-        ik = WholeBodyIk(model, request.stance, request.hand)
+        ik = inverse_kinematics(model, request.stance, request.hand)
         frame = model.description.grippers[request.hand].tcp_frame
         start = model.frame_pose(request.q_start, frame)
         end = start.copy()
         end[:3, 3] += request.world_offset_m
-        found = ik.along_line(request.q_start, start, end, CARTESIAN_POINTS)
+        found = along_line(ik, request.q_start, start, end, CARTESIAN_POINTS)
         if found is None:
             reasons = {"no inverse kinematics": 1}
             return NoPlan("the hand cannot be drawn back in a straight line", reasons)

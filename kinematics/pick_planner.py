@@ -19,7 +19,7 @@ from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.gaze import gaze_joints
 from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_candidates, key_of
-from kinematics.ik import IkTolerance, WholeBodyIk
+from kinematics.ik import DEFAULT_TOLERANCE, InverseKinematics, along_line, inverse_kinematics
 from kinematics.path_planner import PathPlanner
 from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
 from kinematics.robot_description import Hand
@@ -132,7 +132,7 @@ class _PickTask:
         self._space = FreeCoordinates(model, request.stance)
         self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
-        self._ik: dict[Hand, WholeBodyIk] = {}
+        self._ik: dict[Hand, InverseKinematics] = {}
         self._hands: dict[Hand, HandCollision] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(
@@ -211,16 +211,16 @@ class _PickTask:
         ik = self._ik_of(grasp.hand)
         grasp_scene, near = self._grasp_planner(grasp.hand)
         first = ik.solve(grasp.world_T_tcp, self._seed)
-        if not first.within(IkTolerance()):
+        if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the grasp"
         if not near.is_free(self._space.from_q(first.q)):
             return "collision at the grasp"
         pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
-        back = ik.along_line(first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
+        back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
-        up = ik.along_line(first.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS)
+        up = along_line(ik, first.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS)
         if up is None:
             return "no straight lift"
         gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
@@ -283,9 +283,9 @@ class _PickTask:
         held = scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         return held.allowing((self._target.name, name) for name in supports_of(self._target, scene))
 
-    def _ik_of(self, hand: Hand) -> WholeBodyIk:
+    def _ik_of(self, hand: Hand) -> InverseKinematics:
         if hand not in self._ik:
-            self._ik[hand] = WholeBodyIk(self._model, self._request.stance, hand)
+            self._ik[hand] = inverse_kinematics(self._model, self._request.stance, hand)
         return self._ik[hand]
 
     def _shoulder(self, hand: Hand) -> Array:

@@ -2,14 +2,17 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.ik import IkTolerance, WholeBodyIk
+from kinematics.ik import IkTolerance
+from kinematics.placo_ik import PlacoIk
+from kinematics.reach_ik import ReachIk
 from kinematics.stance import SupportPolygon
 
 
+@pytest.mark.parametrize("solver", [PlacoIk, ReachIk])
 @pytest.mark.parametrize("hand", ["left", "right"])
-def test_residuals_of_reachable_poses_are_what_they_claim(talos, stance, hand):
+def test_residuals_of_reachable_poses_are_what_they_claim(talos, stance, hand, solver):
     rng = np.random.default_rng(3)
-    ik = WholeBodyIk(talos, stance, hand)
+    ik = solver(talos, stance, hand)
     frame = talos.description.grippers[hand].tcp_frame
     side = 1.0 if hand == "left" else -1.0
     polygon = SupportPolygon(stance, talos.description.soles)
@@ -30,8 +33,9 @@ def test_residuals_of_reachable_poses_are_what_they_claim(talos, stance, hand):
         assert margin >= talos.description.com_margin_m
 
 
-def test_an_unreachable_pose_is_admitted(talos, stance):
-    ik = WholeBodyIk(talos, stance, "right")
+@pytest.mark.parametrize("solver", [PlacoIk, ReachIk])
+def test_an_unreachable_pose_is_admitted(talos, stance, solver):
+    ik = solver(talos, stance, "right")
 
     result = ik.solve(poses.translation(1.6, -0.3, 1.0), talos.q_home)
 
@@ -39,10 +43,11 @@ def test_an_unreachable_pose_is_admitted(talos, stance):
     assert result.position_error_m > 0.1
 
 
-def test_the_same_question_has_the_same_answer(talos, stance):
+@pytest.mark.parametrize("solver", [PlacoIk, ReachIk])
+def test_the_same_question_has_the_same_answer(talos, stance, solver):
     target = poses.translation(0.5, -0.25, 1.0)
 
-    first = WholeBodyIk(talos, stance, "right").solve(target, talos.q_home).q
-    second = WholeBodyIk(talos, stance, "right").solve(target, talos.q_home).q
+    first = solver(talos, stance, "right").solve(target, talos.q_home).q
+    second = solver(talos, stance, "right").solve(target, talos.q_home).q
 
     assert np.array_equal(first, second)
