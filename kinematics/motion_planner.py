@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
@@ -30,7 +31,6 @@ from kinematics.requests import (
 )
 from kinematics.robot_model import RobotModel
 from kinematics.start_state import relaxed_at
-from kinematics.timing import time_curve
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 
@@ -76,7 +76,7 @@ class MotionPlanner:
             )
             reason = "no collision-free path" if pair is None else f"{pair[0]} collides with {pair[1]}"
             return NoPlan(f"no motion to the posture was found: {reason}", {reason: 1})
-        trajectory = time_curve(model, space, request.stance, curve, REACH_PACE)
+        trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         return MovePlan(PlannedStep("move", trajectory, scene))
@@ -97,7 +97,7 @@ class MotionPlanner:
         for joint in model.description.groups["head"]:
             x[:, space.index(joint)] = x[0, space.index(joint)]
         curve = PolynomialCurve(x)
-        trajectory = time_curve(model, space, request.stance, curve, CARTESIAN_PACE)
+        trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         scene = relaxed_at(model, request.scene, request.q_start)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld, HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
@@ -27,7 +28,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.stance import SupportPolygon
 from kinematics.start_state import relaxed_at
-from kinematics.timing import Pace, time_curve
+from kinematics.timing import Pace
 
 Array = NDArray[np.float64]
 
@@ -264,7 +265,7 @@ class _PickTask:
         return PathPlanner(self._model, self._space, self._request.stance, world)
 
     def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
-        trajectory = time_curve(self._model, self._space, self._request.stance, curve, pace)
+        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
         return None if trajectory is None else PlannedStep(name, trajectory, scene)
 
     def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:

@@ -17,8 +17,8 @@ from kinematics.trajectory import Stance
 Array = NDArray[np.float64]
 
 # How willingly a coordinate moves against a joint of the arm.
-BASE_FREEDOM = np.array([0.15, 0.15, 0.15, 0.1, 0.1, 0.1])
-TORSO_FREEDOM = 0.4
+BASE_FREEDOM = np.array([0.02, 0.02, 0.02, 0.02, 0.02, 0.02])
+TORSO_FREEDOM = 0.1
 # The base stays within this of where it stands at home: position, m, and rotation vector, rad.
 BASE_BELOW = np.array([0.25, 0.25, 0.45, 0.6, 0.9, 0.6])
 BASE_ABOVE = np.array([0.25, 0.25, 0.05, 0.6, 0.9, 0.6])
