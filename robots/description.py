@@ -256,7 +256,7 @@ def _limits(urdf: ElementTree.Element, actuated: tuple[str, ...], data: Table) -
         lower, upper = positions.get(name, (float(element.attrib["lower"]), float(element.attrib["upper"])))
         limits[name] = JointLimits(
             position=(lower, upper),
-            velocity=table.get("velocity", {}).get(kind, float(element.attrib["velocity"])),
+            velocity=float(element.attrib["velocity"]),
             acceleration=table["acceleration"][kind],
             jerk=table["jerk"][kind],
             effort=table.get("effort", {}).get(kind, float(element.attrib["effort"])),
