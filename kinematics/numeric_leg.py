@@ -2,7 +2,7 @@
 
 A leg has as many joints as a foot has coordinates, so that away from a stretched knee each pose of the
 foot has a few isolated solutions. The search begins at the home posture, with short steps, and so takes the
-one on home's side of a stretched knee. Each pose is solved on its own: the same one always the same way.
+one on home's side of a stretched knee. Each pose is solved on its own: its neighbours have no say.
 """
 
 from __future__ import annotations

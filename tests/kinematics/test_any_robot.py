@@ -11,6 +11,7 @@ from kinematics.errors import KinematicsError, MissingPartError
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.ik import IkTolerance, WholeBodyIk
 from kinematics.path_planner import PathPlanner, PathSettings
+from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import FLOOR, PlanningScene, SceneObject
 from kinematics.shapes import Box
@@ -18,6 +19,8 @@ from kinematics.stance import SupportPolygon, stance_at, standing_at
 from kinematics.timing import Pace, time_curve
 from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.trajectory_document import read_trajectory, write_trajectory
+from kinematics.trajectory_fit import fit, stored_from
 from robots.description import load_description
 
 NO_STANCE = Stance(())
@@ -249,3 +252,97 @@ def test_a_standing_robot_on_an_empty_stance_is_out_of_balance(talos):
     verdict = TrajectoryChecker(talos).check(at_rest(talos, talos.q_home), PlanningScene())
 
     assert FindingKind.BALANCE in kinds(verdict)
+
+
+@pytest.fixture(scope="module")
+def g1():
+    return RobotModel(load_description("g1"))
+
+
+@pytest.fixture(scope="module")
+def g1_stance(g1):
+    return stance_at(g1, g1.q_home)
+
+
+@pytest.fixture(scope="module")
+def before_a_table():
+    return PlanningScene().with_objects([box("table", (0.4, 0.8, 0.04), 0.45, 0.0, 0.68)])
+
+
+def test_a_small_humanoid_stands_at_home_in_balance_and_free_of_collisions(g1, g1_stance, before_a_table):
+    verdict = TrajectoryChecker(g1).check(at_rest(g1, g1.q_home, stance=g1_stance), before_a_table)
+
+    assert isinstance(verdict, CheckedTrajectory), str(verdict)
+    assert verdict.min_com_margin_m > 0.05
+    assert not CollisionWorld(g1, before_a_table, 0.004, 0.005).collides(g1.q_home)
+    for _, world_T_sole in g1_stance.soles:
+        assert world_T_sole[2, 3] == pytest.approx(0.0, abs=1e-9)
+        assert world_T_sole[2, 2] == pytest.approx(1.0, abs=1e-9)
+
+
+@pytest.mark.requirement("U4", "S6", "M5")
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_a_small_humanoid_reaches_with_both_hands_and_exact_feet(g1, g1_stance, before_a_table, hand):
+    space = FreeCoordinates(g1, g1_stance)
+    planner = planner_of(g1, space, g1_stance, before_a_table, iterations=300)
+    checker, ik = TrajectoryChecker(g1), WholeBodyIk(g1, g1_stance, hand)
+    groups, side = g1.description.groups, 1.0 if hand == "left" else -1.0
+    moving = [space.index(joint) for joint in (*groups[f"{hand}_arm"], *groups["torso"])]
+    rng, reached = np.random.default_rng(2), 0
+
+    for _ in range(8):
+        turn = poses.rotation_z(side * rng.uniform(-0.3, 0.6)) @ poses.rotation_y(rng.uniform(-0.2, 0.6))
+        place = rng.uniform([0.25, 0.0, 0.78], [0.45, 0.3, 1.0]) * (1.0, side, 1.0)
+        result = ik.solve(poses.transform(turn, place), g1.q_home)
+        goal = space.from_q(result.q)
+        if not result.within(IkTolerance(com_margin_m=0.025)) or not planner.is_free(goal):
+            continue
+        curve = planner.plan(space.from_q(g1.q_home), goal, moving, rng)
+        assert curve is not None
+        trajectory = time_curve(g1, space, g1_stance, curve, Pace(0.5, 0.7))
+        verdict = checker.check(trajectory, before_a_table)
+        assert isinstance(verdict, CheckedTrajectory), str(verdict)
+        for q in trajectory.q[::10]:
+            for frame, world_T_sole in g1_stance.soles:
+                assert g1.frame_pose(q, frame) == pytest.approx(world_T_sole, abs=1e-9)
+        tcp = g1.frame_pose(trajectory.q[-1], g1.description.tcp_frames[hand])
+        assert tcp[:3, 3] == pytest.approx(place, abs=1e-3)
+        reached += 1
+
+    assert reached >= 6
+
+
+@pytest.mark.requirement("U4")
+def test_a_small_humanoid_bends_its_legs_to_reach_down(g1, g1_stance):
+    space = FreeCoordinates(g1, g1_stance)
+    planner = planner_of(g1, space, g1_stance, PlanningScene())
+    start, low = space.from_q(g1.q_home), space.from_q(g1.q_home)
+    low[2] -= 0.15
+    low[4] += 0.1
+
+    curve = planner.straight(start, low)
+    trajectory = time_curve(g1, space, g1_stance, curve, Pace(0.5, 0.7))
+    knee = g1.joint_index("left_knee_joint")
+
+    verdict = TrajectoryChecker(g1).check(trajectory, PlanningScene())
+    assert isinstance(verdict, CheckedTrajectory), str(verdict)
+    assert trajectory.q[-1, 7 + knee] > trajectory.q[0, 7 + knee] + 0.4
+
+
+def test_a_hand_that_cannot_grasp_says_why(g1):
+    assert g1.description.hands == ("left", "right")
+    assert not g1.description.grippers
+    assert "rubber" in g1.description.cannot_grasp
+
+
+@pytest.mark.parametrize("name", ["panda", "g1"])
+def test_a_stored_motion_of_any_robot_is_read_and_judged_like_the_motion_itself(name, panda, g1):
+    model = {"panda": panda, "g1": g1}[name]
+    request = CheckRequest(
+        at_rest(model, model.q_home, stance=stance_at(model, model.q_home)), PlanningScene()
+    )
+
+    stored = read_trajectory(write_trajectory(stored_from(request, model)))
+    again = fit(stored, model, PlanningScene())
+
+    assert isinstance(TrajectoryChecker(model).check(again.trajectory, again.scene), CheckedTrajectory)

@@ -106,7 +106,7 @@ def test_a_robot_without_a_camera_says_so_when_one_asks_for_it():
 
 
 def test_a_robot_that_lacks_parts_is_not_given_tasks_and_they_are_named():
-    with pytest.raises(DescriptionError, match="panda.* no feet, .*no left gripper"):
+    with pytest.raises(DescriptionError, match=r"panda.* no feet, .*no left gripper"):
         load_description_for_tasks("panda")
 
 
@@ -130,3 +130,8 @@ def test_data_that_contradict_themselves_are_refused(changes, says):
 
     with pytest.raises(DescriptionError, match=says):
         reader._require_consistent(dataclasses.replace(panda, **changes), links)
+
+
+def test_hands_that_cannot_grasp_are_told_with_their_reason():
+    with pytest.raises(DescriptionError, match=r"g1.* no left gripper, no right gripper \(its hands are of"):
+        load_description_for_tasks("g1")
