@@ -1,9 +1,9 @@
 """Inverse kinematics of the legs: closed form where the hip's and the ankle's axes meet in a point.
 
-Legs that are built otherwise are solved numerically, as exactly. The pelvis pose and the sole poses give the legs, so a motion planned over pelvis, trunk and arms
-keeps the feet where they are by construction. Closed form: Kajita, Hirukawa, Harada, Yokoi,
-"Introduction to Humanoid Robotics", Springer 2014, section 2.5.2, for the axis order
-hip yaw, roll, pitch, knee pitch, ankle pitch, roll.
+Legs that are built otherwise are solved numerically, as exactly. The pelvis pose and the sole poses
+give the legs, so a motion planned over pelvis, trunk and arms keeps the feet where they are by
+construction. Closed form: Kajita, Hirukawa, Harada, Yokoi, "Introduction to Humanoid Robotics",
+Springer 2014, section 2.5.2, for the axis order hip yaw, roll, pitch, knee pitch, ankle pitch, roll.
 """
 
 from __future__ import annotations
