@@ -46,7 +46,7 @@ def zmp_margin_m(model: RobotModel, trajectory: Trajectory) -> float:
     """Least distance of the ZMP to the edge of the support polygon, positive inside, m."""
     polygon = SupportPolygon(trajectory.stance, model.description.soles)
     sampler = TrajectorySampler(trajectory)
-    times = np.arange(0.0, sampler.duration_s, _PERIOD_S)
+    times: Array = np.arange(0.0, sampler.duration_s, _PERIOD_S, dtype=np.float64)
     motion = sampler.many(times)
     data = model.pin.createData()
     zmp = np.empty((len(times), 2))

@@ -36,7 +36,7 @@ class IkResult:
         position_error_m: Distance of the TCP from its target.
         orientation_error_rad: Angle between TCP and target.
         com_margin_m: Distance of the CoM's ground projection to the edge of the support polygon,
-            positive inside.
+            positive inside; infinite when the base is welded.
         limits_kept: Whether every joint is inside its limits (shrunk for planning).
         feet_reached: Whether the legs can be placed.
         iterations: Steps of the solver.

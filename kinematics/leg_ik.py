@@ -1,9 +1,9 @@
-"""Closed-form inverse kinematics of a leg whose hip axes and whose ankle axes meet in a point.
+"""Inverse kinematics of the legs: closed form where the hip's and the ankle's axes meet in a point.
 
-The pelvis pose and the sole poses give the legs, so a motion planned over pelvis, trunk and arms
-keeps the feet where they are by construction. Method: Kajita, Hirukawa, Harada, Yokoi,
-"Introduction to Humanoid Robotics", Springer 2014, section 2.5.2, for the axis order
-hip yaw, roll, pitch, knee pitch, ankle pitch, roll.
+Legs that are built otherwise are solved numerically, as exactly. The pelvis pose and the sole poses
+give the legs, so a motion planned over pelvis, trunk and arms keeps the feet where they are by
+construction. Closed form: Kajita, Hirukawa, Harada, Yokoi, "Introduction to Humanoid Robotics",
+Springer 2014, section 2.5.2, for the axis order hip yaw, roll, pitch, knee pitch, ankle pitch, roll.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.errors import ModelError
+from kinematics.numeric_leg import NumericLeg
 from kinematics.poses import Transform
 from kinematics.robot_description import HANDS
 from kinematics.robot_model import RobotModel
@@ -45,16 +46,16 @@ class LegGeometry:
 
 
 class LegIk:
-    """Both legs of a standing robot, for one stance.
+    """The legs of a standing robot, for one stance; a welded robot has none.
 
     Raises:
-        ModelError: The legs' axes are not arranged as the closed form needs.
+        ModelError: A leg is not a chain of six hinges.
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:
         placed = dict(stance.soles)
         self._legs = [
-            _Leg(model, f"{side}_leg", sole.frame, placed[sole.frame])
+            _leg(model, f"{side}_leg", sole.frame, placed[sole.frame])
             for side in HANDS
             for sole in model.description.soles
             if sole.side == side
@@ -62,9 +63,16 @@ class LegIk:
 
     @property
     def geometry(self) -> tuple[LegGeometry, ...]:
-        """The legs' numbers, left first."""
+        """The legs' numbers, left first.
+
+        Raises:
+            ModelError: A leg has no closed form.
+        """
+        closed = [leg for leg in self._legs if isinstance(leg, _ClosedLeg)]
+        if len(closed) < len(self._legs):
+            raise ModelError("the legs have no closed form")
         return tuple(
-            LegGeometry(leg.joints, leg.hip, leg.thigh, leg.shin, leg.foot_R, leg.ankle) for leg in self._legs
+            LegGeometry(leg.joints, leg.hip, leg.thigh, leg.shin, leg.foot_R, leg.ankle) for leg in closed
         )
 
     def fill(self, q: Array) -> NDArray[np.bool_]:
@@ -83,18 +91,27 @@ class LegIk:
         return reachable
 
 
-class _Leg:
+def _leg(model: RobotModel, group: str, frame: str, world_T_sole: Transform) -> _ClosedLeg | NumericLeg:
+    """One leg, solved in closed form where it can be."""
+    ids = [model.pin.getJointId(name) for name in model.description.groups[group]]
+    axes = tuple(model.pin.joints[i].shortname() for i in ids)
+    offsets = [np.array(model.pin.jointPlacements[i].translation) for i in ids]
+    if axes != AXES:
+        return NumericLeg(model, group, frame, world_T_sole)
+    straight = all(np.allclose(offsets[k][:2], 0.0) for k in (3, 4)) and all(
+        np.allclose(offsets[k], 0.0) for k in (1, 2, 5)
+    )
+    turned = any(not np.allclose(model.pin.jointPlacements[i].rotation, np.eye(3)) for i in ids)
+    if not straight or turned:
+        return NumericLeg(model, group, frame, world_T_sole)
+    return _ClosedLeg(model, group, frame, world_T_sole)
+
+
+class _ClosedLeg:
     def __init__(self, model: RobotModel, group: str, frame: str, world_T_sole: Transform) -> None:
         ids = [model.pin.getJointId(name) for name in model.description.groups[group]]
-        axes = tuple(model.pin.joints[i].shortname() for i in ids)
         offsets = [np.array(model.pin.jointPlacements[i].translation) for i in ids]
-        straight = all(np.allclose(offsets[k][:2], 0.0) for k in (3, 4)) and all(
-            np.allclose(offsets[k], 0.0) for k in (1, 2, 5)
-        )
-        turned = any(not np.allclose(model.pin.jointPlacements[i].rotation, np.eye(3)) for i in ids)
-        if axes != AXES or not straight or turned:
-            raise ModelError(f"{group}: no closed form for axes {axes} with offsets {offsets}")
-        self.joints = tuple(ids)
+        self.joints = tuple(int(i) for i in ids)
         self._columns = 7 + model.group(group)
         self.hip = offsets[0]
         self.thigh, self.shin = float(-offsets[3][2]), float(-offsets[4][2])

@@ -6,6 +6,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.errors import MissingPartError, ModelError
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.ik import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.poses import Transform
@@ -40,7 +41,8 @@ class ReachIk:
         hand: The hand whose TCP is placed.
 
     Raises:
-        ModelError: The legs have no closed form.
+        MissingPartError: The robot has no such hand.
+        ModelError: The legs have no closed form, or the base is welded.
     """
 
     def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
@@ -50,6 +52,8 @@ class ReachIk:
         from kinematics.kernel.tree import tree_of
 
         description = model.description
+        if description.welded:
+            raise ModelError("the free coordinates of a welded robot have no base")
         self._reach = reach
         self._model = model
         self._space = FreeCoordinates(model, stance)
@@ -61,7 +65,9 @@ class ReachIk:
         self._limits = limits._replace(offset=least + COM_RESERVE_M)
         self._data = model.pin.createData()
         self._soles = [(model.frame_id(name), pose) for name, pose in stance.soles]
-        self._tcp_id = model.frame_id(description.grippers[hand].tcp_frame)
+        if hand not in description.tcp_frames:
+            raise MissingPartError(description.name, f"{hand} hand")
+        self._tcp_id = model.frame_id(description.tcp_frames[hand])
         frame = model.pin.frames[self._tcp_id]
         placement = np.array(frame.placement.homogeneous)
         self._tool = (
