@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+import pinocchio as pin
 import ruckig
 from numpy.typing import NDArray
 
 from kinematics.check_settings import DEFAULT_SETTINGS
 from kinematics.errors import InvalidMotionError
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.robot_model import RobotModel
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 
 Array = NDArray[np.float64]
@@ -17,6 +20,10 @@ _FASTEST_BRAKE_1_S2 = 40.0
 _SHARES = (1.0, 0.75, 0.55, 0.4, 0.28, 0.18, 0.1)
 """Shares of the hardest slope and of its hardest change that are tried, the quickest pair first."""
 _MOVING_RAD_S = 1e-9
+_STANDING_RAD = 1e-4
+"""Legs nearer than this to where base and stance put them keep the stance: between the samples of a
+trajectory they stray by 1e-5 rad."""
+_PROBE_S = 1e-4
 
 
 def brake_along(
@@ -105,6 +112,77 @@ def brake_joints(
     request.max_acceleration, request.max_jerk = acceleration, jerk
     rows = _rows(request, len(q), period_s)
     return rows[:, 0], rows[:, 1], rows[:, 2]
+
+
+def brake_standing(
+    model: RobotModel, space: FreeCoordinates, now: MotionSample, period_s: float
+) -> MotionSample | None:
+    """Bring a standing robot to rest at once, without moving its feet.
+
+    Trunk, arms and head brake each on their own; the base goes straight on while it slows down, and
+    the legs follow from it.
+
+    Args:
+        model: The robot.
+        space: Its free coordinates; their stance is the present one.
+        now: What it is commanded now.
+        period_s: Time between two rows of the answer.
+
+    Returns:
+        One row a period, the first at one period after ``now``, the last at rest; None when its feet
+        are not where the stance says, or no profile keeps the legs within their limits.
+    """
+    x, base = space.from_q(now.q), space.base_size
+    q, reached = space.to_q(x[None, :])
+    gap = now.q[7:] - q[0, 7:]
+    if not reached[0] or np.abs(gap).max() > _STANDING_RAD:
+        return None
+    ahead, behind = (
+        space.from_q(pin.integrate(model.pin, now.q, sign * _PROBE_S * now.v)) for sign in (1.0, -1.0)
+    )
+    base_rate = (ahead - behind)[:base] / (2.0 * _PROBE_S)
+    joints = model.indices(space.joints)
+    upper = brake_joints(
+        x[base:],
+        now.v[6 + joints],
+        now.a[6 + joints],
+        model.acceleration[joints],
+        model.jerk[joints],
+        period_s,
+    )[0]
+    speed = np.maximum(np.abs(now.v[6:]), _MOVING_RAD_S)
+    slope = min(_FASTEST_BRAKE_1_S2, float(np.min(model.acceleration / speed)))
+    slope_jerk = float(np.min(model.jerk / speed))
+    for share in _SHARES:
+        passed, rate, _ = _brake_rate(share * slope, share * slope_jerk, period_s)
+        rows = np.empty((max(len(passed), len(upper)), len(x)))
+        rows[:, :base] = x[:base] + base_rate * _held(passed[:, None], len(rows))
+        rows[:, base:] = _held(upper, len(rows))
+        q, reached = space.to_q(rows)
+        if not reached.all():
+            return None
+        q[:, 7:] += gap * _held(rate[:, None], len(rows))
+        motion = _sampled(model, now, q, period_s)
+        if _holds(
+            motion.a[:, 6:], motion.a[0, 6:], model.acceleration, np.full(model.nv - 6, np.inf), period_s
+        ):
+            return motion
+    return None
+
+
+def _held(rows: Array, count: int) -> Array:
+    """Rows with the last one repeated, so that there are ``count``."""
+    return np.vstack([rows, np.repeat(rows[-1:], count - len(rows), axis=0)])
+
+
+def _sampled(model: RobotModel, now: MotionSample, q: Array, period_s: float) -> MotionSample:
+    """Velocities and accelerations of configurations that follow ``now``; the last one at rest."""
+    around = np.vstack([now.q, q, q[-1:]])
+    v = np.array([pin.difference(model.pin, around[k], around[k + 2]) for k in range(len(q))]) / (
+        2.0 * period_s
+    )
+    v[-1] = 0.0
+    return MotionSample(q, v, np.diff(np.vstack([now.v, v]), axis=0) / period_s)
 
 
 def _rows(request: ruckig.InputParameter, joints: int, period_s: float) -> Array:

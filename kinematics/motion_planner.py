@@ -12,6 +12,7 @@ from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.ik import along_line, inverse_kinematics
+from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import (
     CARTESIAN_PACE,
@@ -79,6 +80,7 @@ class MotionPlanner:
         trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+        trajectory = lead_in(trajectory, request.q_start, model.acceleration)
         return MovePlan(PlannedStep("move", trajectory, scene))
 
     def _retreat(self, request: RetreatRequest) -> MovePlan | NoPlan:
@@ -101,4 +103,5 @@ class MotionPlanner:
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         scene = relaxed_at(model, request.scene, request.q_start)
+        trajectory = lead_in(trajectory, request.q_start, model.acceleration)
         return MovePlan(PlannedStep("retreat", trajectory, scene))

@@ -6,6 +6,7 @@ the open hand alone fit there?), then tried with whole-body inverse kinematics, 
 
 from __future__ import annotations
 
+import dataclasses
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ from kinematics.free_coordinates import FreeCoordinates
 from kinematics.gaze import gaze_joints
 from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_candidates, key_of
 from kinematics.ik import DEFAULT_TOLERANCE, InverseKinematics, along_line, inverse_kinematics
+from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
 from kinematics.robot_description import Hand
@@ -202,6 +204,8 @@ class _PickTask:
             self.reasons["legs cannot follow"] += 1
             return None
         first, second, third = (step for step in steps if step is not None)
+        start = lead_in(first.trajectory, self._request.q_start, self._model.acceleration)
+        first = dataclasses.replace(first, trajectory=start)
         return PickPlan(goal.grasp, first, second, third, self.considered)
 
     def _solve(self, candidate: GraspCandidate) -> _Goal | str:

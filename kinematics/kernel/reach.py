@@ -258,13 +258,14 @@ def _broken(
         centre_of_mass(tree, R, p, com)
         for k in range(edges):
             broken[k] = limits.offset[k] - limits.inward[k, 0] * com[0] - limits.inward[k, 1] * com[1]
-            worst = max(worst, broken[k])
+            worst = max(worst, float(broken[k]))
     at = edges
     for leg in range(space.leg_bodies.shape[0]):
         for k in range(6):
             column = tree.column[space.leg_bodies[leg, k]]
-            broken[at] = max(q[column] - limits.upper[column], limits.lower[column] - q[column])
-            worst = max(worst, broken[at])
+            over, under = q[column] - limits.upper[column], limits.lower[column] - q[column]
+            broken[at] = over if over > under else under
+            worst = max(worst, float(broken[at]))
             at += 1
     return worst
 

@@ -1,4 +1,4 @@
-"""Whether a trajectory fits on to what is commanded now, and the short piece that closes the gap."""
+"""Whether a trajectory fits on to what is commanded now."""
 
 from __future__ import annotations
 
@@ -18,10 +18,6 @@ _AT_REST = 1e-3
 """Speed, rad/s and m/s, that counts as rest at both ends."""
 _STANCE_M = 1e-3
 _STANCE_RAD = 2e-3
-_EXACT = 1e-9
-"""A start nearer than this needs no lead-in."""
-_GENTLE = 0.1
-"""Share of the acceleration limits that the lead-in uses."""
 
 
 def why_not(trajectory: Trajectory, reference: Array, stance: Stance, joints: Sequence[str]) -> str | None:
@@ -58,26 +54,3 @@ def _other_stance(planned: Stance, actual: Stance) -> str | None:
         if away_m > _STANCE_M or away_rad > _STANCE_RAD:
             return f"its {frame} stands {1e3 * away_m:.1f} mm and {1e3 * away_rad:.1f} mrad from the robot's"
     return None
-
-
-def lead_in(trajectory: Trajectory, reference: Array, acceleration: Array) -> Trajectory:
-    """Begin a trajectory exactly at the reference.
-
-    ``why_not`` lets start gaps of a milliradian pass, which streamed as they are would be a step.
-    They are closed by one slow cubic segment before the trajectory's own first sample.
-    """
-    start = reference.copy()
-    if start[3:7] @ trajectory.q[0, 3:7] < 0.0:  # the same orientation, written the other way
-        start[3:7] *= -1.0
-    gap = np.abs(trajectory.q[0] - start)
-    if gap.max() <= _EXACT:
-        return trajectory
-    # A cubic between two rests accelerates with at most 6 * gap / duration^2.
-    duration_s = float(np.sqrt(6.0 * gap.max() / (_GENTLE * acceleration.min())))
-    return Trajectory(
-        joints=trajectory.joints,
-        stance=trajectory.stance,
-        t_s=np.concatenate([[0.0], trajectory.t_s + duration_s]),
-        q=np.vstack([start, trajectory.q]),
-        v=np.vstack([np.zeros(trajectory.v.shape[1]), trajectory.v]),
-    )

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.lead_in import lead_in
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory, Stance
@@ -18,7 +19,7 @@ from robots.control.grip_keeper import GripKeeper
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.guarded_track import GuardedTrack
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from robots.control.motion_start import lead_in, why_not
+from robots.control.motion_start import why_not
 from robots.control.proposal import Proposal
 from robots.control.refusal import Limit, Refusal
 from robots.interface import RobotState

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.braking import brake_along, brake_joints
+from kinematics.braking import brake_along, brake_joints, brake_standing
+from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
 from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
@@ -46,7 +47,14 @@ class StopProfile:
 
     @classmethod
     def at_once(cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float) -> StopProfile:
-        """Category 2: bring every joint to rest on its own; the base goes where the soles put it."""
+        """Category 2: bring every joint to rest as soon as its limits let it.
+
+        The feet stay where they are; should the legs have no way to do that, each joint stops on its
+        own, and the base goes where the soles put it.
+        """
+        rows = brake_standing(model, FreeCoordinates(model, stance), now, period_s)
+        if rows is not None:
+            return cls(rows)
         q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], model.acceleration, model.jerk, period_s)
         periods = len(q)
         last = standing_at(model, np.concatenate([now.q[:7], q[-1]]), stance)

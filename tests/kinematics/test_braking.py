@@ -4,8 +4,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from kinematics.braking import brake_along, brake_joints
+from kinematics.braking import brake_along, brake_joints, brake_standing
+from kinematics.curves import PolynomialCurve
+from kinematics.free_coordinates import FreeCoordinates
 from kinematics.stance import stance_at
+from kinematics.timing import Pace, time_curve
 from kinematics.trajectory import Trajectory
 from kinematics.trajectory_sampler import TrajectorySampler
 
@@ -73,3 +76,45 @@ def test_what_rests_stays(talos):
 
     np.testing.assert_array_equal(qs[-1], np.ones(3))
     assert not vs.any()
+
+
+def reaching_down(talos, stance, rng):
+    """A motion of pelvis, trunk and an arm, with the feet where they stand."""
+    space = FreeCoordinates(talos, stance)
+    start = space.from_q(talos.q_home)
+    goal = start.copy()
+    goal[:6] += rng.uniform([-0.05, -0.04, -0.15, -0.1, -0.1, -0.1], [0.05, 0.04, -0.03, 0.1, 0.2, 0.1])
+    for joint in ("torso_1_joint", "torso_2_joint", "arm_right_2_joint", "arm_right_4_joint"):
+        goal[space.index(joint)] += rng.uniform(-0.3, 0.0)
+    curve = PolynomialCurve(np.array([start, goal]))
+    return space, TrajectorySampler(time_curve(talos, space, stance, curve, Pace(0.5, 0.7)))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_stop_of_every_joint_leaves_the_feet_where_they_stand(talos, stance, seed):
+    rng = np.random.default_rng(seed)
+    space, sampler = reaching_down(talos, stance, rng)
+    now = sampler.at(float(rng.uniform(0.3, 0.6)) * sampler.duration_s)
+
+    rows = brake_standing(talos, space, now, PERIOD_S)
+
+    assert rows is not None
+    for frame, world_T_sole in stance.soles:
+        for q in rows.q[:: max(1, len(rows.q) // 10)]:
+            np.testing.assert_allclose(talos.frame_pose(q, frame), world_T_sole, atol=5e-5)
+        np.testing.assert_allclose(talos.frame_pose(rows.q[-1], frame), world_T_sole, atol=1e-9)
+    assert not rows.v[-1].any()
+    assert len(rows.q) * PERIOD_S < 0.5
+    v = np.vstack([now.v, rows.v])
+    assert (np.abs(np.diff(v[:, 6:], axis=0)) <= talos.acceleration * PERIOD_S * 1.001).all()
+    q = np.vstack([now.q, rows.q])
+    led = 0.5 * PERIOD_S * (v[1:, 6:] + v[:-1, 6:])
+    assert np.abs(np.diff(q[:, 7:], axis=0) - led).max() < 1e-5
+
+
+def test_a_robot_whose_feet_have_left_the_stance_is_not_braked_as_if_they_had_not(talos, stance):
+    space, sampler = reaching_down(talos, stance, np.random.default_rng(0))
+    now = sampler.at(0.5 * sampler.duration_s)
+    now.q[7 + talos.joint_index("leg_left_4_joint")] += 0.01
+
+    assert brake_standing(talos, space, now, PERIOD_S) is None

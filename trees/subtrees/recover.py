@@ -19,8 +19,10 @@ from trees.only_after import OnlyAfter
 from trees.subtrees.search import looking_elsewhere_is_useless, search
 from trees.toolbox import Toolbox
 
-# After these the posture itself is in question: plan the next attempt from home.
-_POSTURE_KINDS = frozenset({FailureKind.INFEASIBLE, FailureKind.UNSAFE, FailureKind.EXECUTION})
+# After these the posture itself is in question, or the hand leans on something: go home first.
+_POSTURE_KINDS = frozenset(
+    {FailureKind.INFEASIBLE, FailureKind.UNSAFE, FailureKind.REFUSED, FailureKind.EXECUTION}
+)
 
 
 def recover(toolbox: Toolbox) -> Behaviour:
