@@ -57,7 +57,7 @@ class BlendedPolyline:
     Args:
         points: Corners, shape (k, size), k >= 2.
         weights: Of the coordinates in lengths and in the deviation, shape (size,).
-        deviation: No point of the curve is farther from the polyline than this, weighted.
+        deviation: No coordinate of the curve is farther from the polyline than this, weighted.
     """
 
     def __init__(self, points: Array, weights: Array, deviation: float) -> None:
@@ -65,7 +65,7 @@ class BlendedPolyline:
         if len(points) < 2:
             points, steps = np.stack([points[0], points[0]]), np.array([1.0])
         way = np.diff(points, axis=0) / steps[:, None]
-        turn = np.linalg.norm((way[1:] - way[:-1]) * weights, axis=1)
+        turn = np.max(np.abs(way[1:] - way[:-1]) * weights, axis=1, initial=0.0)
         room = LONGEST_BLEND * np.minimum(steps[1:], steps[:-1])
         reach = np.minimum(room, 4.0 * deviation / np.maximum(turn, 1e-12))
         self._length = float(steps.sum())

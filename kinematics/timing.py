@@ -28,8 +28,8 @@ Array = NDArray[np.float64]
 # Intervals of the curve: so many between two knots, and no fewer in all.
 PER_PIECE = 8
 AT_LEAST = 160
-# A motion may stray this far from its curve, in weighted coordinates (radians of a joint).
-FOLLOWING = 0.005
+# A motion may stray this far from its curve, in weighted coordinates (radians of a joint), each.
+FOLLOWING = 0.007
 # Longest distance of the samples; the motion between them is the cubic of their positions and velocities.
 SAMPLE_S = 0.01
 # The shortest window, in samples: cubics must not overshoot what happens between the samples by much.
@@ -37,9 +37,9 @@ LEAST_WINDOW = 6.0
 # How often a motion may be judged and slowed down: locally at first, then everywhere.
 LOCAL_ROUNDS = 8
 ROUNDS = 40
-# A factor within this of 1 is rounding; a slower run aims below the limit by as much again.
+# A factor within this of 1 is rounding; a slower run aims below the limit by AIM.
 TOLERANCE = 2e-6
-AIM = 1e-3
+AIM = 0.01
 # Step in time of central differences along the motion.
 STEP_S = 1e-4
 # Coordinates that change by less than this along a curve stand still.

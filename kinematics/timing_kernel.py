@@ -129,13 +129,13 @@ def running_mean(
         step, rates, times: Of the intervals and the grid points.
         window_s: Length of the window. Before its start and after its end the motion rests.
         count: Instants, evenly spaced from half a window before the start to half a window after the end.
-        weights: Of the coordinates in a distance, shape (size,).
+        weights: Of the coordinates in distances, shape (size,).
         near: Distances below this need not be measured well.
 
     Returns:
-        Averaged coordinates and their velocities, shape (count, size) each, and how far each is from
-        the curve, shape (count,): from the tangent at the same instant, or where that is not near, from
-        the part of the curve that was averaged.
+        Averaged coordinates and their velocities, shape (count, size) each, and a bound of how far any
+        coordinate is from the curve, shape (count,): by the distance to the tangent at the same instant,
+        or where that is not near, to the part of the curve that was averaged.
     """
     n, size = len(step), points.shape[1]
     # what the coordinates sum up to over the time, at the grid points
@@ -196,19 +196,21 @@ def running_mean(
 
 @_compiled
 def _distance(place: Array, points: Array, i: int, weights: Array) -> float:
-    """Weighted distance of a place to the two chords of an interval."""
+    """Largest weighted distance in one coordinate to the nearest point of an interval's two chords."""
     least = np.inf
     for k in range(2 * i, 2 * i + 2):
-        off, along, length = 0.0, 0.0, 1e-30
+        along, length = 0.0, 1e-30
         for c in range(len(place)):
-            gap = weights[c] * (place[c] - points[k, c])
             chord = weights[c] * (points[k + 1, c] - points[k, c])
-            off += gap * gap
-            along += gap * chord
+            along += weights[c] * (place[c] - points[k, c]) * chord
             length += chord * chord
         share = min(1.0, max(0.0, along / length))
-        least = min(least, off - share * (2.0 * along - share * length))
-    return np.sqrt(max(0.0, least))
+        largest = 0.0
+        for c in range(len(place)):
+            nearest = points[k, c] + share * (points[k + 1, c] - points[k, c])
+            largest = max(largest, weights[c] * abs(place[c] - nearest))
+        least = min(least, largest)
+    return least
 
 
 @_compiled
