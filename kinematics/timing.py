@@ -17,17 +17,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.curve_speed import CurveGrid
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
-from kinematics.timing_kernel import excess, fastest_rates, grid_times, running_mean
+from kinematics.timing_kernel import excess, grid_times, running_mean
 from kinematics.trajectory import Stance, Trajectory
 
 Array = NDArray[np.float64]
 
-# Intervals of the curve: so many between two knots, and no fewer in all.
-PER_PIECE = 8
-AT_LEAST = 160
 # A motion may stray this far from its curve, in weighted coordinates (radians of a joint), each.
 FOLLOWING = 0.007
 # Longest distance of the samples; the motion between them is the cubic of their positions and velocities.
@@ -37,12 +35,11 @@ LEAST_WINDOW = 6.0
 # How often a motion may be judged and slowed down: locally at first, then everywhere.
 LOCAL_ROUNDS = 8
 ROUNDS = 40
-# A factor within this of 1 is rounding; a slower run aims below the limit by AIM.
+# A factor within this of 1 is rounding.
 TOLERANCE = 2e-6
-AIM = 0.01
 # Step in time of central differences along the motion.
 STEP_S = 1e-4
-# Coordinates that change by less than this along a curve stand still.
+# A pelvis that moves by less than this, m and rad, rests.
 STILL = 1e-9
 
 
@@ -102,7 +99,7 @@ def time_curve(
         The trajectory, or None when the legs cannot follow somewhere on the curve.
     """
     limits = JointLimits(model.velocity, model.acceleration, model.jerk).at(pace)
-    timed = time_coordinates(curve, _standing(model, space, curve), limits, space.weights)
+    timed = time_coordinates(curve, _standing(model, space), limits, space.weights)
     if timed is None:
         return None
     return Trajectory(
@@ -124,17 +121,18 @@ def time_coordinates(
     Returns:
         The motion, or None when a point has no configuration, or limits cannot be held at any speed.
     """
-    grid = _Grid.along(curve)
+    grid = CurveGrid.along(curve)
     k = len(limits.velocity)
     q = configurations(grid.points)
     if q is None:
         return None
-    # the cubics between the samples may overshoot an acceleration that ends at its limit
     window_s = max(float(np.max(2.0 * limits.acceleration / limits.jerk)), LEAST_WINDOW * SAMPLE_S)
-    reserve = 1.0 - 16.0 / 27.0 * SAMPLE_S / window_s
-    slowed = grid.bounded(
-        q[:, -k:], limits.velocity - limits.jerk * SAMPLE_S**2 / 16.0, limits.acceleration * reserve
-    )
+    # a cubic between samples overshoots what comes to rest at a limit there: accelerations by up to 8/27
+    # of jerk times spacing (see CheckSettings), speeds by less than this
+    jerk = 2.0 * limits.acceleration / window_s
+    acceleration = limits.acceleration - 8.0 / 27.0 * jerk * SAMPLE_S
+    velocity = np.maximum(limits.velocity - jerk * SAMPLE_S**2 / 16.0, 0.9 * limits.velocity)
+    slowed = grid.bounded(q[:, -k:], velocity, acceleration)
     for attempt in range(ROUNDS):
         rates = slowed.rates()
         times = grid_times(rates, grid.step)
@@ -158,109 +156,20 @@ def time_coordinates(
     return None
 
 
-@dataclass(frozen=True, slots=True)
-class _Grid:
-    """A curve as intervals: length of each in the parameter, and points at their ends and middles."""
-
-    step: Array
-    points: Array
-
-    @classmethod
-    def along(cls, curve: Curve) -> _Grid:
-        knots = curve.knots
-        pieces = max(PER_PIECE, -(-AT_LEAST // (len(knots) - 1)))
-        parts = np.linspace(0.0, 1.0, 2 * pieces + 1)[:-1]
-        s = (knots[:-1, None] + np.diff(knots)[:, None] * parts).ravel()
-        step = np.repeat(np.diff(knots) / pieces, pieces)
-        return cls(step, np.ascontiguousarray(curve(np.append(s, 1.0))))
-
-    def bounded(self, joints: Array, velocity: Array, acceleration: Array) -> _Bounds:
-        """What the limits mean for the rate along the curve; ``joints`` at all points."""
-        h = self.step[:, None]
-        start, middle, end = joints[:-2:2], joints[1::2], joints[2::2]
-        first = (4.0 * middle - 3.0 * start - end) / h
-        last = (3.0 * end - 4.0 * middle + start) / h
-        bend = 4.0 * (start - 2.0 * middle + end) / h**2
-        fast = np.zeros((len(h) + 1, joints.shape[1]))
-        fast[:-1] = np.abs(first)
-        fast[1:] = np.maximum(fast[1:], np.abs(last))
-        top = (1.0 / np.maximum(np.max(fast / velocity, axis=1), 1e-3)) ** 2
-        moving = np.ptp(joints, axis=0) > STILL
-        first, last, bend = (
-            np.ascontiguousarray((part / acceleration)[:, moving]) for part in (first, last, bend)
-        )
-        return _Bounds(self.step, first, last, bend, top, np.ones(len(h)))
-
-
-@dataclass(slots=True)
-class _Bounds:
-    """Bounds of the rate along a curve; ``top`` and ``share`` shrink where the motion must be slower."""
-
-    step: Array
-    first: Array
-    last: Array
-    bend: Array
-    top: Array
-    share: Array
-
-    def rates(self) -> Array:
-        return fastest_rates(self.first, self.last, self.bend, self.share, self.top, self.step)
-
-    def slow_down(
-        self, factor: Array, far: Array, t_s: Array, times: Array, window_s: float, rates: Array
-    ) -> None:
-        """Make a motion slower where it needs it.
-
-        Args:
-            factor: By which the time of each segment between the samples is too short, shape (n - 1,).
-            far: How far each sample is from the curve, over what is allowed, shape (n,).
-            t_s: Times of the samples, shape (n,).
-            times: When the grid points are passed, half a window earlier than the samples count.
-            window_s: What one sample is the average of.
-            rates: Squared rates at the grid points.
-        """
-        n = len(self.step)
-        # the first and the last interval that the average at a sample is made of
-        early = np.clip(np.searchsorted(times, t_s - window_s, side="right") - 1, 0, n - 1)
-        late = np.clip(np.searchsorted(times, t_s, side="left"), 1, n)
-        square = np.ones(n)
-        for i in np.flatnonzero(factor > 1.0):
-            part = square[early[i] : late[i + 1]]
-            np.maximum(part, (factor[i] + AIM) ** 2, out=part)
-        # a grid point belongs to the intervals on both of its sides
-        both = np.append(square, 1.0)
-        both[1:] = np.maximum(both[1:], square)
-        self.top /= both
-        # a corner is cut in proportion to the speed there and to the acceleration before and after it
-        middle = np.clip(np.searchsorted(times, t_s - 0.5 * window_s, side="right") - 1, 0, n - 1)
-        for i in np.flatnonzero(far > 1.0):
-            k = far[i] + AIM
-            part = square[early[i] : late[i]]
-            np.maximum(part, k, out=part)
-            ends = slice(middle[i], middle[i] + 2)
-            self.top[ends] = np.minimum(self.top[ends], rates[ends].max() / k**2)
-        self.share /= square
-
-
-def _standing(model: RobotModel, space: FreeCoordinates, curve: Curve) -> Configurations:
-    """Configurations of a standing robot; where the pelvis rests along a curve, so do the legs."""
-    probe = curve(np.linspace(0.0, 1.0, 2 * len(curve.knots)))
-    first, reached = space.to_q(probe[:1])
-    if not reached.all() or np.ptp(probe[:, :6], axis=0).max() > STILL:
-
-        def moving(x: Array) -> Array | None:
-            q, reached = space.to_q(x)
-            return q if reached.all() else None
-
-        return moving
+def _standing(model: RobotModel, space: FreeCoordinates) -> Configurations:
+    """Configurations of a standing robot; while the pelvis rests, so do the legs."""
     columns = 7 + model.indices(space.joints)
 
-    def resting(x: Array) -> Array:
+    def configurations(x: Array) -> Array | None:
+        if np.ptp(x[:, :6], axis=0).max() > STILL:
+            q, reached = space.to_q(x)
+            return q if reached.all() else None
+        first, reached = space.to_q(x[:1])
         q = np.repeat(first, len(x), axis=0)
         q[:, columns] = x[:, 6:]
-        return q
+        return q if reached.all() else None
 
-    return resting
+    return configurations
 
 
 def _velocity(q: Array, slope: Array) -> Array:

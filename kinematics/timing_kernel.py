@@ -7,19 +7,16 @@ so limits that hold at both of its ends hold in between, and all integrals are c
 Method of ``fastest_rates``: Pham and Pham, "A new approach to time-optimal path parameterization based
 on reachability analysis", IEEE Transactions on Robotics 34(3), 2018; its small linear programs are
 solved by Newton's method, which on a concave function with corners ends after a few exact steps.
+Compiled without fast-math, so that the same input gives the same bits.
 """
 
 from __future__ import annotations
-
-from collections.abc import Callable
-from typing import Any, TypeVar
 
 import numba
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Function = TypeVar("Function", bound=Callable[..., Any])
 
 # A slope below this, with limits scaled to 1, does not tell how the parameter may accelerate.
 FLAT = 1e-9
@@ -27,13 +24,7 @@ FLAT = 1e-9
 STEPS = 100
 
 
-def _compiled(function: Function) -> Function:
-    """Compile without the untyped decorator's loss of the signature; no fast-math: bits repeat."""
-    compiled: Function = numba.njit(cache=True)(function)
-    return compiled
-
-
-@_compiled
+@numba.njit(cache=True)
 def fastest_rates(first: Array, last: Array, bend: Array, share: Array, top: Array, step: Array) -> Array:
     """Squared rates of the parameter that run a curve in the least time, from rest to rest.
 
@@ -94,7 +85,7 @@ def fastest_rates(first: Array, last: Array, bend: Array, share: Array, top: Arr
     return rates
 
 
-@_compiled
+@numba.njit(cache=True)
 def grid_times(rates: Array, step: Array) -> Array:
     """When each grid point is passed, from 0, shape (n + 1,)."""
     times = np.zeros(len(rates))
@@ -103,7 +94,7 @@ def grid_times(rates: Array, step: Array) -> Array:
     return times
 
 
-@_compiled
+@numba.njit(cache=True)
 def _locate(times: Array, i: int, t: float) -> int:
     """Interval of a time that is not before interval ``i``."""
     while i < len(times) - 2 and times[i + 1] <= t:
@@ -111,7 +102,7 @@ def _locate(times: Array, i: int, t: float) -> int:
     return i
 
 
-@_compiled
+@numba.njit(cache=True)
 def running_mean(
     points: Array,
     step: Array,
@@ -194,7 +185,7 @@ def running_mean(
     return x, v, stray
 
 
-@_compiled
+@numba.njit(cache=True)
 def _distance(place: Array, points: Array, i: int, weights: Array) -> float:
     """Largest weighted distance in one coordinate to the nearest point of an interval's two chords."""
     least = np.inf
@@ -213,17 +204,18 @@ def _distance(place: Array, points: Array, i: int, weights: Array) -> float:
     return least
 
 
-@_compiled
+@numba.njit(cache=True)
 def _powers(step: float, start: float, end: float, t: float, powers: Array) -> float:
     """Share of an interval passed after a time in it; integrals of its powers 1 and 2 over that time."""
     rate = np.sqrt(start) / step
     half = 0.25 * (end - start) / (step * step)
     powers[1] = t * t * (0.5 * rate + half * t / 3.0)
     powers[2] = t * t * t * (rate * rate / 3.0 + t * (0.5 * rate * half + 0.2 * half * half * t))
-    return min(1.0, t * (rate + half * t))
+    share: float = t * (rate + half * t)
+    return min(1.0, share)
 
 
-@_compiled
+@numba.njit(cache=True)
 def excess(q: Array, v: Array, spacing_s: float, velocity: Array, acceleration: Array, jerk: Array) -> Array:
     """By which factor the time of each segment is too short for the limits: 1 or less is within.
 
