@@ -36,10 +36,10 @@ class CurveGrid:
     points: Array
 
     @classmethod
-    def along(cls, curve: Curve) -> CurveGrid:
+    def along(cls, curve: Curve, per_piece: int = PER_PIECE) -> CurveGrid:
         """Divide a curve between its knots."""
         knots = curve.knots
-        pieces = max(PER_PIECE, -(-AT_LEAST // (len(knots) - 1)))
+        pieces = max(per_piece, -(-AT_LEAST // (len(knots) - 1)))
         parts = np.linspace(0.0, 1.0, 2 * pieces + 1)[:-1]
         s = (knots[:-1, None] + np.diff(knots)[:, None] * parts).ravel()
         step = np.repeat(np.diff(knots) / pieces, pieces)
