@@ -21,20 +21,20 @@ import numpy as np
 import ruckig
 from numpy.typing import NDArray
 from rich.console import Console
+from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
-from kinematics import curve_speed
 from kinematics.curve_speed import CurveGrid
 from kinematics.curves import BlendedPolyline
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
-from kinematics.timing import FOLLOWING, JointLimits, Pace, time_coordinates, time_curve
+from kinematics.timing import FOLLOWING, JointLimits, Pace, TimedCurve, time_coordinates, time_curve
 from kinematics.timing_kernel import grid_times
 from robots.description import load_description
 from tools.benchmark.figures import Figure, figure, print_figures
 
 Array = NDArray[np.float64]
-Bound = Callable[[BlendedPolyline], tuple[float, float]]
+Bound = Callable[[CurveGrid], tuple[float, float]]
 """Least duration of a curve without a jerk limit, s, and the processor time that it took, s."""
 
 DEVIATION = 0.01
@@ -42,8 +42,11 @@ BLEND = DEVIATION - FOLLOWING
 WAYPOINTS, ARM = 20, "right_arm"
 # Length of a step: what the path planner's trees grow by.
 STEP = 0.5
-# Intervals of a piece of the curve on which the bound is computed.
-FINE = 32
+# Intervals of a piece of the curve on which the bound is computed; and of what a motion ran through.
+FINE = 16
+TRAVERSED = 4000
+# Points of it that are nearer to each other, rad, are taken as one.
+CLOSEST = 2e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,12 +106,15 @@ def _figures(limits: JointLimits, count: int, peer: str, bound: Bound) -> list[F
             timed = time_coordinates(curve, _same, limits, np.ones(7))
             seconds = time.process_time() - began_s
             assert timed is not None
-            same_s, peer_seconds = bound(curve)
-            widest_s, _ = bound(BlendedPolyline(points, np.ones(7), DEVIATION))
+            same_s, peer_seconds = bound(CurveGrid.along(curve, FINE))
+            widest = BlendedPolyline(points, np.ones(7), DEVIATION)
+            widest_s, _ = bound(CurveGrid.along(widest, FINE))
+            traversed_s, _ = bound(_traversed(timed))
             row = {
                 "duration": timed.t_s[-1],
                 "same": same_s,
                 "widest": widest_s,
+                "traversed": traversed_s,
                 "stops": _stopping_s(points, limits),
                 "away": _farthest(points, timed.q),
                 "ms": 1e3 * seconds,
@@ -121,6 +127,7 @@ def _figures(limits: JointLimits, count: int, peer: str, bound: Bound) -> list[F
         figures += [
             figure(f"{name}: duration, s", ours, f"{peer}, corners cut by {DEVIATION} rad", rows["widest"]),
             figure(f"{name}: duration, s", ours, f"{peer}, our blends", rows["same"]),
+            figure(f"{name}: duration, s", ours, f"{peer}, where our motion runs", rows["traversed"]),
             figure(f"{name}: duration, s", ours, "a stop at each corner", rows["stops"]),
             figure(f"{name}: distance from the polyline, rad", rows["away"]),
             figure(f"{name}: processor time, ms", rows["ms"], peer, rows["peer ms"]),
@@ -152,10 +159,21 @@ def _same(x: Array) -> Array:
     return x
 
 
+def _traversed(timed: TimedCurve) -> CurveGrid:
+    """The very curve that a motion runs through, corners cut as it cuts them."""
+    motion = CubicHermiteSpline(timed.t_s, timed.q, timed.rate)
+    q = motion(np.linspace(0.0, timed.t_s[-1], 3 * len(timed.t_s)))
+    way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(q, axis=0), axis=1)))
+    # slow places would give points so close together that rounding bends the curve
+    apart = np.append(np.flatnonzero(np.diff(np.floor(way / CLOSEST))), len(way) - 1)
+    curve = CubicSpline(np.append(0.0, way[apart]), np.concatenate([q[:1], q[apart]]))
+    points = curve(np.linspace(0.0, way[-1], 2 * TRAVERSED + 1))
+    return CurveGrid(np.full(TRAVERSED, way[-1] / TRAVERSED), points)
+
+
 def _own_bound(limits: JointLimits) -> Bound:
-    def bound(curve: BlendedPolyline) -> tuple[float, float]:
+    def bound(grid: CurveGrid) -> tuple[float, float]:
         began_s = time.process_time()
-        grid = CurveGrid.along(curve, FINE)
         rates = grid.bounded(grid.points, limits.velocity, limits.acceleration).rates()
         return float(grid_times(rates, grid.step)[-1]), time.process_time() - began_s
 
@@ -163,14 +181,14 @@ def _own_bound(limits: JointLimits) -> Bound:
 
 
 def _peer_bound(limits: JointLimits, peer: subprocess.Popen[str]) -> Bound:
-    def bound(curve: BlendedPolyline) -> tuple[float, float]:
-        s, grid = (_between(curve.knots, parts) for parts in (curve_speed.PER_PIECE, FINE))
+    def bound(grid: CurveGrid) -> tuple[float, float]:
+        s = np.append(0.0, np.cumsum(np.repeat(grid.step / 2.0, 2)))
         problem = {
             "s": s.tolist(),
-            "q": curve(s).tolist(),
+            "q": grid.points.tolist(),
             "velocity": limits.velocity.tolist(),
             "acceleration": limits.acceleration.tolist(),
-            "grid": grid.tolist(),
+            "grid": s.tolist(),
         }
         assert peer.stdin is not None
         assert peer.stdout is not None
@@ -180,11 +198,6 @@ def _peer_bound(limits: JointLimits, peer: subprocess.Popen[str]) -> Bound:
         return answer["bound_s"], answer["solve_s"]
 
     return bound
-
-
-def _between(knots: Array, parts: int) -> Array:
-    pieces = [np.linspace(a, b, parts + 1)[:-1] for a, b in itertools.pairwise(knots)]
-    return np.append(np.concatenate(pieces), knots[-1])
 
 
 def _stopping_s(points: Array, limits: JointLimits) -> float:
