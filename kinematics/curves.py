@@ -9,9 +9,17 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+# A blend takes at most this share of a straight piece from each of its two ends.
+LONGEST_BLEND = 0.5
+
 
 class Curve(Protocol):
-    """A smooth curve."""
+    """A curve without corners: its derivative is continuous, and bends smoothly between knots."""
+
+    @property
+    def knots(self) -> Array:
+        """Rising parameters from 0 to 1 between which the curve is one polynomial, shape (m,), m >= 2."""
+        ...
 
     def __call__(self, s: Array) -> Array:
         """Points at parameters ``s``, shape (n,), each in [0, 1]; result shape (n, size)."""
@@ -31,10 +39,62 @@ class PolynomialCurve:
             raise ValueError(f"a polynomial curve takes 2 to 5 points, got {k}")
         powers = np.vander(np.linspace(0.0, 1.0, k), increasing=True)
         self._coefficients = np.linalg.solve(powers, points)
+        self.knots = np.array([0.0, 1.0])
 
     def __call__(self, s: Array) -> Array:
         """Points at parameters ``s``."""
         return np.asarray(np.vander(s, len(self._coefficients), increasing=True) @ self._coefficients)
+
+
+class BlendedPolyline:
+    """A polyline whose corners are blended by parabolas that stay within a stated deviation.
+
+    The parameter is the way along the straight pieces, so that a blend takes over with the direction
+    and leaves with the direction of its neighbours. Method: Kunz and Stilman, "Time-optimal trajectory
+    generation for path following with bounded acceleration and velocity", Robotics: Science and
+    Systems 2012, with parabolas for arcs: their second derivative is constant.
+
+    Args:
+        points: Corners, shape (k, size), k >= 2.
+        weights: Of the coordinates in lengths and in the deviation, shape (size,).
+        deviation: No coordinate of the curve is farther from the polyline than this, weighted.
+    """
+
+    def __init__(self, points: Array, weights: Array, deviation: float) -> None:
+        points, steps = _without_repeats(points, weights)
+        if len(points) < 2:
+            points, steps = np.stack([points[0], points[0]]), np.array([1.0])
+        way = np.diff(points, axis=0) / steps[:, None]
+        turn = np.max(np.abs(way[1:] - way[:-1]) * weights, axis=1, initial=0.0)
+        room = LONGEST_BLEND * np.minimum(steps[1:], steps[:-1])
+        reach = np.minimum(room, 4.0 * deviation / np.maximum(turn, 1e-12))
+        self._length = float(steps.sum())
+        corners = np.cumsum(steps)[:-1]
+        reach = np.concatenate([[0.0], reach, [0.0]])
+        corners = np.concatenate([[0.0], corners, [self._length]])
+        # pieces in turn: straight, blend, straight, ..., straight
+        starts = np.sort(np.concatenate([corners[:-1] + reach[:-1], corners[1:-1] - reach[1:-1]]))
+        self._starts = starts
+        size = points.shape[1]
+        self._place = np.empty((len(starts), size))
+        self._slope = np.repeat(way, 2, axis=0)[: len(starts)]
+        self._bend = np.zeros((len(starts), size))
+        self._place[0::2] = points[:-1] + way * reach[:-1, None]
+        self._place[1::2] = points[1:-1] - way[:-1] * reach[1:-1, None]
+        self._bend[1::2] = (way[1:] - way[:-1]) / (4.0 * np.maximum(reach[1:-1], 1e-12)[:, None])
+        self._last = points[-1]
+        knots = np.concatenate([starts, [self._length]]) / self._length
+        self.knots = knots[np.concatenate([[True], np.diff(knots) > 1e-12])]
+        self.knots[-1] = 1.0
+
+    def __call__(self, s: Array) -> Array:
+        """Points at parameters ``s``."""
+        at = np.clip(s, 0.0, 1.0) * self._length
+        k = np.searchsorted(self._starts, at, side="right") - 1
+        u = (at - self._starts[k])[:, None]
+        points = self._place[k] + u * (self._slope[k] + u * self._bend[k])
+        points[s >= 1.0] = self._last
+        return np.asarray(points)
 
 
 class RoundedPolyline:
@@ -50,9 +110,7 @@ class RoundedPolyline:
     """
 
     def __init__(self, points: Array, weights: Array, spacing: float) -> None:
-        steps = np.sqrt(np.sum((np.diff(points, axis=0) * weights) ** 2, axis=1))
-        keep = np.concatenate([[True], steps > 1e-9])
-        points, steps = points[keep], steps[keep[1:]]
+        points, steps = _without_repeats(points, weights)
         along = np.concatenate([[0.0], np.cumsum(steps)])
         count = max(4, int(np.ceil(along[-1] / spacing)) + 1)
         at = np.linspace(0.0, along[-1], count)
@@ -61,6 +119,7 @@ class RoundedPolyline:
         first, last = 2.0 * control[0] - control[1], 2.0 * control[-1] - control[-2]
         self._control = np.concatenate([[first], control, [last]])
         self._segments = count - 1
+        self.knots = np.linspace(0.0, 1.0, count)
 
     def __call__(self, s: Array) -> Array:
         """Points at parameters ``s``."""
@@ -74,3 +133,10 @@ class RoundedPolyline:
             + (-3.0 * u**3 + 3.0 * u**2 + 3.0 * u + 1.0) / 6.0 * c[k + 2]
             + u**3 / 6.0 * c[k + 3]
         )
+
+
+def _without_repeats(points: Array, weights: Array) -> tuple[Array, Array]:
+    """Corners that differ from the one before, and the weighted lengths between them."""
+    steps = np.sqrt(np.sum((np.diff(points, axis=0) * weights) ** 2, axis=1))
+    keep = np.concatenate([[True], steps > 1e-9])
+    return points[keep], steps[keep[1:]]

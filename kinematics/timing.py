@@ -1,46 +1,91 @@
-"""Give a smooth curve its time: Ruckig on the curve's parameter, under every joint's limits.
+"""Give a curve its time: the fastest motion that keeps every joint's limits, made smooth.
 
-One scalar parameter is timed, so that the geometry cannot be left (several coordinates at once
-would fall back silently, see the field notes), and never through Ruckig's waypoint interface, which
-asks a server. Joint velocity, acceleration and jerk follow from the parameter's by the chain rule.
+First the least time under the limits of velocity and acceleration, which vary along the curve. Then the
+motion is averaged over a window of time, all coordinates alike: averages of velocities and of
+accelerations keep limits that held before, the acceleration can change by no more than twice its limit
+over the window, which bounds the jerk, straight pieces stay straight, and the whole takes one window
+longer, however many corners there are. A bend is cut by a little, which is bounded. What follows from
+the coordinates in other ways, the legs, is judged afterwards, and the curve is run more slowly where
+they need it, until everything holds for the cubics between the samples.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import ruckig
 from numpy.typing import NDArray
 
+from kinematics.curve_speed import CurveGrid
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
+from kinematics.timing_kernel import excess, grid_times, running_mean
 from kinematics.trajectory import Stance, Trajectory
 
 Array = NDArray[np.float64]
 
-# Points of the curve at which its derivatives are bounded.
-GRID = 201
-# Share of acceleration that the curve's bending may use, and shares of the jerk.
-BEND_SHARE = 0.4
-TWIST_SHARE = 0.2
-CROSS_SHARE = 0.3
-# What is kept in reserve against what happens between the points of the grid.
-ACCELERATION_RESERVE = 0.9
-JERK_RESERVE = 0.8
-# Distance of the samples; the motion between them is the cubic of their positions and velocities.
+# A motion may stray this far from its curve, in weighted coordinates (radians of a joint), each.
+FOLLOWING = 0.007
+# Longest distance of the samples; the motion between them is the cubic of their positions and velocities.
 SAMPLE_S = 0.01
-# Step of the central differences along the curve.
-STEP = 1e-4
+# The shortest window, in samples: cubics must not overshoot what happens between the samples by much.
+LEAST_WINDOW = 6.0
+# How often a motion may be judged and slowed down: locally at first, then everywhere.
+LOCAL_ROUNDS = 8
+ROUNDS = 40
+# A factor within this of 1 is rounding.
+TOLERANCE = 2e-6
+# Step in time of central differences along the motion.
+STEP_S = 1e-4
+# A pelvis that moves by less than this, m and rad, rests.
+STILL = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """How fast a motion may be: shares of the velocity and acceleration limits."""
+    """How fast a motion may be: shares of the velocity, acceleration and jerk limits.
+
+    The jerk's is less than 1 by default: a brake along the path adds its own jerk to the motion's.
+    """
 
     velocity: float = 1.0
     acceleration: float = 1.0
+    jerk: float = 0.8
+
+
+@dataclass(frozen=True, slots=True)
+class JointLimits:
+    """What each of k joints may do, shape (k,) each, SI units."""
+
+    velocity: Array
+    acceleration: Array
+    jerk: Array
+
+    def at(self, pace: Pace) -> JointLimits:
+        """The share of the limits that a pace uses."""
+        return JointLimits(
+            self.velocity * pace.velocity, self.acceleration * pace.acceleration, self.jerk * pace.jerk
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class TimedCurve:
+    """Samples of the motion along a curve.
+
+    Attributes:
+        t_s: Times, evenly spaced from 0, shape (n,).
+        q, rate: Configurations and their derivatives, shape (n, nq).
+    """
+
+    t_s: Array
+    q: Array
+    rate: Array
+
+
+Configurations = Callable[[Array], Array | None]
+"""Maps coordinates, shape (n, size), to configurations, shape (n, nq), or None when one has none."""
 
 
 def time_curve(
@@ -48,60 +93,83 @@ def time_curve(
 ) -> Trajectory | None:
     """Make the trajectory that runs a curve from rest to rest within all limits.
 
+    Between its ends it may leave the curve by ``FOLLOWING``, where the curve bends.
+
     Returns:
         The trajectory, or None when the legs cannot follow somewhere on the curve.
     """
-    grid = np.linspace(0.0, 1.0, GRID)
-    q, reached = space.to_q(curve(grid))
-    if not reached.all():
+    limits = JointLimits(model.velocity, model.acceleration, model.jerk).at(pace)
+    timed = time_coordinates(curve, _standing(model, space), limits, space.weights)
+    if timed is None:
         return None
-    profile = _profile(model, q[:, 7:], pace)
-    t = np.linspace(0.0, profile.duration, max(2, int(np.ceil(profile.duration / SAMPLE_S)) + 1))
-    s, rate = np.array([_at(profile, time) for time in t]).T
-    s = np.clip(s, 0.0, 1.0)
-    q = space.to_q(curve(s))[0]
-    before, after = np.maximum(s - STEP, 0.0), np.minimum(s + STEP, 1.0)
-    q_before, q_after = space.to_q(curve(before))[0], space.to_q(curve(after))[0]
-    v = _velocity(q, (q_after - q_before) / (after - before)[:, None]) * rate[:, None]
-    v[0] = v[-1] = 0.0
-    return Trajectory(joints=model.joints, stance=stance, t_s=t, q=q, v=v)
-
-
-def _profile(model: RobotModel, joints: Array, pace: Pace) -> ruckig.Trajectory:
-    step = 1.0 / (GRID - 1)
-    d1 = np.abs(np.gradient(joints, step, axis=0)) + 1e-9
-    d2 = np.abs(np.diff(joints, 2, axis=0)) / step**2
-    d3 = np.abs(np.diff(joints, 3, axis=0)) / step**3
-    d1_max, d2_max, d3_max = d1.max(axis=0), d2.max(axis=0) + 1e-9, d3.max(axis=0) + 1e-9
-    velocity = model.velocity * pace.velocity
-    acceleration = model.acceleration * pace.acceleration * ACCELERATION_RESERVE
-    jerk = model.jerk * JERK_RESERVE
-    v = float(
-        min(
-            np.min(velocity / d1_max),
-            np.min(np.sqrt(BEND_SHARE * acceleration / d2_max)),
-            np.min(np.cbrt(TWIST_SHARE * jerk / d3_max)),
-        )
+    return Trajectory(
+        joints=model.joints, stance=stance, t_s=timed.t_s, q=timed.q, v=_velocity(timed.q, timed.rate)
     )
-    a = float(
-        min(
-            np.min((acceleration - d2_max * v * v) / d1_max),
-            np.min(CROSS_SHARE * jerk / (3.0 * d2_max * v)),
-        )
-    )
-    j = float(np.min((1.0 - TWIST_SHARE - CROSS_SHARE) * jerk / d1_max))
-    order = ruckig.InputParameter(1)
-    order.current_position, order.current_velocity, order.current_acceleration = [0.0], [0.0], [0.0]
-    order.target_position = [1.0]
-    order.max_velocity, order.max_acceleration, order.max_jerk = [v], [a], [j]
-    trajectory = ruckig.Trajectory(1)
-    ruckig.Ruckig(1).calculate(order, trajectory)
-    return trajectory
 
 
-def _at(profile: ruckig.Trajectory, time_s: float) -> tuple[float, float]:
-    position, velocity, _ = profile.at_time(min(time_s, profile.duration))
-    return position[0], velocity[0]
+def time_coordinates(
+    curve: Curve, configurations: Configurations, limits: JointLimits, weights: Array
+) -> TimedCurve | None:
+    """Run a curve from rest to rest in the least time that stays smooth, for any robot.
+
+    Args:
+        curve: Through coordinates of the robot.
+        configurations: What they mean. The last columns are the joints that ``limits`` holds.
+        limits: Of the joints.
+        weights: Of the coordinates where ``FOLLOWING`` is measured, shape (size,).
+
+    Returns:
+        The motion, or None when a point has no configuration, or limits cannot be held at any speed.
+    """
+    grid = CurveGrid.along(curve)
+    k = len(limits.velocity)
+    q = configurations(grid.points)
+    if q is None:
+        return None
+    window_s = max(float(np.max(2.0 * limits.acceleration / limits.jerk)), LEAST_WINDOW * SAMPLE_S)
+    # a cubic between samples overshoots what comes to rest at a limit there: accelerations by up to 8/27
+    # of jerk times spacing (see CheckSettings), speeds by less than this
+    jerk = 2.0 * limits.acceleration / window_s
+    acceleration = limits.acceleration - 8.0 / 27.0 * jerk * SAMPLE_S
+    velocity = np.maximum(limits.velocity - jerk * SAMPLE_S**2 / 16.0, 0.9 * limits.velocity)
+    slowed = grid.bounded(q[:, -k:], velocity, acceleration)
+    for attempt in range(ROUNDS):
+        rates = slowed.rates()
+        times = grid_times(rates, grid.step)
+        count = int(np.ceil((times[-1] + window_s) / SAMPLE_S)) + 1
+        x, v, stray = running_mean(grid.points, grid.step, rates, times, window_s, count, weights, FOLLOWING)
+        t_s = np.linspace(0.0, times[-1] + window_s, count)
+        x[0], x[-1], v[0], v[-1] = grid.points[0], grid.points[-1], 0.0, 0.0
+        q = configurations(np.concatenate([x, x + STEP_S * v, x - STEP_S * v]))
+        if q is None:
+            return None
+        q, ahead, behind = q.reshape(3, count, -1)
+        rate = (ahead - behind) / (2.0 * STEP_S)
+        joints, speeds = np.ascontiguousarray(q[:, -k:]), np.ascontiguousarray(rate[:, -k:])
+        factor = excess(joints, speeds, t_s[1], limits.velocity, limits.acceleration, limits.jerk)
+        far = stray / FOLLOWING
+        if max(factor.max(), far.max()) <= 1.0 + TOLERANCE:
+            return TimedCurve(t_s, q, rate)
+        if attempt >= LOCAL_ROUNDS:
+            factor[:] = max(factor.max(), far.max())
+        slowed.slow_down(factor, far, t_s, times, window_s, rates)
+    return None
+
+
+def _standing(model: RobotModel, space: FreeCoordinates) -> Configurations:
+    """Configurations of a standing robot; while the pelvis rests, so do the legs."""
+    columns = 7 + model.indices(space.joints)
+
+    def configurations(x: Array) -> Array | None:
+        if np.ptp(x[:, :6], axis=0).max() > STILL:
+            q, reached = space.to_q(x)
+            return q if reached.all() else None
+        first, reached = space.to_q(x[:1])
+        q = np.repeat(first, len(x), axis=0)
+        q[:, columns] = x[:, 6:]
+        return q if reached.all() else None
+
+    return configurations
 
 
 def _velocity(q: Array, slope: Array) -> Array:
