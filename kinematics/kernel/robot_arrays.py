@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.kernel.coordinates import Coordinates
-from kinematics.kernel.solids import Solid, link_solid
+from kinematics.kernel.solids import Solid, flatten, link_solid
 from kinematics.kernel.tree import WORLD, Tree, tree_of
 from kinematics.poses import Transform
 from kinematics.robot_model import RobotModel
@@ -87,6 +87,29 @@ class RobotArrays:
         ]
         self.self_pairs = np.array(pairs, np.int64).reshape(-1, 2)
         self.limb = _limbs(self.tree)
+        self._rigid = self._rigid_distances()
+
+    def always_apart(self, first: int, second: int, margin_m: float) -> bool:
+        """Tell whether two solids are on one body and apart by more than a margin."""
+        return self._rigid.get((first, second), 0.0) > margin_m
+
+    def _rigid_distances(self) -> dict[tuple[int, int], float]:
+        """Lower bounds of the distances of judged pairs that never move against each other, m."""
+        # imported here: it brings the compiler
+        from kinematics.kernel.separation import core_distance
+
+        body = [solid.body for solid in self.solids]
+        flat = flatten(self.solids)
+        found: dict[tuple[int, int], float] = {}
+        S, v = np.empty((4, 3)), np.empty(3)
+        for i, j in self.self_pairs:
+            if body[i] != body[j]:
+                continue
+            pose = np.linalg.inv(self.solids[i].pose) @ self.solids[j].pose
+            R, p = np.ascontiguousarray(pose[:3, :3]), np.ascontiguousarray(pose[:3, 3])
+            gap = core_distance(flat, i, j, True, R, p, np.inf, -np.inf, np.zeros(3), S, v)
+            found[int(i), int(j)] = float(gap - flat.round[i] - flat.round[j])
+        return found
 
     def frame(self, name: str) -> tuple[int, Transform]:
         """The body that carries a frame, and the frame's pose in it.
