@@ -21,6 +21,7 @@ from kinematics.kernel.coordinates import (
     standing_coordinates,
     standing_limits,
 )
+from kinematics.kernel.memory import Problem, pack, work_for
 from kinematics.kernel.pairs import pairs_of, scene_solids
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.kernel.solids import flatten
@@ -43,7 +44,7 @@ class Refusal:
     Attributes:
         reason: "reach" (a foot cannot be kept), "limits", "balance", "contact", or "unproven": so near
             to a bound that it could not be proven to keep it.
-        at: Where: the row of a point, or the parameter in [0, 1] of an edge; -1 for one point.
+        at: Where: the row of a point, or the row of an edge's beginning plus the parameter in [0, 1] on it.
         pair: Names of the two solids, when it is a contact.
     """
 
@@ -87,13 +88,15 @@ class CollisionKernel:
             limits = joint_limits(-free, free, bool(space.floating))
         found = scene_solids(robot, scene, extra_margin_m, self_margin_m)
         chains = robot.chains(space, found.solids[: found.moving])
-        own = [pair for pair in found.own if not robot.always_apart(pair[0], pair[1], pair[2])]
-        pairs = pairs_of(robot, chains, scene, found, own, extra_margin_m)
-        self._problem = judge.Problem(tree, chains, space, limits, flatten(found.solids), pairs)
-        self._work = judge.work_for(self._problem)
+        own = [pair for pair in found.own if not robot.always_apart(pair.first, pair.second, pair.margin_m)]
+        self._pairs = pairs_of(robot, chains, scene, found, own, extra_margin_m)
+        problem = Problem(tree, chains, space, limits, flatten(found.solids), self._pairs)
+        self._packed = pack(problem, work_for(problem))
         self._names = found.names
-        self.size = len(self._work.x)
-        self.pair_count = len(self._work.axis)
+        self._nq = len(limits.lower)
+        self.size = 6 * space.floating + len(space.columns)
+        self.pair_count = len(self._pairs.first) + len(self._pairs.object_margin) * self._pairs.moving
+        self._nothing = np.empty(0)
 
     @classmethod
     def standing(
@@ -116,33 +119,36 @@ class CollisionKernel:
 
     def collides(self, q: Array) -> bool:
         """Tell whether any pair that may not touch is nearer than its margin, at ``q``, shape (nq,)."""
-        return bool(judge.contact_at(self._problem, self._work, q) >= 0)
+        return self._ask(judge.AT_CONFIGURATION, q[None])[0] != judge.FREE
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of the first pair that collides, or None."""
-        return self._pair(judge.contact_at(self._problem, self._work, q))
+        refusal = self._refusal(self._ask(judge.AT_CONFIGURATION, q[None]))
+        return None if refusal is None else refusal.pair
 
     def is_free(self, x: Array) -> bool:
         """Tell whether one point, shape (size,), keeps feet, limits, balance and distances."""
-        return bool(judge.judge_point(self._problem, self._work, x)[0] == judge.FREE)
+        return self._ask(judge.AT_POINTS, x[None])[0] == judge.FREE
 
     def points_are_free(self, x: Array) -> bool:
         """Tell whether every one of many points, shape (n, size), is free."""
-        return bool(judge.judge_points(self._problem, self._work, x)[0] == judge.FREE)
+        return self._ask(judge.AT_POINTS, x)[0] == judge.FREE
 
     def points_refusal(self, x: Array) -> Refusal | None:
         """Why points, shape (n, size), are not free, or None."""
-        verdict, row, pair = judge.judge_points(self._problem, self._work, x)
-        return self._refusal(verdict, row, pair)
+        return self._refusal(self._ask(judge.AT_POINTS, x))
 
     def edge_is_free(self, a: Array, b: Array, effort: int = EFFORT) -> bool:
         """Tell whether the whole line between two points, shape (size,) each, is proven to be free."""
-        return bool(judge.judge_edge(self._problem, self._work, a, b, effort)[0] == judge.FREE)
+        return self.polyline_is_free(np.stack((a, b)), effort)
 
-    def edge_refusal(self, a: Array, b: Array, effort: int = EFFORT) -> Refusal | None:
-        """Why a line is not free, or None."""
-        verdict, t, pair = judge.judge_edge(self._problem, self._work, a, b, effort)
-        return self._refusal(verdict, t, pair)
+    def polyline_is_free(self, x: Array, effort: int = EFFORT) -> bool:
+        """Tell whether the lines between neighbouring points, shape (n, size), are proven to be free."""
+        return self._ask(judge.ALONG_POINTS, x, effort)[0] == judge.FREE
+
+    def polyline_refusal(self, x: Array, effort: int = EFFORT) -> Refusal | None:
+        """Why lines between neighbouring points, shape (n, size), are not free, or None."""
+        return self._refusal(self._ask(judge.ALONG_POINTS, x, effort))
 
     def distances_m(self, q: Array, cap_m: float = 1.0) -> Array:
         """Lower bounds of the distances of all pairs at a configuration, shape (pair_count,).
@@ -151,12 +157,12 @@ class CollisionKernel:
         touches or overlaps; infinite for pairs that may touch. ``pair_names`` tells which they are.
         """
         found = np.empty(self.pair_count)
-        judge.distances_at(self._problem, self._work, q, cap_m, found)
+        self._ask(judge.DISTANCES, q[None], cap_m, found)
         return found
 
     def pair_names(self, pair: int) -> tuple[str, str]:
         """Names of the two solids of a pair."""
-        pairs = self._problem.pairs
+        pairs = self._pairs
         if pair < len(pairs.first):
             return self._names[pairs.first[pair]], self._names[pairs.second[pair]]
         thing, solid = divmod(pair - len(pairs.first), pairs.moving)
@@ -164,12 +170,19 @@ class CollisionKernel:
 
     def configuration(self, x: Array) -> Array | None:
         """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
-        work = self._work
-        reached = judge.configuration(self._problem.space, self._problem.tree, x, work.q, work.base_R)
-        return work.q.copy() if reached else None
+        q = np.empty(self._nq)
+        return q if self._ask(judge.TO_CONFIGURATION, x[None], 0.0, q)[0] == judge.FREE else None
 
-    def _pair(self, pair: int) -> tuple[str, str] | None:
-        return None if pair < 0 else self.pair_names(pair)
+    def _ask(
+        self, question: int, points: Array, number: float = 0.0, found: Array | None = None
+    ) -> tuple[int, float, int]:
+        # one type of argument only, so that nothing is ever compiled anew
+        points = np.ascontiguousarray(points, dtype=np.float64)
+        found = self._nothing if found is None else found
+        return judge.ask(*self._packed, question, points, float(number), found)
 
-    def _refusal(self, verdict: int, at: float, pair: int) -> Refusal | None:
-        return None if verdict == judge.FREE else Refusal(REASONS[verdict], float(at), self._pair(pair))
+    def _refusal(self, answer: tuple[int, float, int]) -> Refusal | None:
+        verdict, at, pair = answer
+        if verdict == judge.FREE:
+            return None
+        return Refusal(REASONS[verdict], at, None if pair < 0 else self.pair_names(pair))

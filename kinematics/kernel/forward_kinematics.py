@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kinematics.kernel.compiler import compiled
-from kinematics.kernel.tree import FLOATING, GENERAL_AXIS, HINGE, SLIDE, Array, Tree
+from kinematics.kernel.tree import FLOATING, GENERAL_AXIS, HINGE, SLIDE, Array, Indices, Tree
 
 
 @compiled
@@ -51,12 +51,13 @@ def quaternion_to_rotation(x: float, y: float, z: float, w: float, R: Array) -> 
 
 
 @compiled
-def place_bodies(tree: Tree, q: Array, R: Array, p: Array) -> None:
-    """Poses of all bodies at a configuration.
+def place_bodies(tree: Tree, q: Array, needed: Indices, R: Array, p: Array) -> None:
+    """Poses of bodies at a configuration.
 
     Args:
         tree: The robot.
         q: Configuration, shape (nq,).
+        needed: 0 for bodies that nobody asks for, shape (n,); what carries a needed body is needed.
         R: Result, ``world_R_body``, shape (n, 3, 3).
         p: Result, origins in the world, shape (n, 3), m.
     """
@@ -65,6 +66,8 @@ def place_bodies(tree: Tree, q: Array, R: Array, p: Array) -> None:
         for k in range(3):
             R[0, r, k] = 1.0 if r == k else 0.0
     for body in range(1, tree.parent.shape[0]):
+        if needed[body] == 0:
+            continue
         a = tree.parent[body]
         kind = tree.kind[body]
         at = tree.column[body]

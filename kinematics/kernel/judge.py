@@ -9,79 +9,23 @@ edge is proven free everywhere, not at samples, and an edge that is not free is 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
-
-import numpy as np
 
 from kinematics.kernel.compiler import compiled
-from kinematics.kernel.coordinates import Coordinates, Limits
+from kinematics.kernel.coordinates import Limits
 from kinematics.kernel.forward_kinematics import centre_of_mass, place_bodies
+from kinematics.kernel.memory import Problem, Work, problem_in, work_in
 from kinematics.kernel.motion_bound import bound_motion
-from kinematics.kernel.pairs import Pairs
 from kinematics.kernel.posture import com_room, configuration, leg_ranges, limits_kept
-from kinematics.kernel.robot_arrays import Chains
 from kinematics.kernel.separation import core_distance, point_distance
 from kinematics.kernel.solids import HULL, Array, Indices, Solids
-from kinematics.kernel.tree import Tree
 
 FREE, REACH, LIMITS, BALANCE, CONTACT, UNPROVEN = 0, 1, 2, 3, 4, 5
+AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION = 0, 1, 2, 3, 4
 
 # Status of a pair.
 _APART, _OPEN, _TOUCHING = 0, 1, 2
 # What is still open when nothing moves any more by this much stays unproven, m (and rad for limits).
 RESOLUTION_M = 1e-4
-
-
-class Problem(NamedTuple):
-    """Everything that does not change from question to question."""
-
-    tree: Tree
-    chains: Chains
-    space: Coordinates
-    limits: Limits
-    solids: Solids
-    pairs: Pairs
-
-
-class Work(NamedTuple):
-    """Memory of the compiled code; the separating directions outlive a question.
-
-    Attributes:
-        x, q: A point and its configuration.
-        base_R: Rotation of its base.
-        R, p: Poses of bodies.
-        com: Centre of mass.
-        centre: Centres of the moving solids' balls.
-        reach: How far each joint moves.
-        moved: How far bodies move, as ``motion_bound`` writes it.
-        axis: Separating direction of each pair.
-        S, v: Scratch of GJK.
-        first_R, first_p, second_R, second_p, R_between, p_between: Scratch of relative poses.
-        open_pairs: Pairs that are open, two generations, shape (2, n).
-        spans: Intervals that hold them: index, first and last open pair, whether the posture is open;
-            two generations, shape (2, m, 4).
-    """
-
-    x: Array
-    q: Array
-    base_R: Array
-    R: Array
-    p: Array
-    com: Array
-    centre: Array
-    reach: Array
-    moved: Array
-    axis: Array
-    S: Array
-    v: Array
-    first_R: Array
-    first_p: Array
-    second_R: Array
-    second_p: Array
-    R_between: Array
-    p_between: Array
-    open_pairs: Indices
-    spans: Indices
 
 
 @compiled
@@ -134,48 +78,78 @@ def _distance(
 
 @compiled
 def _place(problem: Problem, work: Work) -> None:
-    """Place the bodies and the balls of the moving solids at ``work.q``."""
-    place_bodies(problem.tree, work.q, work.R, work.p)
-    solids = problem.solids
-    for s in range(problem.pairs.moving):
-        body = solids.body[s]
-        R, p, c = work.R[body], work.p[body], solids.centre[s]
-        for r in range(3):
-            work.centre[s, r] = p[r] + R[r, 0] * c[0] + R[r, 1] * c[1] + R[r, 2] * c[2]
+    """Place the needed bodies, their balls and those of their solids at ``work.q``."""
+    place_bodies(problem.tree, work.q, work.needed, work.R, work.p)
+    solids, pairs, chains = problem.solids, problem.pairs, problem.chains
+    for at in range(pairs.limb_bodies.shape[0]):
+        body = pairs.limb_bodies[at]
+        if work.needed[body] == 0:
+            continue
+        _carry(work, body, chains.centre, body, work.ball)
+        for k in range(pairs.body_start[at], pairs.body_start[at + 1]):
+            _carry(work, body, solids.centre, pairs.body_solids[k], work.centre)
 
 
 @compiled
-def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
-    """Whether a pair is apart by its margin and by what both can move."""
+def _carry(work: Work, body: int, local: Array, row: int, world: Array) -> None:
+    R, p = work.R, work.p
+    a, b, c = local[row, 0], local[row, 1], local[row, 2]
+    for r in range(3):
+        world[row, r] = p[body, r] + R[body, r, 0] * a + R[body, r, 1] * b + R[body, r, 2] * c
+
+
+@compiled
+def _all_needed(work: Work) -> None:
+    for body in range(work.needed.shape[0]):
+        work.needed[body] = 1
+
+
+@compiled
+def _need_body(problem: Problem, work: Work, body: int) -> None:
+    """Mark a body, all that it hangs from, and all that it stands on."""
+    parent, chains = problem.tree.parent, problem.chains
+    if chains.length[body] > 0:
+        # a planted leg's bodies stand on the ankle, whose joints are farther from the base
+        at = max(body, chains.joint[body, chains.length[body] - 1])
+        while at > 0 and work.needed[at] == 0:
+            work.needed[at] = 1
+            at = parent[at]
+    at = body
+    while at > 0 and work.needed[at] == 0:
+        work.needed[at] = 1
+        at = parent[at]
+
+
+@compiled
+def _need_pair(problem: Problem, work: Work, pair: int) -> None:
+    """Mark what a pair's judgement needs; a planted leg is needed as a whole."""
     solids, pairs = problem.solids, problem.pairs
     count = pairs.first.shape[0]
     if pair < count:
-        i = pairs.first[pair]
-        j = pairs.second[pair]
-        margin = pairs.margin[pair]
-        slack = (
-            work.moved[solids.body[i], pairs.first_level[pair]]
-            + work.moved[solids.body[j], pairs.second_level[pair]]
-        )
-        d0 = work.centre[i, 0] - work.centre[j, 0]
-        d1 = work.centre[i, 1] - work.centre[j, 1]
-        d2 = work.centre[i, 2] - work.centre[j, 2]
-        between = math.sqrt(d0 * d0 + d1 * d1 + d2 * d2)
-        gap = between - solids.radius[i] - solids.radius[j]
+        _need_body(problem, work, solids.body[pairs.first[pair]])
+        _need_body(problem, work, solids.body[pairs.second[pair]])
     else:
-        thing = (pair - count) // pairs.moving
-        i = (pair - count) - thing * pairs.moving
-        j = pairs.moving + thing
-        margin = pairs.object_margin[thing]
-        body = solids.body[i]
-        slack = work.moved[body, problem.chains.length[body]]
-        c = work.centre[i]
-        between = point_distance(solids, j, c[0], c[1], c[2])
-        gap = between - solids.radius[i]
+        _need_body(problem, work, solids.body[(pair - count) % pairs.moving])
+
+
+@compiled
+def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
+    """Whether two moving solids are apart by their margin and by what both can move."""
+    solids, pairs = problem.solids, problem.pairs
+    i = pairs.first[pair]
+    j = pairs.second[pair]
+    margin = pairs.margin[pair]
+    centre = work.centre
+    d0 = centre[i, 0] - centre[j, 0]
+    d1 = centre[i, 1] - centre[j, 1]
+    d2 = centre[i, 2] - centre[j, 2]
+    square = d0 * d0 + d1 * d1 + d2 * d2
     need = margin + slack
-    if gap > need:
+    far = need + solids.radius[i] + solids.radius[j]
+    if square > far * far:
         return _APART
-    if gap > margin and need >= between:
+    between = math.sqrt(square)
+    if between > margin + solids.radius[i] + solids.radius[j] and need >= between:
         # apart now, and not by so much: no closer look can prove it
         return _OPEN
     distance = _distance(solids, work, i, j, work.axis[pair], need, margin)
@@ -185,88 +159,147 @@ def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
 
 
 @compiled
+def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) -> int:
+    """Whether a moving solid is apart from an object by its margin and by what it can move."""
+    solids, pairs = problem.solids, problem.pairs
+    j = pairs.moving + thing
+    margin = pairs.object_margin[thing]
+    between = point_distance(solids, j, work.centre[i, 0], work.centre[i, 1], work.centre[i, 2])
+    gap = between - solids.radius[i]
+    need = margin + slack
+    if gap > need:
+        return _APART
+    if gap > margin and need >= between:
+        return _OPEN
+    pair = pairs.first.shape[0] + thing * pairs.moving + i
+    distance = _distance(solids, work, i, j, work.axis[pair], need, margin)
+    if distance > need:
+        return _APART
+    return _OPEN if distance > margin else _TOUCHING
+
+
+@compiled
+def _own_slack(problem: Problem, work: Work, group: int) -> float:
+    """How far two bodies can move against each other, m."""
+    pairs = problem.pairs
+    first = work.moved[pairs.group_first[group], pairs.first_level[group]]
+    return first + work.moved[pairs.group_second[group], pairs.second_level[group]]
+
+
+@compiled
 def _slack(problem: Problem, work: Work, pair: int) -> float:
     """How far the two solids of a pair can move against each other, m."""
-    solids, pairs = problem.solids, problem.pairs
+    pairs = problem.pairs
     count = pairs.first.shape[0]
     if pair < count:
-        first = work.moved[solids.body[pairs.first[pair]], pairs.first_level[pair]]
-        return first + work.moved[solids.body[pairs.second[pair]], pairs.second_level[pair]]
-    body = solids.body[(pair - count) % pairs.moving]
+        return _own_slack(problem, work, pairs.group[pair])
+    body = problem.solids.body[(pair - count) % pairs.moving]
     return work.moved[body, problem.chains.length[body]]
 
 
 @compiled
-def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
+def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
+    """Status of a pair by its number."""
+    slack = _slack(problem, work, pair)
+    count = problem.pairs.first.shape[0]
+    if pair < count:
+        return _judge_own(problem, work, pair, slack)
+    thing = (pair - count) // problem.pairs.moving
+    return _judge_with(problem, work, pair - count - thing * problem.pairs.moving, thing, slack)
+
+
+@compiled
+def _scan(problem: Problem, work: Work, within_limits: bool, found: Indices) -> tuple[int, int]:
     """Judge all pairs; list those that are open.
+
+    Args:
+        problem, work: Bodies and motion bounds in place.
+        within_limits: All joints keep their limits: pairs that cannot meet then are left out.
+        found: Result: open pairs.
 
     Returns:
         A pair that touches, or -1; and how many were listed, or -1 when the list is full.
     """
-    solids, pairs = problem.solids, problem.pairs
-    count = pairs.first.shape[0]
+    pairs, chains, ball = problem.pairs, problem.chains, work.ball
     listed = 0
-    centre, radius, moved = work.centre, solids.radius, work.moved
-    for pair in range(count):
-        i = pairs.first[pair]
-        j = pairs.second[pair]
-        d0 = centre[i, 0] - centre[j, 0]
-        d1 = centre[i, 1] - centre[j, 1]
-        d2 = centre[i, 2] - centre[j, 2]
-        need = radius[i] + radius[j] + pairs.margin[pair]
-        need += moved[solids.body[i], pairs.first_level[pair]]
-        need += moved[solids.body[j], pairs.second_level[pair]]
-        if d0 * d0 + d1 * d1 + d2 * d2 > need * need:
-            continue
-        status = _judge_pair(problem, work, pair)
-        if status == _TOUCHING:
-            return pair, listed
-        if status == _OPEN:
-            if listed >= found.shape[0]:
-                return -1, -1
-            found[listed] = pair
-            listed += 1
-    if pairs.object_margin.shape[0] == 0:
-        return -1, listed
-    for limb in range(pairs.limb_start.shape[0] - 1):
-        first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
+    for group in range(pairs.group_first.shape[0]):
+        first = pairs.group_start[group]
+        last = pairs.group_rest[group] if within_limits else pairs.group_start[group + 1]
         if first == last:
             continue
-        # a ball about the limb: the one about the box of its balls
-        low0 = low1 = low2 = math.inf
-        high0 = high1 = high2 = -math.inf
-        farthest = 0.0
+        a = pairs.group_first[group]
+        b = pairs.group_second[group]
+        d0 = ball[a, 0] - ball[b, 0]
+        d1 = ball[a, 1] - ball[b, 1]
+        d2 = ball[a, 2] - ball[b, 2]
+        slack = _own_slack(problem, work, group)
+        far = chains.radius[a] + chains.radius[b] + pairs.group_margin[group] + slack
+        if d0 * d0 + d1 * d1 + d2 * d2 > far * far:
+            continue
+        for pair in range(first, last):
+            status = _judge_own(problem, work, pair, slack)
+            if status == _TOUCHING:
+                return pair, listed
+            if status == _OPEN:
+                if listed >= found.shape[0]:
+                    return -1, -1
+                found[listed] = pair
+                listed += 1
+    if pairs.object_margin.shape[0] == 0:
+        return -1, listed
+    for limb in range(chains.limbs):
+        if pairs.limb_start[limb] < pairs.limb_start[limb + 1]:
+            touching, listed = _scan_limb(problem, work, limb, found, listed)
+            if touching >= 0 or listed < 0:
+                return touching, listed
+    return -1, listed
+
+
+@compiled
+def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: int) -> tuple[int, int]:
+    """Judge a limb with every object: as a whole, body by body, solid by solid; see ``_scan``."""
+    solids, pairs, chains, ball = problem.solids, problem.pairs, problem.chains, work.ball
+    first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
+    low0 = low1 = low2 = math.inf
+    high0 = high1 = high2 = -math.inf
+    farthest = 0.0
+    for at in range(first, last):
+        body = pairs.limb_bodies[at]
+        r = chains.radius[body]
+        low0 = min(low0, ball[body, 0] - r)
+        low1 = min(low1, ball[body, 1] - r)
+        low2 = min(low2, ball[body, 2] - r)
+        high0 = max(high0, ball[body, 0] + r)
+        high1 = max(high1, ball[body, 1] + r)
+        high2 = max(high2, ball[body, 2] + r)
+        farthest = max(farthest, work.moved[body, chains.length[body]])
+    c0, c1, c2 = 0.5 * (low0 + high0), 0.5 * (low1 + high1), 0.5 * (low2 + high2)
+    around = math.sqrt((high0 - c0) ** 2 + (high1 - c1) ** 2 + (high2 - c2) ** 2) + farthest
+    for thing in range(pairs.object_margin.shape[0]):
+        solid = pairs.moving + thing
+        margin = pairs.object_margin[thing]
+        if point_distance(solids, solid, c0, c1, c2) > around + margin:
+            continue
         for at in range(first, last):
-            s = pairs.limb_solids[at]
-            r = radius[s]
-            low0 = min(low0, centre[s, 0] - r)
-            low1 = min(low1, centre[s, 1] - r)
-            low2 = min(low2, centre[s, 2] - r)
-            high0 = max(high0, centre[s, 0] + r)
-            high1 = max(high1, centre[s, 1] + r)
-            high2 = max(high2, centre[s, 2] + r)
-            body = solids.body[s]
-            farthest = max(farthest, moved[body, problem.chains.length[body]])
-        c0, c1, c2 = 0.5 * (low0 + high0), 0.5 * (low1 + high1), 0.5 * (low2 + high2)
-        around = math.sqrt((high0 - c0) ** 2 + (high1 - c1) ** 2 + (high2 - c2) ** 2) + farthest
-        for thing in range(pairs.object_margin.shape[0]):
-            solid = pairs.moving + thing
-            margin = pairs.object_margin[thing]
-            if point_distance(solids, solid, c0, c1, c2) > around + margin:
+            body = pairs.limb_bodies[at]
+            slack = work.moved[body, chains.length[body]]
+            away = point_distance(solids, solid, ball[body, 0], ball[body, 1], ball[body, 2])
+            if away > chains.radius[body] + slack + margin:
                 continue
-            for at in range(first, last):
-                s = pairs.limb_solids[at]
+            for k in range(pairs.body_start[at], pairs.body_start[at + 1]):
+                s = pairs.body_solids[k]
                 if pairs.judged[thing, s] == 0:
                     continue
-                pair = count + thing * pairs.moving + s
-                status = _judge_pair(problem, work, pair)
+                status = _judge_with(problem, work, s, thing, slack)
+                if status == _APART:
+                    continue
+                pair = pairs.first.shape[0] + thing * pairs.moving + s
                 if status == _TOUCHING:
                     return pair, listed
-                if status == _OPEN:
-                    if listed >= found.shape[0]:
-                        return -1, -1
-                    found[listed] = pair
-                    listed += 1
+                if listed >= found.shape[0]:
+                    return -1, -1
+                found[listed] = pair
+                listed += 1
     return -1, listed
 
 
@@ -275,8 +308,9 @@ def contact_at(problem: Problem, work: Work, q: Array) -> int:
     """First pair that is nearer than its margin at a configuration, shape (nq,); -1 for none."""
     work.q[:] = q
     work.moved[:, :] = 0.0
+    _all_needed(work)
     _place(problem, work)
-    return _scan(problem, work, work.open_pairs[0])[0]
+    return _scan(problem, work, False, work.open_pairs[0])[0]
 
 
 @compiled
@@ -287,12 +321,13 @@ def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
     if not limits_kept(problem.limits, work.q):
         return LIMITS, -1
     work.moved[:, :] = 0.0
+    _all_needed(work)
     _place(problem, work)
     if problem.limits.offset.shape[0] > 0:
         centre_of_mass(problem.tree, work.R, work.p, work.com)
         if com_room(problem.limits, work.com) < 0.0:
             return BALANCE, -1
-    pair = _scan(problem, work, work.open_pairs[0])[0]
+    pair = _scan(problem, work, True, work.open_pairs[0])[0]
     return (CONTACT, pair) if pair >= 0 else (FREE, -1)
 
 
@@ -304,7 +339,7 @@ def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]
         FREE or the first refusal, the row it was found at or -1, and the pair of a contact or -1.
     """
     n = x.shape[0]
-    for row in (0, n - 1):
+    for row in range(0, n, max(1, n - 1)):
         verdict, pair = judge_point(problem, work, x[row])
         if verdict != FREE:
             return verdict, row, pair
@@ -420,9 +455,23 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
             bounded = leg_ranges(
                 space, tree, work.q, work.base_R, step * half, turn * half, work.reach
             )
+            if whole or work.spans[old, span, 3] == 1:
+                _all_needed(work)
+            else:
+                work.needed[:] = 0
+                for at in range(work.spans[old, span, 1], work.spans[old, span, 2]):
+                    _need_pair(problem, work, work.open_pairs[old, at])
             _place(problem, work)
             bound_motion(
-                tree, problem.chains, work.R, work.p, work.reach, step * half, turn * half, work.moved
+                tree,
+                problem.chains,
+                work.needed,
+                work.R,
+                work.p,
+                work.reach,
+                step * half,
+                turn * half,
+                work.moved,
             )
             posture_open = False
             if work.spans[old, span, 3] == 1:
@@ -435,7 +484,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                     posture_open = True
             begin = listed
             if whole:
-                touching, listed = _scan(problem, work, found)
+                touching, listed = _scan(problem, work, True, found)
                 if touching >= 0:
                     return CONTACT, t, touching
                 if listed < 0:
@@ -485,6 +534,7 @@ def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Arra
         found: Result, by pair, m.
     """
     work.q[:] = q
+    _all_needed(work)
     _place(problem, work)
     solids, pairs = problem.solids, problem.pairs
     count = pairs.first.shape[0]
@@ -512,31 +562,45 @@ def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Arra
             found[pair] = max(gap, distance)
 
 
-def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
-    """Memory for a problem."""
-    tree, pairs = problem.tree, problem.pairs
-    n = len(tree.parent)
-    size = 6 * problem.space.floating + len(problem.space.columns)
-    count = len(pairs.first) + len(pairs.object_margin) * pairs.moving
-    return Work(
-        x=np.zeros(size),
-        q=np.zeros(len(problem.limits.lower)),
-        base_R=np.eye(3),
-        R=np.zeros((n, 3, 3)),
-        p=np.zeros((n, 3)),
-        com=np.zeros(3),
-        centre=np.zeros((pairs.moving, 3)),
-        reach=np.zeros(n),
-        moved=np.zeros((n, problem.chains.joint.shape[1] + 1)),
-        axis=np.zeros((count, 3)),
-        S=np.zeros((4, 3)),
-        v=np.zeros(3),
-        first_R=np.zeros((3, 3)),
-        first_p=np.zeros(3),
-        second_R=np.zeros((3, 3)),
-        second_p=np.zeros(3),
-        R_between=np.zeros((3, 3)),
-        p_between=np.zeros(3),
-        open_pairs=np.zeros((2, max(open_pairs, count)), np.int64),
-        spans=np.zeros((2, spans, 4), np.int64),
-    )
+@compiled
+def ask(
+    floats: Array,
+    ints: Indices,
+    table: Indices,
+    question: int,
+    points: Array,
+    number: float,
+    found: Array,
+) -> tuple[int, float, int]:
+    """The one door from outside: everything behind it is compiled and loaded as one piece.
+
+    Args:
+        floats, ints, table: A packed problem and its memory.
+        question: AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES or TO_CONFIGURATION.
+        points: One row a point; configurations for AT_CONFIGURATION and DISTANCES.
+        number: Most intervals to look at, for ALONG_POINTS; the cap in metres, for DISTANCES.
+        found: Result of DISTANCES, by pair, and of TO_CONFIGURATION, shape (nq,).
+
+    Returns:
+        Verdict; row, or row plus parameter on the edge that begins there, or -1; pair or -1.
+    """
+    problem = problem_in(floats.ctypes.data, ints.ctypes.data, table)
+    work = work_in(floats.ctypes.data, ints.ctypes.data, table)
+    if question == AT_CONFIGURATION:
+        pair = contact_at(problem, work, points[0])
+        return (CONTACT, 0.0, pair) if pair >= 0 else (FREE, -1.0, -1)
+    if question == AT_POINTS:
+        verdict, row, pair = judge_points(problem, work, points)
+        return verdict, float(row), pair
+    if question == ALONG_POINTS:
+        for row in range(points.shape[0] - 1):
+            verdict, t, pair = judge_edge(problem, work, points[row], points[row + 1], int(number))
+            if verdict != FREE:
+                return verdict, row + t, pair
+        return FREE, -1.0, -1
+    if question == DISTANCES:
+        distances_at(problem, work, points[0], number, found)
+        return FREE, -1.0, -1
+    if not configuration(problem.space, problem.tree, points[0], found, work.base_R):
+        return REACH, 0.0, -1
+    return FREE, -1.0, -1

@@ -29,12 +29,16 @@ class Chains(NamedTuple):
     Attributes:
         joint: Joints (by body) from a body outwards to the world, shape (n, depth).
         length: How many, shape (n,).
+        limb: The limb that each body belongs to, shape (n,): a stretch of the tree without branches.
+        limbs: How many limbs there are.
         centre, radius: Ball in the body's frame that holds its solids and its centre of mass, shapes
             (n, 3) and (n,), m.
     """
 
     joint: Indices
     length: Indices
+    limb: Indices
+    limbs: int
     centre: Array
     radius: Array
 
@@ -48,7 +52,7 @@ class RobotArrays:
         solids: One for each collision geometry.
         names: Links that they belong to.
         self_pairs: Pairs of solids that are judged, shape (n, 2).
-        limb: Limb that each body belongs to, shape (bodies,): a stretch of the tree without branches.
+        limb: The limb that each body belongs to, shape (bodies,).
 
     Raises:
         ModelError: A joint or a collision geometry is of a kind that the kernel does not know.
@@ -143,7 +147,8 @@ class RobotArrays:
             if solid.body != WORLD:
                 b = solid.body
                 centre[b], radius[b] = _around(centre[b], radius[b], solid.centre, solid.radius_m)
-        return Chains(joint, np.array([len(chain) for chain in chains], np.int64), centre, radius)
+        length = np.array([len(chain) for chain in chains], np.int64)
+        return Chains(joint, length, self.limb, int(self.limb.max()) + 1, centre, radius)
 
 
 def humanoid_arrays(model: RobotModel) -> RobotArrays:
