@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.tree import FLOATING, GENERAL_AXIS, HINGE, SLIDE, Array, Indices, Tree
 
 
-@compiled
+@inlined
 def rotate_about(P: Array, spin: int, c: float, s: float, R: Array) -> None:
     """``R = P @ rotation about x, y or z``, by its cosine and sine; shapes (3, 3)."""
     i = (spin + 1) % 3
@@ -21,7 +21,7 @@ def rotate_about(P: Array, spin: int, c: float, s: float, R: Array) -> None:
         R[r, spin] = P[r, spin]
 
 
-@compiled
+@inlined
 def _rotate_in_place(R: Array, axis: Array, c: float, s: float) -> None:
     """``R = R @ rotation about a unit axis``, by Rodrigues' formula."""
     x, y, z = axis[0], axis[1], axis[2]
@@ -35,7 +35,7 @@ def _rotate_in_place(R: Array, axis: Array, c: float, s: float) -> None:
         R[r, 2] = c * e + s * (a * y - b * x) + along * z
 
 
-@compiled
+@inlined
 def quaternion_to_rotation(x: float, y: float, z: float, w: float, R: Array) -> None:
     """Rotation matrix of a quaternion of any length but 0."""
     f = 2.0 / (x * x + y * y + z * z + w * w)

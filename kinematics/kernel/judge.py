@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Limits
 from kinematics.kernel.forward_kinematics import centre_of_mass, place_bodies
 from kinematics.kernel.memory import Problem, Work, problem_in, work_in
@@ -28,7 +28,7 @@ _APART, _OPEN, _TOUCHING = 0, 1, 2
 RESOLUTION_M = 1e-4
 
 
-@compiled
+@inlined
 def _pose_of(solids: Solids, solid: int, work: Work, R: Array, p: Array) -> None:
     """World pose of a solid's own frame."""
     body = solids.body[solid]
@@ -48,7 +48,7 @@ def _pose_of(solids: Solids, solid: int, work: Work, R: Array, p: Array) -> None
             R[r, k] = B[r, 0] * P[0, k] + B[r, 1] * P[1, k] + B[r, 2] * P[2, k]
 
 
-@compiled
+@inlined
 def _distance(
     solids: Solids, work: Work, first: int, second: int, axis: Array, enough: float, little: float
 ) -> float:
@@ -76,7 +76,7 @@ def _distance(
     return found - rounds
 
 
-@compiled
+@inlined
 def _place(problem: Problem, work: Work) -> None:
     """Place the needed bodies, their balls and those of their solids at ``work.q``."""
     place_bodies(problem.tree, work.q, work.needed, work.R, work.p)
@@ -90,7 +90,7 @@ def _place(problem: Problem, work: Work) -> None:
             _carry(work, body, solids.centre, pairs.body_solids[k], work.centre)
 
 
-@compiled
+@inlined
 def _carry(work: Work, body: int, local: Array, row: int, world: Array) -> None:
     R, p = work.R, work.p
     a, b, c = local[row, 0], local[row, 1], local[row, 2]
@@ -98,13 +98,13 @@ def _carry(work: Work, body: int, local: Array, row: int, world: Array) -> None:
         world[row, r] = p[body, r] + R[body, r, 0] * a + R[body, r, 1] * b + R[body, r, 2] * c
 
 
-@compiled
+@inlined
 def _all_needed(work: Work) -> None:
     for body in range(work.needed.shape[0]):
         work.needed[body] = 1
 
 
-@compiled
+@inlined
 def _need_body(problem: Problem, work: Work, body: int) -> None:
     """Mark a body, all that it hangs from, and all that it stands on."""
     parent, chains = problem.tree.parent, problem.chains
@@ -120,7 +120,7 @@ def _need_body(problem: Problem, work: Work, body: int) -> None:
         at = parent[at]
 
 
-@compiled
+@inlined
 def _need_pair(problem: Problem, work: Work, pair: int) -> None:
     """Mark what a pair's judgement needs; a planted leg is needed as a whole."""
     solids, pairs = problem.solids, problem.pairs
@@ -132,7 +132,7 @@ def _need_pair(problem: Problem, work: Work, pair: int) -> None:
         _need_body(problem, work, solids.body[(pair - count) % pairs.moving])
 
 
-@compiled
+@inlined
 def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
     """Whether two moving solids are apart by their margin and by what both can move."""
     solids, pairs = problem.solids, problem.pairs
@@ -158,7 +158,7 @@ def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
     return _OPEN if distance > margin else _TOUCHING
 
 
-@compiled
+@inlined
 def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) -> int:
     """Whether a moving solid is apart from an object by its margin and by what it can move."""
     solids, pairs = problem.solids, problem.pairs
@@ -178,7 +178,7 @@ def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) 
     return _OPEN if distance > margin else _TOUCHING
 
 
-@compiled
+@inlined
 def _own_slack(problem: Problem, work: Work, group: int) -> float:
     """How far two bodies can move against each other, m."""
     pairs = problem.pairs
@@ -186,7 +186,7 @@ def _own_slack(problem: Problem, work: Work, group: int) -> float:
     return first + work.moved[pairs.group_second[group], pairs.second_level[group]]
 
 
-@compiled
+@inlined
 def _slack(problem: Problem, work: Work, pair: int) -> float:
     """How far the two solids of a pair can move against each other, m."""
     pairs = problem.pairs
@@ -197,7 +197,7 @@ def _slack(problem: Problem, work: Work, pair: int) -> float:
     return work.moved[body, problem.chains.length[body]]
 
 
-@compiled
+@inlined
 def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
     """Status of a pair by its number."""
     slack = _slack(problem, work, pair)
@@ -255,7 +255,7 @@ def _scan(problem: Problem, work: Work, within_limits: bool, found: Indices) -> 
     return -1, listed
 
 
-@compiled
+@inlined
 def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: int) -> tuple[int, int]:
     """Judge a limb with every object: as a whole, body by body, solid by solid; see ``_scan``."""
     solids, pairs, chains, ball = problem.solids, problem.pairs, problem.chains, work.ball
@@ -303,7 +303,7 @@ def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: 
     return -1, listed
 
 
-@compiled
+@inlined
 def contact_at(problem: Problem, work: Work, q: Array) -> int:
     """First pair that is nearer than its margin at a configuration, shape (nq,); -1 for none."""
     work.q[:] = q
@@ -331,7 +331,7 @@ def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
     return (CONTACT, pair) if pair >= 0 else (FREE, -1)
 
 
-@compiled
+@inlined
 def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]:
     """Verdict on points, shape (n, size): ends first, then the middles of ever smaller gaps.
 
@@ -356,7 +356,7 @@ def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]
     return FREE, -1, -1
 
 
-@compiled
+@inlined
 def _posture(problem: Problem, work: Work, bounded: bool) -> tuple[int, bool, float]:
     """Limits and balance in the middle of an interval.
 
@@ -394,13 +394,13 @@ def _posture(problem: Problem, work: Work, bounded: bool) -> tuple[int, bool, fl
     return FREE, proven, largest
 
 
-@compiled
+@inlined
 def _outside(limits: Limits, value: float, column: int, reach: float) -> bool:
     """Whether a joint can leave its limits by moving so far."""
     return value - reach < limits.lower[column] or value + reach > limits.upper[column]
 
 
-@compiled
+@inlined
 def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) -> tuple[int, float, int]:
     """Verdict on the whole straight line between two points of the free coordinates.
 
@@ -519,7 +519,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
     return FREE, -1.0, -1
 
 
-@compiled
+@inlined
 def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Array) -> None:
     """Lower bounds of the distances of all pairs at a configuration.
 

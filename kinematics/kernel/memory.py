@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import inlined
 from kinematics.kernel.coordinates import Coordinates, Limits
 from kinematics.kernel.pairs import Pairs
 from kinematics.kernel.pointers import floats1, floats2, floats3, ints1, ints2, ints3
@@ -148,7 +148,7 @@ def _leaves(value: Any) -> Iterator[Any]:
         yield value
 
 
-@compiled
+@inlined
 def problem_in(floats: int, ints: int, table: Indices) -> Problem:
     """Views of the problem, in the order of ``pack``; addresses of the two buffers."""
     return Problem(
@@ -225,7 +225,7 @@ def problem_in(floats: int, ints: int, table: Indices) -> Problem:
     )
 
 
-@compiled
+@inlined
 def work_in(floats: int, ints: int, table: Indices) -> Work:
     """Views of the memory, in the order of ``pack``; addresses of the two buffers."""
     return Work(

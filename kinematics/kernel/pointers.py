@@ -12,7 +12,7 @@ from typing import Any
 from numba import carray, types
 from numba.extending import intrinsic
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import inlined
 from kinematics.kernel.tree import Array, Indices
 
 
@@ -32,42 +32,42 @@ _int_pointer = _pointer_to(types.int64)
 _BYTES = 8
 
 
-@compiled
+@inlined
 def floats1(address: int, row: Indices) -> Array:
     """The array of one dimension whose begin and length are in a row."""
     view: Array = carray(_float_pointer(address + _BYTES * row[0]), (row[1],))
     return view
 
 
-@compiled
+@inlined
 def floats2(address: int, row: Indices) -> Array:
     """The array of two dimensions whose begin and lengths are in a row."""
     view: Array = carray(_float_pointer(address + _BYTES * row[0]), (row[1], row[2]))
     return view
 
 
-@compiled
+@inlined
 def floats3(address: int, row: Indices) -> Array:
     """The array of three dimensions whose begin and lengths are in a row."""
     view: Array = carray(_float_pointer(address + _BYTES * row[0]), (row[1], row[2], row[3]))
     return view
 
 
-@compiled
+@inlined
 def ints1(address: int, row: Indices) -> Indices:
     """As ``floats1``."""
     view: Indices = carray(_int_pointer(address + _BYTES * row[0]), (row[1],))
     return view
 
 
-@compiled
+@inlined
 def ints2(address: int, row: Indices) -> Indices:
     """As ``floats2``."""
     view: Indices = carray(_int_pointer(address + _BYTES * row[0]), (row[1], row[2]))
     return view
 
 
-@compiled
+@inlined
 def ints3(address: int, row: Indices) -> Indices:
     """As ``floats3``."""
     view: Indices = carray(_int_pointer(address + _BYTES * row[0]), (row[1], row[2], row[3]))

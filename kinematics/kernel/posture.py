@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Array, Coordinates, Limits
 from kinematics.kernel.forward_kinematics import quaternion_to_rotation
 from kinematics.kernel.tree import Tree
@@ -38,7 +38,7 @@ def configuration(space: Coordinates, tree: Tree, x: Array, q: Array, base_R: Ar
     return True
 
 
-@compiled
+@inlined
 def _hip_from_ankle(
     space: Coordinates, leg: int, base_R: Array, q: Array
 ) -> tuple[float, float, float]:
@@ -54,13 +54,13 @@ def _hip_from_ankle(
     )
 
 
-@compiled
+@inlined
 def _knee(a: float, b: float, distance: float) -> float:
     cosine = (distance * distance - a * a - b * b) / (2.0 * a * b)
     return math.acos(min(1.0, max(-1.0, cosine)))
 
 
-@compiled
+@inlined
 def _inner(a: float, distance: float, knee: float) -> float:
     """Angle between the shin and the line from ankle to hip."""
     return math.asin(min(1.0, max(-1.0, a / max(distance, 1e-9) * math.sin(math.pi - knee))))
@@ -169,7 +169,7 @@ def leg_ranges(
     return bounded
 
 
-@compiled
+@inlined
 def limits_kept(limits: Limits, q: Array) -> bool:
     """Tell whether every joint is inside its limits."""
     for k in range(limits.lower.shape[0]):
@@ -178,7 +178,7 @@ def limits_kept(limits: Limits, q: Array) -> bool:
     return True
 
 
-@compiled
+@inlined
 def com_room(limits: Limits, com: Array) -> float:
     """Distance of the CoM's ground projection to where its margin ends, m; infinite without a polygon."""
     room = math.inf

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.solids import BOX, CYLINDER, HULL, POINT, SEGMENT, Array, Indices, Solids
 
 OVERLAP = -math.inf
@@ -25,7 +25,7 @@ _CONVERGED_PART = 1e-6
 _ROUNDING_M = 1e-9
 
 
-@compiled
+@inlined
 def _farthest(points: Array, first: int, last: int, x: float, y: float, z: float) -> int:
     """Row of the point that lies farthest along a direction."""
     best = first
@@ -38,7 +38,7 @@ def _farthest(points: Array, first: int, last: int, x: float, y: float, z: float
     return best
 
 
-@compiled
+@inlined
 def _support(
     solids: Solids, solid: int, exact: bool, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
@@ -64,12 +64,12 @@ def _support(
     return 0.0, 0.0, 0.0
 
 
-@compiled
+@inlined
 def _dot(S: Array, i: int, j: int) -> float:
     return S[i, 0] * S[j, 0] + S[i, 1] * S[j, 1] + S[i, 2] * S[j, 2]
 
 
-@compiled
+@inlined
 def _determinant(S: Array, i: int, j: int, k: int) -> float:
     return (
         S[i, 0] * (S[j, 1] * S[k, 2] - S[j, 2] * S[k, 1])
@@ -78,7 +78,7 @@ def _determinant(S: Array, i: int, j: int, k: int) -> float:
     )
 
 
-@compiled
+@inlined
 def _contains_origin(S: Array) -> bool:
     """Whether the tetrahedron of four rows holds the origin."""
     a = _determinant(S, 1, 2, 3)
@@ -91,7 +91,7 @@ def _contains_origin(S: Array) -> bool:
     return abs(whole) > 1e-18 and a >= 0.0 and b >= 0.0 and c >= 0.0 and d >= 0.0
 
 
-@compiled
+@inlined
 def _nearest(S: Array, n: int, v: Array) -> int:
     """Point of a simplex that is nearest to the origin.
 
@@ -258,7 +258,7 @@ def core_distance(
     return bound
 
 
-@compiled
+@inlined
 def point_distance(solids: Solids, solid: int, x: float, y: float, z: float) -> float:
     """Distance of a point to a box, cylinder, ball or capsule, both in one frame; 0 in the core."""
     R, p, size = solids.R[solid], solids.p[solid], solids.size[solid]
