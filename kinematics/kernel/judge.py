@@ -63,17 +63,17 @@ def _distance(
             R[r, k] = A[0, r] * B[0, k] + A[1, r] * B[1, k] + A[2, r] * B[2, k]
     rounds = solids.round[first] + solids.round[second]
     pads = solids.pad[first] + solids.pad[second]
-    off = rounds + pads
-    found = core_distance(
-        solids, first, second, False, R, p, enough + off, little + off, axis, work.S, work.v
-    )
-    if found - off > little or pads == 0.0:
-        return found - off
-    # the padded hulls are too near: the true ones decide
-    found = core_distance(
-        solids, first, second, True, R, p, enough + rounds, little + rounds, axis, work.S, work.v
-    )
-    return found - rounds
+    distance = -math.inf
+    # chosen vertices, padded; when those are too near, all vertices
+    for exact in range(2):
+        off = rounds if exact == 1 else rounds + pads
+        found = core_distance(
+            solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v
+        )
+        distance = found - off
+        if distance > little or pads == 0.0:
+            break
+    return distance
 
 
 @inlined
@@ -209,12 +209,12 @@ def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
 
 
 @compiled
-def _scan(problem: Problem, work: Work, within_limits: bool, found: Indices) -> tuple[int, int]:
+def _scan(problem: Problem, work: Work, group_end: Indices, found: Indices) -> tuple[int, int]:
     """Judge all pairs; list those that are open.
 
     Args:
         problem, work: Bodies and motion bounds in place.
-        within_limits: All joints keep their limits: pairs that cannot meet then are left out.
+        group_end: Where each group of pairs ends: before or after those that cannot meet within limits.
         found: Result: open pairs.
 
     Returns:
@@ -224,7 +224,7 @@ def _scan(problem: Problem, work: Work, within_limits: bool, found: Indices) -> 
     listed = 0
     for group in range(pairs.group_first.shape[0]):
         first = pairs.group_start[group]
-        last = pairs.group_rest[group] if within_limits else pairs.group_start[group + 1]
+        last = group_end[group]
         if first == last:
             continue
         a = pairs.group_first[group]
@@ -310,7 +310,7 @@ def contact_at(problem: Problem, work: Work, q: Array) -> int:
     work.moved[:, :] = 0.0
     _all_needed(work)
     _place(problem, work)
-    return _scan(problem, work, False, work.open_pairs[0])[0]
+    return _scan(problem, work, problem.pairs.group_start[1:], work.open_pairs[0])[0]
 
 
 @compiled
@@ -327,7 +327,7 @@ def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
         centre_of_mass(problem.tree, work.R, work.p, work.com)
         if com_room(problem.limits, work.com) < 0.0:
             return BALANCE, -1
-    pair = _scan(problem, work, True, work.open_pairs[0])[0]
+    pair = _scan(problem, work, problem.pairs.group_rest, work.open_pairs[0])[0]
     return (CONTACT, pair) if pair >= 0 else (FREE, -1)
 
 
@@ -415,7 +415,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         where it arose or -1, and the pair or -1. CONTACT, LIMITS, BALANCE and REACH were seen there;
         UNPROVEN means that something comes so near to its bound that it could not be proven.
     """
-    space, tree, limits = problem.space, problem.tree, problem.limits
+    space, tree, limits, pairs = problem.space, problem.tree, problem.limits, problem.pairs
     first = 6 * space.floating
     # joints that move linearly keep their limits when both ends do
     for k in range(space.columns.shape[0]):
@@ -452,9 +452,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                 return REACH, t, -1
             for k in range(space.columns.shape[0]):
                 work.reach[space.bodies[k]] = abs(b[first + k] - a[first + k]) * half
-            bounded = leg_ranges(
-                space, tree, work.q, work.base_R, step * half, turn * half, work.reach
-            )
+            bounded = leg_ranges(space, tree, work.q, work.base_R, step * half, turn * half, work.reach)
             if whole or work.spans[old, span, 3] == 1:
                 _all_needed(work)
             else:
@@ -484,7 +482,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                     posture_open = True
             begin = listed
             if whole:
-                touching, listed = _scan(problem, work, True, found)
+                touching, listed = _scan(problem, work, pairs.group_rest, found)
                 if touching >= 0:
                     return CONTACT, t, touching
                 if listed < 0:

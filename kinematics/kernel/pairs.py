@@ -138,7 +138,10 @@ def pairs_of(
     ordered = [pair for group in groups.values() for pair in sorted(group, key=lambda pair: pair.steady)]
     sizes = [len(group) for group in groups.values()]
     starts = np.cumsum([0, *sizes])
-    rest = [start + sum(not pair.steady for pair in group) for start, group in zip(starts, groups.values(), strict=False)]
+    rest = [
+        start + sum(not pair.steady for pair in group)
+        for start, group in zip(starts, groups.values(), strict=False)
+    ]
     levels = [_meeting(chains, i, j) for i, j in groups]
     objects = list(scene.objects.values())
     judged = np.ones((len(objects), found.moving), np.int64)

@@ -39,9 +39,7 @@ def configuration(space: Coordinates, tree: Tree, x: Array, q: Array, base_R: Ar
 
 
 @inlined
-def _hip_from_ankle(
-    space: Coordinates, leg: int, base_R: Array, q: Array
-) -> tuple[float, float, float]:
+def _hip_from_ankle(space: Coordinates, leg: int, base_R: Array, q: Array) -> tuple[float, float, float]:
     """The hip as the planted ankle's frame sees it, m."""
     hip, foot, ankle = space.hip[leg], space.foot_R[leg], space.ankle[leg]
     d0 = q[0] + base_R[0, 0] * hip[0] + base_R[0, 1] * hip[1] + base_R[0, 2] * hip[2] - ankle[0]

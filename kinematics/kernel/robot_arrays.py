@@ -111,7 +111,7 @@ class RobotArrays:
                 continue
             pose = np.linalg.inv(self.solids[i].pose) @ self.solids[j].pose
             R, p = np.ascontiguousarray(pose[:3, :3]), np.ascontiguousarray(pose[:3, 3])
-            gap = core_distance(flat, i, j, True, R, p, np.inf, -np.inf, np.zeros(3), S, v)
+            gap = core_distance(flat, i, j, 1, R, p, np.inf, -np.inf, np.zeros(3), S, v)
             found[int(i), int(j)] = float(gap - flat.round[i] - flat.round[j])
         return found
 

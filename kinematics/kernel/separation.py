@@ -40,12 +40,12 @@ def _farthest(points: Array, first: int, last: int, x: float, y: float, z: float
 
 @inlined
 def _support(
-    solids: Solids, solid: int, exact: bool, x: float, y: float, z: float
+    solids: Solids, solid: int, exact: int, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
     """Point of a solid's core that lies farthest along a direction, both in the solid's frame."""
     kind = solids.kind[solid]
     if kind == HULL:
-        rows = solids.all[solid] if exact else solids.few[solid]
+        rows = solids.all[solid] if exact == 1 else solids.few[solid]
         i = _farthest(solids.points, rows[0], rows[1], x, y, z)
         return solids.points[i, 0], solids.points[i, 1], solids.points[i, 2]
     size = solids.size[solid]
@@ -180,7 +180,7 @@ def core_distance(
     solids: Solids,
     first: int,
     second: int,
-    exact: bool,
+    exact: int,
     R: Array,
     p: Array,
     enough: float,
@@ -194,7 +194,7 @@ def core_distance(
     Args:
         solids: All solids.
         first, second: Which two.
-        exact: All vertices of hulls, or the chosen ones.
+        exact: 1 for all vertices of hulls, 0 for the chosen ones.
         R, p: Pose of the second's frame in the first's, shapes (3, 3) and (3,), m.
         enough: The search ends when the bound passes this, m.
         little: The search ends when the distance is known to be no more than this; or when it is
@@ -295,6 +295,8 @@ def reduced_hull(points: Array, tolerance: float, order: Indices) -> tuple[int, 
     n = points.shape[0]
     chosen = points.copy()
     solids = _hull_and_point(chosen)
+    # not literal numbers, for which the compiler would make a version of its own
+    which = np.array([0, 1])
     R = np.eye(3)
     S, v, axis = np.empty((4, 3)), np.empty(3), np.empty(3)
     taken = np.zeros(n, np.bool_)
@@ -327,7 +329,7 @@ def reduced_hull(points: Array, tolerance: float, order: Indices) -> tuple[int, 
             continue
         solids.few[0, 1] = count
         axis[:] = 0.0
-        bound = core_distance(solids, 0, 1, False, R, points[i], np.inf, -np.inf, axis, S, v)
+        bound = core_distance(solids, which[0], which[1], which[0], R, points[i], np.inf, -np.inf, axis, S, v)
         # the length found is a distance from above
         off[i] = 0.0 if bound == OVERLAP else math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
         seen[i] = count

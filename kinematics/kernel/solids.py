@@ -103,7 +103,9 @@ def link_solid(body: int, pose: Transform, geometry: Any) -> Solid:
         x, y, z = np.array(geometry.halfSide)
         return _primitive(BOX, body, pose, (float(x), float(y), float(z)), 0.0)
     if isinstance(geometry, coal.Cylinder):
-        return _primitive(CYLINDER, body, pose, (float(geometry.radius), float(geometry.halfLength), 0.0), 0.0)
+        return _primitive(
+            CYLINDER, body, pose, (float(geometry.radius), float(geometry.halfLength), 0.0), 0.0
+        )
     if isinstance(geometry, coal.Sphere):
         return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), float(geometry.radius))
     if isinstance(geometry, coal.Capsule):
