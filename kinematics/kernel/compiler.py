@@ -33,7 +33,7 @@ def inlined(function: F) -> F:
 
 def _compiled(function: F, forceinline: bool) -> F:
     folder = cache.folder()
-    options = {"error_model": "numpy", "forceinline": forceinline}
+    options: dict[str, Any] = {"error_model": "numpy", "forceinline": forceinline}
     if folder is None:
         return cast(F, numba.njit(**options)(function))
     before = _config.CACHE_DIR

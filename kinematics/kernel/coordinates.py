@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.free_coordinates import FreeCoordinates
-from kinematics.leg_ik import LegIk
 from kinematics.kernel.tree import FLOATING, Tree
+from kinematics.leg_ik import LegIk
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
 from kinematics.trajectory import Stance

@@ -50,7 +50,14 @@ def _pose_of(solids: Solids, solid: int, work: Work, R: Array, p: Array) -> None
 
 @inlined
 def _distance(
-    solids: Solids, work: Work, first: int, second: int, axis: Array, enough: float, little: float
+    solids: Solids,
+    work: Work,
+    first: int,
+    second: int,
+    axis: Array,
+    enough: float,
+    little: float,
+    exact_from: int,
 ) -> float:
     """Lower bound of the distance of two placed solids; see ``core_distance``."""
     A, a, B, b = work.first_R, work.first_p, work.second_R, work.second_p
@@ -65,7 +72,7 @@ def _distance(
     pads = solids.pad[first] + solids.pad[second]
     distance = -math.inf
     # chosen vertices, padded; when those are too near, all vertices
-    for exact in range(2):
+    for exact in range(exact_from, 2):
         off = rounds if exact == 1 else rounds + pads
         found = core_distance(
             solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v
@@ -152,7 +159,7 @@ def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
     if between > margin + solids.radius[i] + solids.radius[j] and need >= between:
         # apart now, and not by so much: no closer look can prove it
         return _OPEN
-    distance = _distance(solids, work, i, j, work.axis[pair], need, margin)
+    distance = _distance(solids, work, i, j, work.axis[pair], need, margin, 0)
     if distance > need:
         return _APART
     return _OPEN if distance > margin else _TOUCHING
@@ -172,7 +179,7 @@ def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) 
     if gap > margin and need >= between:
         return _OPEN
     pair = pairs.first.shape[0] + thing * pairs.moving + i
-    distance = _distance(solids, work, i, j, work.axis[pair], need, margin)
+    distance = _distance(solids, work, i, j, work.axis[pair], need, margin, 0)
     if distance > need:
         return _APART
     return _OPEN if distance > margin else _TOUCHING
@@ -182,8 +189,9 @@ def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) 
 def _own_slack(problem: Problem, work: Work, group: int) -> float:
     """How far two bodies can move against each other, m."""
     pairs = problem.pairs
-    first = work.moved[pairs.group_first[group], pairs.first_level[group]]
-    return first + work.moved[pairs.group_second[group], pairs.second_level[group]]
+    first: float = work.moved[pairs.group_first[group], pairs.first_level[group]]
+    second: float = work.moved[pairs.group_second[group], pairs.second_level[group]]
+    return first + second
 
 
 @inlined
@@ -194,7 +202,8 @@ def _slack(problem: Problem, work: Work, pair: int) -> float:
     if pair < count:
         return _own_slack(problem, work, pairs.group[pair])
     body = problem.solids.body[(pair - count) % pairs.moving]
-    return work.moved[body, problem.chains.length[body]]
+    moved: float = work.moved[body, problem.chains.length[body]]
+    return moved
 
 
 @inlined
@@ -209,12 +218,11 @@ def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
 
 
 @compiled
-def _scan(problem: Problem, work: Work, group_end: Indices, found: Indices) -> tuple[int, int]:
+def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
     """Judge all pairs; list those that are open.
 
     Args:
         problem, work: Bodies and motion bounds in place.
-        group_end: Where each group of pairs ends: before or after those that cannot meet within limits.
         found: Result: open pairs.
 
     Returns:
@@ -224,9 +232,7 @@ def _scan(problem: Problem, work: Work, group_end: Indices, found: Indices) -> t
     listed = 0
     for group in range(pairs.group_first.shape[0]):
         first = pairs.group_start[group]
-        last = group_end[group]
-        if first == last:
-            continue
+        last = pairs.group_start[group + 1]
         a = pairs.group_first[group]
         b = pairs.group_second[group]
         d0 = ball[a, 0] - ball[b, 0]
@@ -310,7 +316,7 @@ def contact_at(problem: Problem, work: Work, q: Array) -> int:
     work.moved[:, :] = 0.0
     _all_needed(work)
     _place(problem, work)
-    return _scan(problem, work, problem.pairs.group_start[1:], work.open_pairs[0])[0]
+    return _scan(problem, work, work.open_pairs[0])[0]
 
 
 @compiled
@@ -327,7 +333,7 @@ def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
         centre_of_mass(problem.tree, work.R, work.p, work.com)
         if com_room(problem.limits, work.com) < 0.0:
             return BALANCE, -1
-    pair = _scan(problem, work, problem.pairs.group_rest, work.open_pairs[0])[0]
+    pair = _scan(problem, work, work.open_pairs[0])[0]
     return (CONTACT, pair) if pair >= 0 else (FREE, -1)
 
 
@@ -397,7 +403,9 @@ def _posture(problem: Problem, work: Work, bounded: bool) -> tuple[int, bool, fl
 @inlined
 def _outside(limits: Limits, value: float, column: int, reach: float) -> bool:
     """Whether a joint can leave its limits by moving so far."""
-    return value - reach < limits.lower[column] or value + reach > limits.upper[column]
+    low: float = limits.lower[column]
+    high: float = limits.upper[column]
+    return value - reach < low or value + reach > high
 
 
 @inlined
@@ -415,7 +423,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         where it arose or -1, and the pair or -1. CONTACT, LIMITS, BALANCE and REACH were seen there;
         UNPROVEN means that something comes so near to its bound that it could not be proven.
     """
-    space, tree, limits, pairs = problem.space, problem.tree, problem.limits, problem.pairs
+    space, tree, limits = problem.space, problem.tree, problem.limits
     first = 6 * space.floating
     # joints that move linearly keep their limits when both ends do
     for k in range(space.columns.shape[0]):
@@ -482,7 +490,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                     posture_open = True
             begin = listed
             if whole:
-                touching, listed = _scan(problem, work, pairs.group_rest, found)
+                touching, listed = _scan(problem, work, found)
                 if touching >= 0:
                     return CONTACT, t, touching
                 if listed < 0:
@@ -556,7 +564,7 @@ def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Arra
         if gap > cap:
             found[pair] = gap
         else:
-            distance = _distance(solids, work, i, j, work.axis[pair], cap, -math.inf)
+            distance = _distance(solids, work, i, j, work.axis[pair], cap, -math.inf, 1)
             found[pair] = max(gap, distance)
 
 

@@ -32,7 +32,6 @@ class Pairs(NamedTuple):
             shape (groups,).
         group_margin: The largest margin in a group, shape (groups,), m.
         group_start: Where each group begins, shape (groups + 1,).
-        group_rest: Where the pairs begin, in each group, that cannot come near within the limits.
         moving: Number of moving solids.
         object_margin: What everything keeps from each object, shape (objects,), m.
         judged: 1 where a solid is judged against an object, shape (objects, moving).
@@ -52,7 +51,6 @@ class Pairs(NamedTuple):
     second_level: Indices
     group_margin: Array
     group_start: Indices
-    group_rest: Indices
     moving: int
     object_margin: Array
     judged: Indices
@@ -68,13 +66,11 @@ class OwnPair(NamedTuple):
     Attributes:
         first, second: Their numbers.
         margin_m: By how much.
-        steady: They cannot come nearer than that while all joints keep their limits.
     """
 
     first: int
     second: int
     margin_m: float
-    steady: bool = False
 
 
 class SceneSolids(NamedTuple):
@@ -135,26 +131,22 @@ def pairs_of(
     groups: dict[tuple[int, int], list[OwnPair]] = {}
     for pair in own:
         groups.setdefault((body[pair.first], body[pair.second]), []).append(pair)
-    ordered = [pair for group in groups.values() for pair in sorted(group, key=lambda pair: pair.steady)]
+    ordered = [pair for group in groups.values() for pair in group]
     sizes = [len(group) for group in groups.values()]
     starts = np.cumsum([0, *sizes])
-    rest = [
-        start + sum(not pair.steady for pair in group)
-        for start, group in zip(starts, groups.values(), strict=False)
-    ]
     levels = [_meeting(chains, i, j) for i, j in groups]
     objects = list(scene.objects.values())
     judged = np.ones((len(objects), found.moving), np.int64)
     touch = {name: item.touch_links for name, item in scene.attached.items()}
     allowed: dict[str, set[str]] = {}
-    for pair in scene.allowed:
-        for name in pair:
-            allowed.setdefault(name, set()).update(pair - {name})
+    for names in scene.allowed:
+        for name in names:
+            allowed.setdefault(name, set()).update(names - {name})
     for row, item in enumerate(objects):
         unjudged = allowed.get(item.name, set())
         for column in range(found.moving):
-            name = found.names[column]
-            if name in unjudged or item.name in touch.get(name, frozenset()):
+            link = found.names[column]
+            if link in unjudged or item.name in touch.get(link, frozenset()):
                 judged[row, column] = 0
     carriers = sorted(set(body[: found.moving]), key=lambda b: (robot.limb[b], b))
     solids_of = [[s for s in range(found.moving) if body[s] == b] for b in carriers]
@@ -170,7 +162,6 @@ def pairs_of(
         second_level=np.array([b for _, b in levels], np.int64),
         group_margin=np.array([max(pair.margin_m for pair in group) for group in groups.values()]),
         group_start=starts.astype(np.int64),
-        group_rest=np.array(rest, np.int64),
         moving=found.moving,
         object_margin=np.array([item.margin_m + extra_margin_m for item in objects], np.float64),
         judged=judged,

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from numba import carray, types
+import numba
+from numba import types
 from numba.extending import intrinsic
 
 from kinematics.kernel.compiler import inlined
@@ -17,16 +18,20 @@ from kinematics.kernel.tree import Array, Indices
 
 
 def _pointer_to(item: Any) -> Callable[..., Any]:
+    pointer_type: Any = types.CPointer
+
     def pointer(_context: Any, _address: Any) -> tuple[Any, Callable[..., Any]]:
         def emit(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
 
-        return types.CPointer(item)(types.uintp), emit
+        return pointer_type(item)(types.uintp), emit
 
     made: Callable[..., Any] = intrinsic(pointer)
     return made
 
 
+_numba: Any = numba
+carray = _numba.carray
 _float_pointer = _pointer_to(types.float64)
 _int_pointer = _pointer_to(types.int64)
 _BYTES = 8

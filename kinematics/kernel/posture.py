@@ -32,10 +32,11 @@ def configuration(space: Coordinates, tree: Tree, x: Array, q: Array, base_R: Ar
     if space.leg_bodies.shape[0] == 0:
         return True
     quaternion_to_rotation(q[3], q[4], q[5], q[6], base_R)
+    reached = True
     for leg in range(space.leg_bodies.shape[0]):
         if not _leg(space, tree, leg, base_R, q):
-            return False
-    return True
+            reached = False
+    return reached
 
 
 @inlined
@@ -170,10 +171,11 @@ def leg_ranges(
 @inlined
 def limits_kept(limits: Limits, q: Array) -> bool:
     """Tell whether every joint is inside its limits."""
+    kept = True
     for k in range(limits.lower.shape[0]):
         if q[k] < limits.lower[k] or q[k] > limits.upper[k]:
-            return False
-    return True
+            kept = False
+    return kept
 
 
 @inlined

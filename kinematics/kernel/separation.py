@@ -66,16 +66,17 @@ def _support(
 
 @inlined
 def _dot(S: Array, i: int, j: int) -> float:
-    return S[i, 0] * S[j, 0] + S[i, 1] * S[j, 1] + S[i, 2] * S[j, 2]
+    product: float = S[i, 0] * S[j, 0] + S[i, 1] * S[j, 1] + S[i, 2] * S[j, 2]
+    return product
 
 
 @inlined
 def _determinant(S: Array, i: int, j: int, k: int) -> float:
-    return (
-        S[i, 0] * (S[j, 1] * S[k, 2] - S[j, 2] * S[k, 1])
-        - S[i, 1] * (S[j, 0] * S[k, 2] - S[j, 2] * S[k, 0])
-        + S[i, 2] * (S[j, 0] * S[k, 1] - S[j, 1] * S[k, 0])
-    )
+    x = S[j, 1] * S[k, 2] - S[j, 2] * S[k, 1]
+    y = S[j, 2] * S[k, 0] - S[j, 0] * S[k, 2]
+    z = S[j, 0] * S[k, 1] - S[j, 1] * S[k, 0]
+    volume: float = S[i, 0] * x + S[i, 1] * y + S[i, 2] * z
+    return volume
 
 
 @inlined
@@ -204,7 +205,7 @@ def core_distance(
             (3,), or zero; on return the best one found.
         S, v: Scratch, shapes (4, 3) and (3,).
     """
-    bound = OVERLAP
+    bound: float = OVERLAP
     n = 0
     for r in range(3):
         v[r] = axis[r]
@@ -277,7 +278,8 @@ def point_distance(solids: Solids, solid: int, x: float, y: float, z: float) -> 
         a = max(math.sqrt(a * a + b * b) - size[0], 0.0)
         b = 0.0
         c = max(c - size[1], 0.0)
-    return math.sqrt(a * a + b * b + c * c) - solids.round[solid]
+    distance: float = math.sqrt(a * a + b * b + c * c) - solids.round[solid]
+    return distance
 
 
 @compiled

@@ -33,7 +33,7 @@ def test_its_coordinates_are_those_of_the_planner(arrays, talos, stance, space, 
     x = np.array([at_random.point(rng, talos, space) for _ in range(100)])
     q, reached = space.to_q(x)
 
-    assert 0 < reached.sum()
+    assert reached.sum() > 50
     for point, expected, reachable in zip(x, q, reached, strict=True):
         found = kernel.configuration(point)
         assert (found is not None) == reachable
@@ -90,7 +90,7 @@ def test_an_edge_that_is_proven_free_is_free_wherever_coal_looks(
 def test_a_thin_rod_between_two_samples_is_found(arrays, talos, stance, space):
     a = space.from_q(talos.q_home)
     b = a.copy()
-    b[space.index("arm_right_4_joint")] -= 0.8
+    b[space.index("arm_right_4_joint")] += 0.6
     middle = space.to_q((a + 0.437 * (b - a))[None])[0][0]
     tip = talos.frame_pose(middle, "gripper_right_fingertip_1_link")
     rod = SceneObject("rod", Box((0.001, 0.4, 0.001)), tip @ poses.translation(0.0, 0.0, 0.0))
