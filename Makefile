@@ -19,7 +19,8 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .PHONY: setup run test check requirements evaluate benchmark lock build clean
 
-setup: $(VENV)/.dev-stamp  ## the environment with everything that development needs
+setup: $(VENV)/.dev-stamp  ## the environment with everything that development needs, motion kernel compiled
+	$(BIN)/executive doctor --warm
 
 $(BIN)/python:
 	@python="$$($(FIND_PYTHON))"; \

@@ -23,6 +23,7 @@ _DISTRIBUTIONS = {
     "coal": "coal",
     "example-robot-data": None,
     "ruckig": "ruckig",
+    "numba": "numba",
     "py_trees": "py_trees",
     "lark": "lark",
     "rich": "rich",
@@ -55,15 +56,22 @@ def diagnose() -> list[Finding]:
     """Look at everything that the product needs."""
     findings = [_python(), *(_package(name, module) for name, module in _DISTRIBUTIONS.items())]
     findings += [_data("robots", _robots), _data("scenes", _scenes), _data("words", _words)]
-    return [*findings, _writable(), _opengl(), _ffmpeg()]
+    return [*findings, _writable(), _kernel(), _opengl(), _ffmpeg()]
 
 
-def warm_up() -> str:
-    """Load the robot and the planner once, so that everything is compiled and cached."""
+def warm_up(tell: Callable[[str], None] = lambda _: None) -> str:
+    """Load the robot and the planner once, so that everything is compiled and cached.
+
+    Args:
+        tell: Is told what is being done while it takes long.
+    """
     from executive.assembly import assemble
     from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+    from kinematics.kernel import readiness
     from robots.scene_file import load_scene
 
+    if not readiness.ready():
+        readiness.warm(tell)
     assembly = assemble(DEFAULT_ROBOT, load_scene(DEFAULT_SCENE), 0)
     assembly.session.hold(0.1)
     return f"warm: {DEFAULT_ROBOT} stands in {DEFAULT_SCENE}"
@@ -133,6 +141,15 @@ def _writable() -> Finding:
             "runs folder", False, f"{folder}: {failed.strerror}", "use --record DIR, or set XDG_DATA_HOME"
         )
     return Finding("runs folder", True, str(folder))
+
+
+def _kernel() -> Finding:
+    from kinematics.kernel import readiness
+
+    if readiness.ready():
+        return Finding("motion kernel", True, "compiled")
+    detail = "not compiled yet; planning goes on without it"
+    return Finding("motion kernel", False, detail, "executive doctor --warm", needed=False)
 
 
 def _opengl() -> Finding:

@@ -24,4 +24,4 @@ def doctor(
     if any(finding.needed and not finding.ok for finding in findings):
         raise typer.Exit(ExitCode.INVALID)
     if warm:
-        typer.echo(warm_up())
+        typer.echo(warm_up(typer.echo))

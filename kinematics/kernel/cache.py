@@ -11,11 +11,14 @@ import hashlib
 import importlib.metadata
 import json
 import platform
+import shutil
 from functools import cache
 from pathlib import Path
 
 _SOURCES = Path(__file__).parent
 _MARKER = "complete.json"
+# Folders of other sources that are left: of other versions or checkouts in use.
+_KEPT = 5
 
 
 @cache
@@ -47,10 +50,14 @@ def folder() -> Path | None:
 
 
 def mark_complete() -> None:
-    """Note that everything that the present sources need is in the folder."""
+    """Note that everything that the present sources need is in the folder; drop the oldest folders."""
     place = folder()
-    if place is not None:
-        (place / _MARKER).write_text(json.dumps(_stamp()))
+    if place is None:
+        return
+    (place / _MARKER).write_text(json.dumps(_stamp()))
+    others = [other for other in place.parent.glob("kernel-*") if other != place]
+    for old in sorted(others, key=lambda other: other.stat().st_mtime)[:-_KEPT]:
+        shutil.rmtree(old, ignore_errors=True)
 
 
 def is_complete() -> bool:

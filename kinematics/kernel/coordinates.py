@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.free_coordinates import FreeCoordinates
+from kinematics.kernel.tree import FLOATING, Tree
 from kinematics.leg_ik import LegIk
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
@@ -28,6 +29,7 @@ class Coordinates(NamedTuple):
     Attributes:
         floating: 1 when ``x`` begins with the base's position and rotation vector, else 0.
         columns: Columns of ``q`` of the joints in ``x``, shape (m,).
+        bodies: Bodies of those joints, shape (m,).
         leg_bodies: Bodies of each leg whose foot is planted, hip to ankle, shape (legs, 6).
         hip: Hips in the base's frame, shape (legs, 3), m.
         bones: Lengths of thigh and shin, shape (legs, 2), m.
@@ -37,6 +39,7 @@ class Coordinates(NamedTuple):
 
     floating: int
     columns: Indices
+    bodies: Indices
     leg_bodies: Indices
     hip: Array
     bones: Array
@@ -70,6 +73,7 @@ def standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
     return Coordinates(
         floating=1,
         columns=(7 + model.indices(space.joints)).astype(np.int64),
+        bodies=np.array([model.pin.getJointId(joint) for joint in space.joints], np.int64),
         leg_bodies=np.array([leg.joints for leg in legs], np.int64).reshape(-1, 6),
         hip=np.array([leg.hip_m for leg in legs]).reshape(-1, 3),
         bones=np.array([(leg.thigh_m, leg.shin_m) for leg in legs]).reshape(-1, 2),
@@ -78,11 +82,14 @@ def standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
     )
 
 
-def plain_coordinates(floating: bool, nq: int) -> Coordinates:
+def plain_coordinates(tree: Tree) -> Coordinates:
     """Every joint on its own, after the base's position and rotation vector when it floats."""
+    floating = bool((tree.kind == FLOATING).any())
+    bodies = np.arange(2 if floating else 1, len(tree.kind), dtype=np.int64)
     return Coordinates(
         floating=int(floating),
-        columns=np.arange(7 if floating else 0, nq, dtype=np.int64),
+        columns=tree.column[bodies],
+        bodies=bodies,
         leg_bodies=np.zeros((0, 6), np.int64),
         hip=np.zeros((0, 3)),
         bones=np.zeros((0, 2)),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled
-from kinematics.kernel.tree import FLOATING, GENERAL_AXIS, HINGE, SLIDE, Array, Tree
+from kinematics.kernel.compiler import compiled, inlined
+from kinematics.kernel.tree import FLOATING, GENERAL_AXIS, HINGE, SLIDE, Array, Indices, Tree
 
 
-@compiled
+@inlined
 def rotate_about(P: Array, spin: int, c: float, s: float, R: Array) -> None:
     """``R = P @ rotation about x, y or z``, by its cosine and sine; shapes (3, 3)."""
     i = (spin + 1) % 3
@@ -21,7 +21,7 @@ def rotate_about(P: Array, spin: int, c: float, s: float, R: Array) -> None:
         R[r, spin] = P[r, spin]
 
 
-@compiled
+@inlined
 def _rotate_in_place(R: Array, axis: Array, c: float, s: float) -> None:
     """``R = R @ rotation about a unit axis``, by Rodrigues' formula."""
     x, y, z = axis[0], axis[1], axis[2]
@@ -35,7 +35,7 @@ def _rotate_in_place(R: Array, axis: Array, c: float, s: float) -> None:
         R[r, 2] = c * e + s * (a * y - b * x) + along * z
 
 
-@compiled
+@inlined
 def quaternion_to_rotation(x: float, y: float, z: float, w: float, R: Array) -> None:
     """Rotation matrix of a quaternion of any length but 0."""
     f = 2.0 / (x * x + y * y + z * z + w * w)
@@ -51,12 +51,13 @@ def quaternion_to_rotation(x: float, y: float, z: float, w: float, R: Array) -> 
 
 
 @compiled
-def place_bodies(tree: Tree, q: Array, R: Array, p: Array) -> None:
-    """Poses of all bodies at a configuration.
+def place_bodies(tree: Tree, q: Array, needed: Indices, R: Array, p: Array) -> None:
+    """Poses of bodies at a configuration.
 
     Args:
         tree: The robot.
         q: Configuration, shape (nq,).
+        needed: 0 for bodies that nobody asks for, shape (n,); what carries a needed body is needed.
         R: Result, ``world_R_body``, shape (n, 3, 3).
         p: Result, origins in the world, shape (n, 3), m.
     """
@@ -65,6 +66,8 @@ def place_bodies(tree: Tree, q: Array, R: Array, p: Array) -> None:
         for k in range(3):
             R[0, r, k] = 1.0 if r == k else 0.0
     for body in range(1, tree.parent.shape[0]):
+        if needed[body] == 0:
+            continue
         a = tree.parent[body]
         kind = tree.kind[body]
         at = tree.column[body]

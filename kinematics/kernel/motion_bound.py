@@ -6,12 +6,20 @@ import math
 
 from kinematics.kernel.compiler import compiled
 from kinematics.kernel.robot_arrays import Chains
-from kinematics.kernel.tree import FLOATING, SLIDE, Array, Tree
+from kinematics.kernel.tree import FLOATING, SLIDE, Array, Indices, Tree
 
 
 @compiled
 def bound_motion(
-    tree: Tree, chains: Chains, R: Array, p: Array, reach: Array, step: float, turn: float, moved: Array
+    tree: Tree,
+    chains: Chains,
+    needed: Indices,
+    R: Array,
+    p: Array,
+    reach: Array,
+    step: float,
+    turn: float,
+    moved: Array,
 ) -> None:
     """Bound each body's displacement against every body on its way to the world.
 
@@ -21,6 +29,7 @@ def bound_motion(
 
     Args:
         tree, chains: The robot.
+        needed: 0 for bodies that nobody asks for, shape (n,).
         R, p: Poses of the bodies.
         reach: No joint moves farther than this, by body, shape (n,), rad or m.
         step, turn: Nor does the base, m and rad.
@@ -28,6 +37,8 @@ def bound_motion(
             body moves farther against the body that is so many joints away.
     """
     for body in range(1, tree.parent.shape[0]):
+        if needed[body] == 0:
+            continue
         c = chains.centre[body]
         radius = chains.radius[body]
         c0 = p[body, 0] + R[body, 0, 0] * c[0] + R[body, 0, 1] * c[1] + R[body, 0, 2] * c[2]

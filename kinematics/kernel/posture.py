@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Array, Coordinates, Limits
 from kinematics.kernel.forward_kinematics import quaternion_to_rotation
 from kinematics.kernel.tree import Tree
@@ -32,13 +32,14 @@ def configuration(space: Coordinates, tree: Tree, x: Array, q: Array, base_R: Ar
     if space.leg_bodies.shape[0] == 0:
         return True
     quaternion_to_rotation(q[3], q[4], q[5], q[6], base_R)
+    reached = True
     for leg in range(space.leg_bodies.shape[0]):
         if not _leg(space, tree, leg, base_R, q):
-            return False
-    return True
+            reached = False
+    return reached
 
 
-@compiled
+@inlined
 def _hip_from_ankle(space: Coordinates, leg: int, base_R: Array, q: Array) -> tuple[float, float, float]:
     """The hip as the planted ankle's frame sees it, m."""
     hip, foot, ankle = space.hip[leg], space.foot_R[leg], space.ankle[leg]
@@ -52,13 +53,13 @@ def _hip_from_ankle(space: Coordinates, leg: int, base_R: Array, q: Array) -> tu
     )
 
 
-@compiled
+@inlined
 def _knee(a: float, b: float, distance: float) -> float:
     cosine = (distance * distance - a * a - b * b) / (2.0 * a * b)
     return math.acos(min(1.0, max(-1.0, cosine)))
 
 
-@compiled
+@inlined
 def _inner(a: float, distance: float, knee: float) -> float:
     """Angle between the shin and the line from ankle to hip."""
     return math.asin(min(1.0, max(-1.0, a / max(distance, 1e-9) * math.sin(math.pi - knee))))
@@ -167,16 +168,17 @@ def leg_ranges(
     return bounded
 
 
-@compiled
+@inlined
 def limits_kept(limits: Limits, q: Array) -> bool:
     """Tell whether every joint is inside its limits."""
+    kept = True
     for k in range(limits.lower.shape[0]):
         if q[k] < limits.lower[k] or q[k] > limits.upper[k]:
-            return False
-    return True
+            kept = False
+    return kept
 
 
-@compiled
+@inlined
 def com_room(limits: Limits, com: Array) -> float:
     """Distance of the CoM's ground projection to where its margin ends, m; infinite without a polygon."""
     room = math.inf

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.kernel.coordinates import Coordinates
-from kinematics.kernel.solids import Solid, link_solid
+from kinematics.kernel.solids import Solid, flatten, link_solid
 from kinematics.kernel.tree import WORLD, Tree, tree_of
 from kinematics.poses import Transform
 from kinematics.robot_model import RobotModel
@@ -29,12 +29,16 @@ class Chains(NamedTuple):
     Attributes:
         joint: Joints (by body) from a body outwards to the world, shape (n, depth).
         length: How many, shape (n,).
+        limb: The limb that each body belongs to, shape (n,): a stretch of the tree without branches.
+        limbs: How many limbs there are.
         centre, radius: Ball in the body's frame that holds its solids and its centre of mass, shapes
             (n, 3) and (n,), m.
     """
 
     joint: Indices
     length: Indices
+    limb: Indices
+    limbs: int
     centre: Array
     radius: Array
 
@@ -48,7 +52,7 @@ class RobotArrays:
         solids: One for each collision geometry.
         names: Links that they belong to.
         self_pairs: Pairs of solids that are judged, shape (n, 2).
-        limb: Limb that each body belongs to, shape (bodies,): a stretch of the tree without branches.
+        limb: The limb that each body belongs to, shape (bodies,).
 
     Raises:
         ModelError: A joint or a collision geometry is of a kind that the kernel does not know.
@@ -87,6 +91,29 @@ class RobotArrays:
         ]
         self.self_pairs = np.array(pairs, np.int64).reshape(-1, 2)
         self.limb = _limbs(self.tree)
+        self._rigid = self._rigid_distances()
+
+    def always_apart(self, first: int, second: int, margin_m: float) -> bool:
+        """Tell whether two solids are on one body and apart by more than a margin."""
+        return self._rigid.get((first, second), 0.0) > margin_m
+
+    def _rigid_distances(self) -> dict[tuple[int, int], float]:
+        """Lower bounds of the distances of judged pairs that never move against each other, m."""
+        # imported here: it brings the compiler
+        from kinematics.kernel.separation import core_distance
+
+        body = [solid.body for solid in self.solids]
+        flat = flatten(self.solids)
+        found: dict[tuple[int, int], float] = {}
+        S, v = np.empty((4, 3)), np.empty(3)
+        for i, j in self.self_pairs:
+            if body[i] != body[j]:
+                continue
+            pose = np.linalg.inv(self.solids[i].pose) @ self.solids[j].pose
+            R, p = np.ascontiguousarray(pose[:3, :3]), np.ascontiguousarray(pose[:3, 3])
+            gap = core_distance(flat, i, j, 1, R, p, np.inf, -np.inf, np.zeros(3), S, v)
+            found[int(i), int(j)] = float(gap - flat.round[i] - flat.round[j])
+        return found
 
     def frame(self, name: str) -> tuple[int, Transform]:
         """The body that carries a frame, and the frame's pose in it.
@@ -120,7 +147,8 @@ class RobotArrays:
             if solid.body != WORLD:
                 b = solid.body
                 centre[b], radius[b] = _around(centre[b], radius[b], solid.centre, solid.radius_m)
-        return Chains(joint, np.array([len(chain) for chain in chains], np.int64), centre, radius)
+        length = np.array([len(chain) for chain in chains], np.int64)
+        return Chains(joint, length, self.limb, int(self.limb.max()) + 1, centre, radius)
 
 
 def humanoid_arrays(model: RobotModel) -> RobotArrays:

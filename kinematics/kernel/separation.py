@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.solids import BOX, CYLINDER, HULL, POINT, SEGMENT, Array, Indices, Solids
 
 OVERLAP = -math.inf
@@ -25,7 +25,7 @@ _CONVERGED_PART = 1e-6
 _ROUNDING_M = 1e-9
 
 
-@compiled
+@inlined
 def _farthest(points: Array, first: int, last: int, x: float, y: float, z: float) -> int:
     """Row of the point that lies farthest along a direction."""
     best = first
@@ -38,14 +38,14 @@ def _farthest(points: Array, first: int, last: int, x: float, y: float, z: float
     return best
 
 
-@compiled
+@inlined
 def _support(
-    solids: Solids, solid: int, exact: bool, x: float, y: float, z: float
+    solids: Solids, solid: int, exact: int, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
     """Point of a solid's core that lies farthest along a direction, both in the solid's frame."""
     kind = solids.kind[solid]
     if kind == HULL:
-        rows = solids.all[solid] if exact else solids.few[solid]
+        rows = solids.all[solid] if exact == 1 else solids.few[solid]
         i = _farthest(solids.points, rows[0], rows[1], x, y, z)
         return solids.points[i, 0], solids.points[i, 1], solids.points[i, 2]
     size = solids.size[solid]
@@ -64,21 +64,22 @@ def _support(
     return 0.0, 0.0, 0.0
 
 
-@compiled
+@inlined
 def _dot(S: Array, i: int, j: int) -> float:
-    return S[i, 0] * S[j, 0] + S[i, 1] * S[j, 1] + S[i, 2] * S[j, 2]
+    product: float = S[i, 0] * S[j, 0] + S[i, 1] * S[j, 1] + S[i, 2] * S[j, 2]
+    return product
 
 
-@compiled
+@inlined
 def _determinant(S: Array, i: int, j: int, k: int) -> float:
-    return (
-        S[i, 0] * (S[j, 1] * S[k, 2] - S[j, 2] * S[k, 1])
-        - S[i, 1] * (S[j, 0] * S[k, 2] - S[j, 2] * S[k, 0])
-        + S[i, 2] * (S[j, 0] * S[k, 1] - S[j, 1] * S[k, 0])
-    )
+    x = S[j, 1] * S[k, 2] - S[j, 2] * S[k, 1]
+    y = S[j, 2] * S[k, 0] - S[j, 0] * S[k, 2]
+    z = S[j, 0] * S[k, 1] - S[j, 1] * S[k, 0]
+    volume: float = S[i, 0] * x + S[i, 1] * y + S[i, 2] * z
+    return volume
 
 
-@compiled
+@inlined
 def _contains_origin(S: Array) -> bool:
     """Whether the tetrahedron of four rows holds the origin."""
     a = _determinant(S, 1, 2, 3)
@@ -91,7 +92,7 @@ def _contains_origin(S: Array) -> bool:
     return abs(whole) > 1e-18 and a >= 0.0 and b >= 0.0 and c >= 0.0 and d >= 0.0
 
 
-@compiled
+@inlined
 def _nearest(S: Array, n: int, v: Array) -> int:
     """Point of a simplex that is nearest to the origin.
 
@@ -180,7 +181,7 @@ def core_distance(
     solids: Solids,
     first: int,
     second: int,
-    exact: bool,
+    exact: int,
     R: Array,
     p: Array,
     enough: float,
@@ -194,16 +195,17 @@ def core_distance(
     Args:
         solids: All solids.
         first, second: Which two.
-        exact: All vertices of hulls, or the chosen ones.
+        exact: 1 for all vertices of hulls, 0 for the chosen ones.
         R, p: Pose of the second's frame in the first's, shapes (3, 3) and (3,), m.
         enough: The search ends when the bound passes this, m.
         little: The search ends when the distance is known to be no more than this; or when it is
-            known to be more than this and no more than ``enough``.
+            known to be more than this and no more than ``enough``. With ``OVERLAP`` here, only
+            ``enough`` and convergence end it.
         axis: Direction to begin with, from the second to the first in the first's frame, shape
             (3,), or zero; on return the best one found.
         S, v: Scratch, shapes (4, 3) and (3,).
     """
-    bound = OVERLAP
+    bound: float = OVERLAP
     n = 0
     for r in range(3):
         v[r] = axis[r]
@@ -243,7 +245,7 @@ def core_distance(
             # now length is the distance of two points of the cores: a bound from above
             if length - bound <= _CONVERGED_M + _CONVERGED_PART * length or length <= little:
                 return bound
-            if bound > little and length <= enough:
+            if bound > little and little > OVERLAP and length <= enough:
                 return bound
         S[n, 0] = w0
         S[n, 1] = w1
@@ -257,7 +259,7 @@ def core_distance(
     return bound
 
 
-@compiled
+@inlined
 def point_distance(solids: Solids, solid: int, x: float, y: float, z: float) -> float:
     """Distance of a point to a box, cylinder, ball or capsule, both in one frame; 0 in the core."""
     R, p, size = solids.R[solid], solids.p[solid], solids.size[solid]
@@ -276,7 +278,8 @@ def point_distance(solids: Solids, solid: int, x: float, y: float, z: float) -> 
         a = max(math.sqrt(a * a + b * b) - size[0], 0.0)
         b = 0.0
         c = max(c - size[1], 0.0)
-    return math.sqrt(a * a + b * b + c * c) - solids.round[solid]
+    distance: float = math.sqrt(a * a + b * b + c * c) - solids.round[solid]
+    return distance
 
 
 @compiled
@@ -294,6 +297,8 @@ def reduced_hull(points: Array, tolerance: float, order: Indices) -> tuple[int, 
     n = points.shape[0]
     chosen = points.copy()
     solids = _hull_and_point(chosen)
+    # not literal numbers, for which the compiler would make a version of its own
+    which = np.array([0, 1])
     R = np.eye(3)
     S, v, axis = np.empty((4, 3)), np.empty(3), np.empty(3)
     taken = np.zeros(n, np.bool_)
@@ -326,7 +331,7 @@ def reduced_hull(points: Array, tolerance: float, order: Indices) -> tuple[int, 
             continue
         solids.few[0, 1] = count
         axis[:] = 0.0
-        bound = core_distance(solids, 0, 1, False, R, points[i], np.inf, -np.inf, axis, S, v)
+        bound = core_distance(solids, which[0], which[1], which[0], R, points[i], np.inf, -np.inf, axis, S, v)
         # the length found is a distance from above
         off[i] = 0.0 if bound == OVERLAP else math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
         seen[i] = count

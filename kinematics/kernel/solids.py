@@ -19,7 +19,7 @@ Indices = NDArray[np.int64]
 
 HULL, BOX, CYLINDER, POINT, SEGMENT = 0, 1, 2, 3, 4
 # Vertices are left out of a hull as long as none of them is farther from the rest than this.
-REDUCTION_M = 0.001
+REDUCTION_M = 0.002
 
 
 class Solids(NamedTuple):

@@ -31,7 +31,7 @@ def unit(rng):
 def agree(model, q):
     tree, data = tree_of(model), model.createData()
     R, p, com = np.empty((model.njoints, 3, 3)), np.empty((model.njoints, 3)), np.empty(3)
-    place_bodies(tree, q, R, p)
+    place_bodies(tree, q, np.ones(model.njoints, np.int64), R, p)
     centre_of_mass(tree, R, p, com)
     pin.forwardKinematics(model, data, q)
     np.testing.assert_allclose(com, pin.centerOfMass(model, data, q), atol=1e-12)

@@ -1,0 +1,188 @@
+"""Is this configuration, this row of points, this whole edge free? Answered by compiled code.
+
+The meaning of margins, allowed pairs and attached bodies is that of
+``kinematics.collision.CollisionWorld``; the meaning of a free point that of
+``kinematics.path_planner.PathPlanner``. An edge is proven free as a whole.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.kernel import judge
+from kinematics.kernel.coordinates import (
+    Coordinates,
+    Limits,
+    joint_limits,
+    plain_coordinates,
+    standing_coordinates,
+    standing_limits,
+)
+from kinematics.kernel.memory import Problem, pack, work_for
+from kinematics.kernel.pairs import pairs_of, scene_solids
+from kinematics.kernel.robot_arrays import RobotArrays
+from kinematics.kernel.solids import flatten
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import Stance
+
+Array = NDArray[np.float64]
+
+# Most intervals that an edge is cut into before it counts as not proven.
+EFFORT = 4000
+
+REASONS = ("free", "reach", "limits", "balance", "contact", "unproven")
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why something is not free.
+
+    Attributes:
+        reason: "reach" (a foot cannot be kept), "limits", "balance", "contact", or "unproven": so near
+            to a bound that it could not be proven to keep it.
+        at: Where: the row of a point, or the row of an edge's beginning plus the parameter in [0, 1] on it.
+        pair: Names of the two solids, when it is a contact.
+    """
+
+    reason: str
+    at: float
+    pair: tuple[str, str] | None
+
+
+class CollisionKernel:
+    """A robot in a planning scene.
+
+    One is used by one thread: it remembers what separated each pair last. That makes it faster and
+    may move a verdict only within the last micrometre of a margin; the same questions in the same
+    order get the same answers to the bit.
+
+    Args:
+        robot: The robot's arrays, made once.
+        scene: What is around, what is held, and which pairs may touch.
+        space: How free coordinates make configurations; every joint on its own when left out.
+        limits: What a posture must keep; nothing when left out.
+        extra_margin_m: Added to every margin of the scene.
+        self_margin_m: Distance kept between the robot's own links.
+
+    Raises:
+        UnknownNameError: A body is attached to a frame that the robot does not have.
+    """
+
+    def __init__(
+        self,
+        robot: RobotArrays,
+        scene: PlanningScene,
+        space: Coordinates | None = None,
+        limits: Limits | None = None,
+        extra_margin_m: float = 0.0,
+        self_margin_m: float = 0.0,
+    ) -> None:
+        tree = robot.tree
+        space = plain_coordinates(tree) if space is None else space
+        if limits is None:
+            free = np.full(len(space.columns), np.inf)
+            limits = joint_limits(-free, free, bool(space.floating))
+        found = scene_solids(robot, scene, extra_margin_m, self_margin_m)
+        chains = robot.chains(space, found.solids[: found.moving])
+        own = [pair for pair in found.own if not robot.always_apart(pair.first, pair.second, pair.margin_m)]
+        self._pairs = pairs_of(robot, chains, scene, found, own, extra_margin_m)
+        problem = Problem(tree, chains, space, limits, flatten(found.solids), self._pairs)
+        self._packed = pack(problem, work_for(problem))
+        self._names = found.names
+        self._nq = len(limits.lower)
+        self.size = 6 * space.floating + len(space.columns)
+        self.pair_count = len(self._pairs.first) + len(self._pairs.object_margin) * self._pairs.moving
+        self._nothing = np.empty(0)
+
+    @classmethod
+    def standing(
+        cls,
+        robot: RobotArrays,
+        model: RobotModel,
+        stance: Stance,
+        scene: PlanningScene,
+        extra_margin_m: float = 0.0,
+        self_margin_m: float = 0.0,
+    ) -> CollisionKernel:
+        """A robot on planted feet, over the coordinates of ``FreeCoordinates``.
+
+        Raises:
+            ModelError: The robot's legs have no closed form.
+            UnknownNameError: A body is attached to a frame that the robot does not have.
+        """
+        space, limits = standing_coordinates(model, stance), standing_limits(model, stance)
+        return cls(robot, scene, space, limits, extra_margin_m, self_margin_m)
+
+    def collides(self, q: Array) -> bool:
+        """Tell whether any pair that may not touch is nearer than its margin, at ``q``, shape (nq,)."""
+        return self._ask(judge.AT_CONFIGURATION, q[None])[0] != judge.FREE
+
+    def colliding_pair(self, q: Array) -> tuple[str, str] | None:
+        """Names of the first pair that collides, or None."""
+        refusal = self._refusal(self._ask(judge.AT_CONFIGURATION, q[None]))
+        return None if refusal is None else refusal.pair
+
+    def is_free(self, x: Array) -> bool:
+        """Tell whether one point, shape (size,), keeps feet, limits, balance and distances."""
+        return self._ask(judge.AT_POINTS, x[None])[0] == judge.FREE
+
+    def points_are_free(self, x: Array) -> bool:
+        """Tell whether every one of many points, shape (n, size), is free."""
+        return self._ask(judge.AT_POINTS, x)[0] == judge.FREE
+
+    def points_refusal(self, x: Array) -> Refusal | None:
+        """Why points, shape (n, size), are not free, or None."""
+        return self._refusal(self._ask(judge.AT_POINTS, x))
+
+    def edge_is_free(self, a: Array, b: Array, effort: int = EFFORT) -> bool:
+        """Tell whether the whole line between two points, shape (size,) each, is proven to be free."""
+        return self.polyline_is_free(np.stack((a, b)), effort)
+
+    def polyline_is_free(self, x: Array, effort: int = EFFORT) -> bool:
+        """Tell whether the lines between neighbouring points, shape (n, size), are proven to be free."""
+        return self._ask(judge.ALONG_POINTS, x, effort)[0] == judge.FREE
+
+    def polyline_refusal(self, x: Array, effort: int = EFFORT) -> Refusal | None:
+        """Why lines between neighbouring points, shape (n, size), are not free, or None."""
+        return self._refusal(self._ask(judge.ALONG_POINTS, x, effort))
+
+    def distances_m(self, q: Array, cap_m: float = 1.0) -> Array:
+        """Lower bounds of the distances of all pairs at a configuration, shape (pair_count,).
+
+        Within a micrometre of the distance where that is below ``cap_m``; 0 or less where a pair
+        touches or overlaps; infinite for pairs that may touch. ``pair_names`` tells which they are.
+        """
+        found = np.empty(self.pair_count)
+        self._ask(judge.DISTANCES, q[None], cap_m, found)
+        return found
+
+    def pair_names(self, pair: int) -> tuple[str, str]:
+        """Names of the two solids of a pair."""
+        pairs = self._pairs
+        if pair < len(pairs.first):
+            return self._names[pairs.first[pair]], self._names[pairs.second[pair]]
+        thing, solid = divmod(pair - len(pairs.first), pairs.moving)
+        return self._names[solid], self._names[pairs.moving + thing]
+
+    def configuration(self, x: Array) -> Array | None:
+        """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
+        q = np.empty(self._nq)
+        return q if self._ask(judge.TO_CONFIGURATION, x[None], 0.0, q)[0] == judge.FREE else None
+
+    def _ask(
+        self, question: int, points: Array, number: float = 0.0, found: Array | None = None
+    ) -> tuple[int, float, int]:
+        # one type of argument only, so that nothing is ever compiled anew
+        points = np.ascontiguousarray(points, dtype=np.float64)
+        found = self._nothing if found is None else found
+        return judge.ask(*self._packed, question, points, float(number), found)
+
+    def _refusal(self, answer: tuple[int, float, int]) -> Refusal | None:
+        verdict, at, pair = answer
+        if verdict == judge.FREE:
+            return None
+        return Refusal(REASONS[verdict], at, None if pair < 0 else self.pair_names(pair))

@@ -1,0 +1,253 @@
+"""All numbers of a problem in two buffers, so that a compiled call takes them in no time.
+
+A call of compiled code costs a fifth of a microsecond for each array that it is given. The arrays are
+therefore packed behind each other, and the compiled code makes its views of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from kinematics.kernel.compiler import inlined
+from kinematics.kernel.coordinates import Coordinates, Limits
+from kinematics.kernel.pairs import Pairs
+from kinematics.kernel.pointers import floats1, floats2, floats3, ints1, ints2, ints3
+from kinematics.kernel.robot_arrays import Chains
+from kinematics.kernel.solids import Array, Indices, Solids
+from kinematics.kernel.tree import Tree
+
+
+class Problem(NamedTuple):
+    """Everything that does not change from question to question."""
+
+    tree: Tree
+    chains: Chains
+    space: Coordinates
+    limits: Limits
+    solids: Solids
+    pairs: Pairs
+
+
+class Work(NamedTuple):
+    """Memory of the compiled code; the separating directions outlive a question.
+
+    Attributes:
+        x, q: A point and its configuration.
+        base_R: Rotation of its base.
+        R, p: Poses of bodies.
+        com: Centre of mass.
+        needed: Whether a body has to be placed.
+        ball: Centres of the bodies' balls.
+        centre: Centres of the moving solids' balls.
+        reach: How far each joint moves.
+        moved: How far bodies move, as ``motion_bound`` writes it.
+        axis: Separating direction of each pair.
+        S, v: Scratch of GJK.
+        first_R, first_p, second_R, second_p, R_between, p_between: Scratch of relative poses.
+        open_pairs: Pairs that are open, two generations, shape (2, n).
+        spans: Intervals that hold them: index, first and last open pair, whether the posture is open;
+            two generations, shape (2, m, 4).
+    """
+
+    x: Array
+    q: Array
+    base_R: Array
+    R: Array
+    p: Array
+    com: Array
+    needed: Indices
+    ball: Array
+    centre: Array
+    reach: Array
+    moved: Array
+    axis: Array
+    S: Array
+    v: Array
+    first_R: Array
+    first_p: Array
+    second_R: Array
+    second_p: Array
+    R_between: Array
+    p_between: Array
+    open_pairs: Indices
+    spans: Indices
+
+
+def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
+    """Memory for a problem."""
+    tree, pairs = problem.tree, problem.pairs
+    n = len(tree.parent)
+    size = 6 * problem.space.floating + len(problem.space.columns)
+    count = len(pairs.first) + len(pairs.object_margin) * pairs.moving
+    return Work(
+        x=np.zeros(size),
+        q=np.zeros(len(problem.limits.lower)),
+        base_R=np.eye(3),
+        R=np.zeros((n, 3, 3)),
+        p=np.zeros((n, 3)),
+        com=np.zeros(3),
+        needed=np.ones(n, np.int64),
+        ball=np.zeros((n, 3)),
+        centre=np.zeros((pairs.moving, 3)),
+        reach=np.zeros(n),
+        moved=np.zeros((n, problem.chains.joint.shape[1] + 1)),
+        axis=np.zeros((count, 3)),
+        S=np.zeros((4, 3)),
+        v=np.zeros(3),
+        first_R=np.zeros((3, 3)),
+        first_p=np.zeros(3),
+        second_R=np.zeros((3, 3)),
+        second_p=np.zeros(3),
+        R_between=np.zeros((3, 3)),
+        p_between=np.zeros(3),
+        open_pairs=np.zeros((2, max(open_pairs, count)), np.int64),
+        spans=np.zeros((2, spans, 4), np.int64),
+    )
+
+
+class Packed(NamedTuple):
+    """A problem and its memory.
+
+    Attributes:
+        floats, ints: All arrays behind each other.
+        table: Begin and up to three lengths of each array, in the order of the fields, shape (n, 4).
+    """
+
+    floats: Array
+    ints: Indices
+    table: Indices
+
+
+def pack(problem: Problem, work: Work) -> Packed:
+    """Put everything into two buffers."""
+    floats: list[Array] = []
+    ints: list[Indices] = []
+    table = []
+    begin = {True: 0, False: 0}
+    for value in _leaves((problem, work)):
+        array = np.atleast_1d(np.asarray(value))
+        real = array.dtype.kind == "f"
+        table.append([begin[real], *array.shape, *(0,) * (3 - array.ndim)])
+        begin[real] += array.size
+        (floats if real else ints).append(array.ravel())
+    return Packed(
+        np.concatenate(floats, dtype=np.float64),
+        np.concatenate(ints, dtype=np.int64),
+        np.array(table, np.int64),
+    )
+
+
+def _leaves(value: Any) -> Iterator[Any]:
+    if isinstance(value, tuple):
+        for part in value:
+            yield from _leaves(part)
+    else:
+        yield value
+
+
+@inlined
+def problem_in(floats: int, ints: int, table: Indices) -> Problem:
+    """Views of the problem, in the order of ``pack``; addresses of the two buffers."""
+    return Problem(
+        tree=Tree(
+            parent=ints1(ints, table[0]),
+            kind=ints1(ints, table[1]),
+            column=ints1(ints, table[2]),
+            spin=ints1(ints, table[3]),
+            axis=floats2(floats, table[4]),
+            turned=ints1(ints, table[5]),
+            place_R=floats3(floats, table[6]),
+            place_p=floats2(floats, table[7]),
+            mass=floats1(floats, table[8]),
+            lever=floats2(floats, table[9]),
+        ),
+        chains=Chains(
+            joint=ints2(ints, table[10]),
+            length=ints1(ints, table[11]),
+            limb=ints1(ints, table[12]),
+            limbs=ints1(ints, table[13])[0],
+            centre=floats2(floats, table[14]),
+            radius=floats1(floats, table[15]),
+        ),
+        space=Coordinates(
+            floating=ints1(ints, table[16])[0],
+            columns=ints1(ints, table[17]),
+            bodies=ints1(ints, table[18]),
+            leg_bodies=ints2(ints, table[19]),
+            hip=floats2(floats, table[20]),
+            bones=floats2(floats, table[21]),
+            foot_R=floats3(floats, table[22]),
+            ankle=floats2(floats, table[23]),
+        ),
+        limits=Limits(
+            lower=floats1(floats, table[24]),
+            upper=floats1(floats, table[25]),
+            inward=floats2(floats, table[26]),
+            offset=floats1(floats, table[27]),
+        ),
+        solids=Solids(
+            kind=ints1(ints, table[28]),
+            body=ints1(ints, table[29]),
+            R=floats3(floats, table[30]),
+            p=floats2(floats, table[31]),
+            size=floats2(floats, table[32]),
+            round=floats1(floats, table[33]),
+            few=ints2(ints, table[34]),
+            pad=floats1(floats, table[35]),
+            all=ints2(ints, table[36]),
+            points=floats2(floats, table[37]),
+            centre=floats2(floats, table[38]),
+            radius=floats1(floats, table[39]),
+        ),
+        pairs=Pairs(
+            first=ints1(ints, table[40]),
+            second=ints1(ints, table[41]),
+            margin=floats1(floats, table[42]),
+            group=ints1(ints, table[43]),
+            group_first=ints1(ints, table[44]),
+            group_second=ints1(ints, table[45]),
+            first_level=ints1(ints, table[46]),
+            second_level=ints1(ints, table[47]),
+            group_margin=floats1(floats, table[48]),
+            group_start=ints1(ints, table[49]),
+            moving=ints1(ints, table[50])[0],
+            object_margin=floats1(floats, table[51]),
+            judged=ints2(ints, table[52]),
+            limb_start=ints1(ints, table[53]),
+            limb_bodies=ints1(ints, table[54]),
+            body_start=ints1(ints, table[55]),
+            body_solids=ints1(ints, table[56]),
+        ),
+    )
+
+
+@inlined
+def work_in(floats: int, ints: int, table: Indices) -> Work:
+    """Views of the memory, in the order of ``pack``; addresses of the two buffers."""
+    return Work(
+        x=floats1(floats, table[57]),
+        q=floats1(floats, table[58]),
+        base_R=floats2(floats, table[59]),
+        R=floats3(floats, table[60]),
+        p=floats2(floats, table[61]),
+        com=floats1(floats, table[62]),
+        needed=ints1(ints, table[63]),
+        ball=floats2(floats, table[64]),
+        centre=floats2(floats, table[65]),
+        reach=floats1(floats, table[66]),
+        moved=floats2(floats, table[67]),
+        axis=floats2(floats, table[68]),
+        S=floats2(floats, table[69]),
+        v=floats1(floats, table[70]),
+        first_R=floats2(floats, table[71]),
+        first_p=floats1(floats, table[72]),
+        second_R=floats2(floats, table[73]),
+        second_p=floats1(floats, table[74]),
+        R_between=floats2(floats, table[75]),
+        p_between=floats1(floats, table[76]),
+        open_pairs=ints2(ints, table[77]),
+        spans=ints3(ints, table[78]),
+    )
