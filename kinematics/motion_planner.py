@@ -34,6 +34,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.start_state import relaxed_at
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.validity import validity
 
 Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
 
@@ -66,12 +67,12 @@ class MotionPlanner:
         for joint, angle in request.joints.items():
             goal[space.index(joint)] = angle
         scene = relaxed_at(model, request.scene, request.q_start)
-        world = CollisionWorld(model, scene, 0.0, 0.0)
-        planner = PathPlanner(model, space, request.stance, world)
+        planner = PathPlanner(model, space, validity(model, request.stance, scene))
         arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
         curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
         if curve is None:
+            world = CollisionWorld(model, scene)
             pair = world.colliding_pair(space.to_q(goal[None, :])[0][0]) or world.colliding_pair(
                 request.q_start
             )

@@ -12,17 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.collision import CollisionWorld
 from kinematics.curves import Curve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
-from kinematics.stance import SupportPolygon
-from kinematics.trajectory import Stance
+from kinematics.validity import RESOLUTION, Validity
 
 Array = NDArray[np.float64]
 
-# Weighted distance (about radians) of two checked points of an edge: some 2 cm at the fingertips.
-RESOLUTION = 0.04
 # The longest step of a tree.
 EXTEND = 0.5
 # The pelvis may leave the box between start and goal by so much, m and rad.
@@ -45,21 +41,19 @@ class PathSettings:
 
 
 class PathPlanner:
-    """Plans between configurations with one stance in one collision world."""
+    """Plans between points of a robot's free coordinates."""
 
     def __init__(
         self,
         model: RobotModel,
         space: FreeCoordinates,
-        stance: Stance,
-        world: CollisionWorld,
+        judge: Validity,
         settings: PathSettings = PathSettings(),
     ) -> None:
-        self._space, self._world, self._settings = space, world, settings
+        self._space, self._judge, self._settings = space, judge, settings
         self._model = model
         margin = model.description.planning_margin_rad
         self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
-        self._polygon = SupportPolygon(stance, model.description.soles)
 
     def plan(self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator) -> Curve | None:
         """Return a collision-free curve from ``start`` to ``goal``, or None when none was found.
@@ -90,36 +84,21 @@ class PathPlanner:
         return line if self.curve_is_free(line) else None
 
     def curve_is_free(self, curve: Curve) -> bool:
-        """Check a curve at points no farther apart than the resolution."""
+        """Check a curve along lines no longer than the resolution."""
         grid = curve(np.linspace(0.0, 1.0, 65))
         length = float(np.sum(np.sqrt(np.sum((np.diff(grid, axis=0) * self._space.weights) ** 2, axis=1))))
         count = max(3, int(np.ceil(length / RESOLUTION)) + 1)
-        return self._points_are_free(curve(np.linspace(0.0, 1.0, count)))
+        return self._judge.polyline_is_free(curve(np.linspace(0.0, 1.0, count)))
 
     def is_free(self, x: Array) -> bool:
         """Check one point: reach of the legs, limits, balance, collision."""
-        return self._points_are_free(x[None, :])
-
-    def _points_are_free(self, x: Array) -> bool:
-        q, reached = self._space.to_q(x)
-        joints = q[:, 7:]
-        if not reached.all() or np.any(joints < self._lower - 1e-6) or np.any(joints > self._upper + 1e-6):
-            return False
-        margin = self._model.description.com_margin_m + 0.005
-        # both ends first, then the middle: what collides is found early
-        for k in _bisecting(len(q)):
-            if self._world.collides(q[k]):
-                return False
-            if self._polygon.com_margin_m(self._model.com(q[k])) < margin:
-                return False
-        return True
+        return self._judge.points_are_free(x[None, :])
 
     def _rounded(self, polyline: Array) -> Curve:
         return RoundedPolyline(polyline, self._space.weights, ROUNDING)
 
     def _edge_is_free(self, a: Array, b: Array) -> bool:
-        count = max(2, int(np.ceil(self._space.distance(a, b) / RESOLUTION)) + 1)
-        return self._points_are_free(a + (b - a) * np.linspace(0.0, 1.0, count)[1:, None])
+        return self._judge.polyline_is_free(np.stack([a, b]))
 
     def _rrt_connect(
         self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
@@ -202,17 +181,3 @@ class _Tree:
             path.append(self.points[node])
             node = self._parents[node]
         return path[::-1]
-
-
-def _bisecting(count: int) -> list[int]:
-    """Indices 0 to count - 1: the ends first, then the middles of ever smaller gaps."""
-    order, gaps = [0, count - 1][: min(count, 2)], [(0, count - 1)]
-    while gaps:
-        wider = []
-        for low, high in gaps:
-            if high - low > 1:
-                middle = (low + high) // 2
-                order.append(middle)
-                wider += [(low, middle), (middle, high)]
-        gaps = wider
-    return order

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
-from kinematics.collision import CollisionWorld, HandCollision
+from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.gaze import gaze_joints
@@ -31,6 +31,7 @@ from kinematics.scene import PlanningScene, SceneObject
 from kinematics.stance import SupportPolygon
 from kinematics.start_state import relaxed_at
 from kinematics.timing import Pace
+from kinematics.validity import validity
 
 Array = NDArray[np.float64]
 
@@ -138,9 +139,7 @@ class _PickTask:
         self._ik: dict[Hand, InverseKinematics] = {}
         self._hands: dict[Hand, HandCollision] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
-        self._reach_planner = self._planner(
-            CollisionWorld(model, self._reach_scene, self._reserve_m, SELF_MARGIN_M)
-        )
+        self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
         self._x_start = self._space.from_q(request.q_start)
         # the search starts at home, which keeps elbows where they belong
@@ -236,7 +235,7 @@ class _PickTask:
         if not near.curve_is_free(approach):
             return "approach collides"
         lift_scene = self._lift_scene(grasp, grasp_scene)
-        if not self._planner(CollisionWorld(self._model, lift_scene, 0.0, SELF_MARGIN_M)).curve_is_free(lift):
+        if not self._planner(lift_scene, 0.0).curve_is_free(lift):
             return "lift collides"
         balance_m = self._polygon.com_margin_m(self._model.com(first.q))
         cost = (
@@ -265,8 +264,9 @@ class _PickTask:
             x[:, self._space.index(joint)] = angle
         return x
 
-    def _planner(self, world: CollisionWorld) -> PathPlanner:
-        return PathPlanner(self._model, self._space, self._request.stance, world)
+    def _planner(self, scene: PlanningScene, reserve_m: float) -> PathPlanner:
+        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M)
+        return PathPlanner(self._model, self._space, judge)
 
     def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
         trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
@@ -277,8 +277,7 @@ class _PickTask:
         if hand not in self._grasp_planners:
             links = self._model.description.grippers[hand].touch_links
             scene = self._request.scene.allowing((link, self._target.name) for link in links)
-            world = CollisionWorld(self._model, scene, self._reserve_m, SELF_MARGIN_M)
-            self._grasp_planners[hand] = scene, self._planner(world)
+            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m)
         return self._grasp_planners[hand]
 
     def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:

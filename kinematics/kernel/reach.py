@@ -92,6 +92,7 @@ class Scratch(NamedTuple):
 
     q: Array
     base_R: Array
+    needed: Indices
     R: Array
     p: Array
     com: Array
@@ -118,6 +119,7 @@ def scratch(tree: Tree, nq: int, coordinates: int) -> Scratch:
     return Scratch(
         q=np.zeros(nq),
         base_R=np.eye(3),
+        needed=np.ones(bodies, np.int64),
         R=np.zeros((bodies, 3, 3)),
         p=np.zeros((bodies, 3)),
         com=np.zeros(3),
@@ -175,7 +177,7 @@ def reach(
             shrunk += 1
             for k in range(6):
                 x[k] = 0.5 * (x[k] + where.reference[k])
-        place_bodies(tree, memory.q, memory.R, memory.p)
+        place_bodies(tree, memory.q, memory.needed, memory.R, memory.p)
         _place_tool(goal, memory)
         far, turned = _errors(goal, memory)
         worst = _broken(tree, space, limits, memory.q, memory.R, memory.p, memory.com, memory.broken)
@@ -355,7 +357,7 @@ def _inequality_rows(
         for c in range(6):
             memory.probe[c] = x[c] + _PROBE
             if configuration(space, tree, memory.probe, memory.probe_q, memory.base_R):
-                place_bodies(tree, memory.probe_q, memory.R, memory.p)
+                place_bodies(tree, memory.probe_q, memory.needed, memory.R, memory.p)
                 _broken(
                     tree,
                     space,

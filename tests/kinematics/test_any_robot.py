@@ -21,6 +21,7 @@ from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajec
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.trajectory_document import read_trajectory, write_trajectory
 from kinematics.trajectory_fit import fit, stored_from
+from kinematics.validity import SampledValidity
 from robots.description import load_description
 
 NO_STANCE = Stance(())
@@ -60,7 +61,8 @@ def panda_checker(panda):
 
 def planner_of(model, space, stance, scene, iterations=2000):
     world = CollisionWorld(model, scene, extra_margin_m=0.004, self_margin_m=0.005)
-    return PathPlanner(model, space, stance, world, PathSettings(iterations=iterations))
+    judge = SampledValidity(model, stance, world)
+    return PathPlanner(model, space, judge, PathSettings(iterations=iterations))
 
 
 def free_points(planner, low, high, count, seed):

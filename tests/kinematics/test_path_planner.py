@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 
 from kinematics import poses
 from kinematics.collision import CollisionWorld
@@ -6,6 +7,7 @@ from kinematics.free_coordinates import FreeCoordinates
 from kinematics.path_planner import PathPlanner, PathSettings
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
+from kinematics.validity import SampledValidity, validity
 
 
 def problem(talos, stance):
@@ -21,10 +23,12 @@ def problem(talos, stance):
     return space, start, goal, moving, PlanningScene().with_object(post)
 
 
-def test_a_detour_is_found_where_the_straight_line_is_blocked(talos, stance):
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_detour_is_found_where_the_straight_line_is_blocked(talos, stance, compiled):
     space, start, goal, moving, scene = problem(talos, stance)
     world = CollisionWorld(talos, scene)
-    planner = PathPlanner(talos, space, stance, world, PathSettings(iterations=600))
+    judge = validity(talos, stance, scene) if compiled else SampledValidity(talos, stance, world)
+    planner = PathPlanner(talos, space, judge, PathSettings(iterations=600))
 
     curve = planner.plan(start, goal, moving, np.random.default_rng(0))
 
@@ -38,7 +42,7 @@ def test_a_detour_is_found_where_the_straight_line_is_blocked(talos, stance):
 
 def test_the_same_seed_gives_the_same_path(talos, stance):
     space, start, goal, moving, scene = problem(talos, stance)
-    planner = PathPlanner(talos, space, stance, CollisionWorld(talos, scene), PathSettings(iterations=600))
+    planner = PathPlanner(talos, space, validity(talos, stance, scene), PathSettings(iterations=600))
     s = np.linspace(0, 1, 20)
 
     first = planner.plan(start, goal, moving, np.random.default_rng(7))
@@ -55,6 +59,6 @@ def test_a_goal_in_collision_has_no_path(talos, stance):
             "block", Box((0.1, 0.1, 0.1)), poses.translation(*talos.frame_pose(q, "tcp_right")[:3, 3])
         )
     )
-    planner = PathPlanner(talos, space, stance, CollisionWorld(talos, blocked))
+    planner = PathPlanner(talos, space, validity(talos, stance, blocked))
 
     assert planner.plan(start, goal, moving, np.random.default_rng(0)) is None

@@ -1,0 +1,128 @@
+"""Which points and lines of a robot's free coordinates are free: the planner's judge.
+
+The compiled kernel judges robots whose legs have a closed form; Coal, point by point, all others.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.collision import CollisionWorld
+from kinematics.errors import ModelError
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.stance import SupportPolygon
+from kinematics.trajectory import Stance
+
+if TYPE_CHECKING:
+    from kinematics.kernel.robot_arrays import RobotArrays
+
+Array = NDArray[np.float64]
+
+# Weighted distance (about radians) of two judged points of a line: some 2 cm at the fingertips.
+RESOLUTION = 0.04
+# Kept in reserve against the checker.
+COM_RESERVE_M = 0.005
+_LIMIT_NOISE_RAD = 1e-6
+
+
+class Validity(Protocol):
+    """Judges reach of the legs, limits, balance and collision."""
+
+    def points_are_free(self, x: Array) -> bool:
+        """Tell whether every one of many points, shape (n, size), is free."""
+        ...
+
+    def polyline_is_free(self, x: Array) -> bool:
+        """Tell whether the lines between neighbouring points, shape (n, size), are free."""
+        ...
+
+
+def validity(
+    model: RobotModel,
+    stance: Stance,
+    scene: PlanningScene,
+    extra_margin_m: float = 0.0,
+    self_margin_m: float = 0.0,
+) -> Validity:
+    """The judge of a robot on planted feet, or on its mount, in a planning scene.
+
+    Args:
+        model: The robot.
+        stance: Where its soles stand.
+        scene: What is around, what is held, and which pairs may touch.
+        extra_margin_m: Added to every margin of the scene.
+        self_margin_m: Distance kept between the robot's own links.
+    """
+    if not model.description.welded:
+        # imported here: it brings the compiler
+        from kinematics.kernel.collision_kernel import CollisionKernel
+
+        try:
+            arrays = _arrays(model)
+            return CollisionKernel.standing(arrays, model, stance, scene, extra_margin_m, self_margin_m)
+        except ModelError:
+            pass  # legs without a closed form
+    return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
+
+
+@functools.lru_cache(maxsize=4)
+def _arrays(model: RobotModel) -> RobotArrays:
+    from kinematics.kernel.robot_arrays import humanoid_arrays
+
+    return humanoid_arrays(model)
+
+
+class SampledValidity:
+    """Judges point by point, with Coal."""
+
+    def __init__(self, model: RobotModel, stance: Stance, world: CollisionWorld) -> None:
+        self._model, self._world = model, world
+        self._space = FreeCoordinates(model, stance)
+        margin = model.description.planning_margin_rad
+        self._lower = model.lower_rad + margin - _LIMIT_NOISE_RAD
+        self._upper = model.upper_rad - margin + _LIMIT_NOISE_RAD
+        self._polygon = SupportPolygon(stance, model.description.soles)
+
+    def points_are_free(self, x: Array) -> bool:
+        """Tell whether every one of many points, shape (n, size), is free."""
+        q, reached = self._space.to_q(x)
+        joints = q[:, 7:]
+        if not reached.all() or np.any(joints < self._lower) or np.any(joints > self._upper):
+            return False
+        margin = self._model.description.com_margin_m + COM_RESERVE_M
+        # both ends first, then the middle: what collides is found early
+        for k in _bisecting(len(q)):
+            if self._world.collides(q[k]):
+                return False
+            if self._polygon.com_margin_m(self._model.com(q[k])) < margin:
+                return False
+        return True
+
+    def polyline_is_free(self, x: Array) -> bool:
+        """Tell whether lines between neighbouring points are free at points of the resolution."""
+        pieces = []
+        for a, b in itertools.pairwise(x):
+            count = max(1, int(np.ceil(self._space.distance(a, b) / RESOLUTION)))
+            pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
+        return self.points_are_free(np.concatenate([*pieces, x[-1:]]))
+
+
+def _bisecting(count: int) -> list[int]:
+    """Indices 0 to count - 1: the ends first, then the middles of ever smaller gaps."""
+    order, gaps = [0, count - 1][: min(count, 2)], [(0, count - 1)]
+    while gaps:
+        wider = []
+        for low, high in gaps:
+            if high - low > 1:
+                middle = (low + high) // 2
+                order.append(middle)
+                wider += [(low, middle), (middle, high)]
+        gaps = wider
+    return order
