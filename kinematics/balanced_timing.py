@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
-from kinematics.stance import SupportPolygon
 from kinematics.timing import Pace, time_curve
 from kinematics.trajectory import Stance, Trajectory
 from kinematics.trajectory_sampler import TrajectorySampler
+from kinematics.zmp import balance_margins_m
 
 Array = NDArray[np.float64]
 
-ZMP_RESERVE_M = 0.01
+ZMP_RESERVE_M = 0.03
 """The ZMP stays this far inside the support polygon; the checker asks for less."""
+ZMP_BESIDE_COM_M = 0.01
+"""Where the CoM itself is nearer to the edge, the ZMP may be nearer by this."""
 SLOWER = (1.0, 0.8, 0.62, 0.48, 0.36, 0.26)
 """Shares of the pace that are tried. The ZMP leaves the CoM by the square of the speed."""
 _PERIOD_S = 0.02
-_GRAVITY_M_S2 = 9.81
 
 
 def time_in_balance(
@@ -37,26 +37,13 @@ def time_in_balance(
         trajectory = time_curve(model, space, stance, curve, slower)
         if trajectory is None:
             return None
-        if zmp_margin_m(model, trajectory) >= ZMP_RESERVE_M:
+        if _in_balance(model, trajectory):
             return trajectory
     return None
 
 
-def zmp_margin_m(model: RobotModel, trajectory: Trajectory) -> float:
-    """Least distance of the ZMP to the edge of the support polygon, positive inside, m."""
-    polygon = SupportPolygon(trajectory.stance, model.description.soles)
+def _in_balance(model: RobotModel, trajectory: Trajectory) -> bool:
     sampler = TrajectorySampler(trajectory)
     times: Array = np.arange(0.0, sampler.duration_s, _PERIOD_S, dtype=np.float64)
-    motion = sampler.many(times)
-    data = model.pin.createData()
-    zmp = np.empty((len(times), 2))
-    mass = pin.computeTotalMass(model.pin)
-    for k in range(len(times)):
-        pin.computeCentroidalMomentumTimeVariation(model.pin, data, motion.q[k], motion.v[k], motion.a[k])
-        force, moment = data.dhg.linear, data.dhg.angular
-        # wrench of the ground at the CoM: the momentum's rate less gravity
-        up = force[2] + mass * _GRAVITY_M_S2
-        com = data.com[0]
-        zmp[k, 0] = com[0] - (com[2] * force[0] + moment[1]) / up
-        zmp[k, 1] = com[1] - (com[2] * force[1] - moment[0]) / up
-    return float(polygon.margins_m(zmp).min())
+    zmp, com = balance_margins_m(model, trajectory.stance, sampler.many(times))
+    return bool(zmp.min() >= min(ZMP_RESERVE_M, com.min() - ZMP_BESIDE_COM_M))

@@ -11,7 +11,9 @@ from kinematics.check_settings import DEFAULT_SETTINGS
 from kinematics.errors import InvalidMotionError
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
+from kinematics.zmp import balance_margins_m
 
 Array = NDArray[np.float64]
 
@@ -24,26 +26,31 @@ _STANDING_RAD = 1e-4
 """Legs nearer than this to where base and stance put them keep the stance: between the samples of a
 trajectory they stray by 1e-5 rad."""
 _PROBE_S = 1e-4
+_ZMP_RESERVE_M = 0.005
+_JUDGED_ROWS = 5
+"""Every so many rows of a stop the ZMP is computed."""
 
 
 def brake_along(
-    sampler: TrajectorySampler, t_s: float, acceleration: Array, jerk: Array, period_s: float
+    model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
 ) -> MotionSample | None:
     """Slow a trajectory down to rest without leaving its path.
 
     The time along the trajectory passes at a rate that falls from 1 to 0. The hardest profile is
-    taken whose joint accelerations and jerks keep to the limits.
+    taken whose joint accelerations and jerks keep to the limits, and that does not tip the robot.
 
     Args:
+        model: The robot.
+        stance: Where it stands.
         sampler: The trajectory.
         t_s: Where along it the braking begins.
-        acceleration, jerk: Limits of the joints, rad/s^2 and rad/s^3, shape (n,).
         period_s: Time between two rows of the answer.
 
     Returns:
         One row a period, the first at one period after the beginning, the last at rest; None when
         no profile holds the limits before the trajectory ends, so that it is best played out.
     """
+    acceleration, jerk = model.acceleration, model.jerk
     here = sampler.at(t_s)
     speed = np.maximum(np.abs(here.v[6:]), _MOVING_RAD_S)
     hardest = min(_FASTEST_BRAKE_1_S2, float(np.min(acceleration / speed)))
@@ -56,9 +63,17 @@ def brake_along(
         if t_s + passed[-1] > sampler.duration_s:
             continue
         motion = sampler.many(t_s + passed, rate, slope)
-        if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
+        if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s) and _stands(
+            model, stance, motion
+        ):
             return motion
     return None
+
+
+def _stands(model: RobotModel, stance: Stance, motion: MotionSample) -> bool:
+    """Whether a stop keeps the ZMP inside the support polygon."""
+    rows = MotionSample(motion.q[::_JUDGED_ROWS], motion.v[::_JUDGED_ROWS], motion.a[::_JUDGED_ROWS])
+    return bool(balance_margins_m(model, stance, rows)[0].min() >= _ZMP_RESERVE_M)
 
 
 def _holds(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
@@ -115,16 +130,17 @@ def brake_joints(
 
 
 def brake_standing(
-    model: RobotModel, space: FreeCoordinates, now: MotionSample, period_s: float
+    model: RobotModel, stance: Stance, space: FreeCoordinates, now: MotionSample, period_s: float
 ) -> MotionSample | None:
     """Bring a standing robot to rest at once, without moving its feet.
 
-    Trunk, arms and head brake each on their own; the base goes straight on while it slows down, and
-    the legs follow from it.
+    Arms and head brake each on their own. Base and trunk, which are heavy, go straight on while they
+    slow down, as quickly as the robot can without tipping; the legs follow from the base.
 
     Args:
         model: The robot.
-        space: Its free coordinates; their stance is the present one.
+        stance: Where it stands.
+        space: Its free coordinates on that stance.
         now: What it is commanded now.
         period_s: Time between two rows of the answer.
 
@@ -132,7 +148,7 @@ def brake_standing(
         One row a period, the first at one period after ``now``, the last at rest; None when its feet
         are not where the stance says, or no profile keeps the legs within their limits.
     """
-    x, base = space.from_q(now.q), space.base_size
+    x = space.from_q(now.q)
     q, reached = space.to_q(x[None, :])
     gap = now.q[7:] - q[0, 7:]
     if not reached[0] or np.abs(gap).max() > _STANDING_RAD:
@@ -140,31 +156,30 @@ def brake_standing(
     ahead, behind = (
         space.from_q(pin.integrate(model.pin, now.q, sign * _PROBE_S * now.v)) for sign in (1.0, -1.0)
     )
-    base_rate = (ahead - behind)[:base] / (2.0 * _PROBE_S)
-    joints = model.indices(space.joints)
-    upper = brake_joints(
-        x[base:],
-        now.v[6 + joints],
-        now.a[6 + joints],
-        model.acceleration[joints],
-        model.jerk[joints],
-        period_s,
+    coasting = (ahead - behind) / (2.0 * _PROBE_S)
+    light = [joint for joint in space.joints if joint not in model.description.groups["torso"]]
+    columns, joints = [space.index(joint) for joint in light], model.indices(light)
+    coasting[columns] = 0.0
+    arms = brake_joints(
+        x[columns], now.v[6 + joints], now.a[6 + joints], model.acceleration[joints], model.jerk[joints], period_s
     )[0]
     speed = np.maximum(np.abs(now.v[6:]), _MOVING_RAD_S)
+    speed[joints] = _MOVING_RAD_S
     slope = min(_FASTEST_BRAKE_1_S2, float(np.min(model.acceleration / speed)))
     slope_jerk = float(np.min(model.jerk / speed))
+    unlimited = np.full(model.nv - 6, np.inf)
     for share in _SHARES:
         passed, rate, _ = _brake_rate(share * slope, share * slope_jerk, period_s)
-        rows = np.empty((max(len(passed), len(upper)), len(x)))
-        rows[:, :base] = x[:base] + base_rate * _held(passed[:, None], len(rows))
-        rows[:, base:] = _held(upper, len(rows))
+        count = max(len(passed), len(arms))
+        rows = x + coasting * _held(passed[:, None], count)
+        rows[:, columns] = _held(arms, count)
         q, reached = space.to_q(rows)
         if not reached.all():
             return None
-        q[:, 7:] += gap * _held(rate[:, None], len(rows))
+        q[:, 7:] += gap * _held(rate[:, None], count)
         motion = _sampled(model, now, q, period_s)
-        if _holds(
-            motion.a[:, 6:], motion.a[0, 6:], model.acceleration, np.full(model.nv - 6, np.inf), period_s
+        if _holds(motion.a[:, 6:], motion.a[0, 6:], model.acceleration, unlimited, period_s) and _stands(
+            model, stance, motion
         ):
             return motion
     return None

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -15,6 +18,10 @@ from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
 from kinematics.trajectory import Stance
 
+if TYPE_CHECKING:
+    from kinematics.kernel.coordinates import Limits
+    from kinematics.kernel.reach import ReachSpace
+
 Array = NDArray[np.float64]
 
 # How willingly a coordinate moves against a joint of the arm.
@@ -27,6 +34,8 @@ DAMPING = 1e-5
 PULL = 0.03
 # A centimetre more than the limit, so that the checker's view never differs.
 COM_RESERVE_M = 0.01
+# Where it can be had, so much more: who stands at the edge cannot brake quickly.
+STEADY_RESERVE_M = 0.045
 # Soles are where they stand when no entry of their pose differs by more than this.
 _SAME = 1e-9
 _NOISE_RAD = 1e-6
@@ -63,6 +72,7 @@ class ReachIk:
         limits = standing_limits(model, stance)
         least = np.sum(limits.inward * self._polygon.vertices_m, axis=1) + description.com_margin_m
         self._limits = limits._replace(offset=least + COM_RESERVE_M)
+        self._steady = limits._replace(offset=least + STEADY_RESERVE_M)
         self._data = model.pin.createData()
         self._soles = [(model.frame_id(name), pose) for name, pose in stance.soles]
         if hand not in description.tcp_frames:
@@ -113,7 +123,7 @@ class ReachIk:
             q_preferred: Posture to stay near where there is a choice; home when left out.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
         """
-        kernel, memory = self._reach, self._memory
+        kernel = self._reach
         body, offset_R, offset_p = self._tool
         seed = self._space.from_q(q_seed)
         preferred = self._home if q_preferred is None else self._space.from_q(q_preferred)
@@ -134,18 +144,23 @@ class ReachIk:
         settings = kernel.ReachSettings(
             0.5 * tolerance.position_m, 0.5 * tolerance.orientation_rad, DAMPING, PULL, iterations
         )
-        x = seed.copy()
-        steps = kernel.reach(self._tree, self._coordinates, self._limits, goal, where, settings, x, memory)
-        taken = iterations if steps < 0 else steps
-        for share in () if starts is None or steps >= 0 else starts:
-            x = where.lower + share * (where.upper - where.lower)
-            steps = kernel.reach(
-                self._tree, self._coordinates, self._limits, goal, where, settings, x, memory
-            )
+        taken = 0
+        for limits, start in self._tries(seed, where, starts):
+            x = start.copy()
+            steps = kernel.reach(self._tree, self._coordinates, limits, goal, where, settings, x, self._memory)
             taken += iterations if steps < 0 else steps
             if steps >= 0:
                 break
         return self._verified(world_T_tcp, taken)
+
+    def _tries(
+        self, seed: Array, where: ReachSpace, starts: Array | None
+    ) -> Iterator[tuple[Limits, Array]]:
+        """From the seed well in balance, then as the limit allows, then from other starts."""
+        yield self._steady, seed
+        yield self._limits, seed
+        for share in () if starts is None else starts:
+            yield self._limits, where.lower + share * (where.upper - where.lower)
 
     def _verified(self, world_T_tcp: Transform, count: int) -> IkResult:
         """Measure the last configuration again, with Pinocchio's kinematics instead of the kernel's."""

@@ -85,7 +85,9 @@ class BodyTrack:
         profile = None
         sampler, self._sampler, self._playing_out = self._sampler, None, False
         if along_path and sampler is not None:
-            profile = StopProfile.along_path(self._model, sampler, self._elapsed_s, self._period_s)
+            profile = StopProfile.along_path(
+                self._model, self._stance, sampler, self._elapsed_s, self._period_s
+            )
             if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
                 self._sampler, self._playing_out = sampler, True
                 return

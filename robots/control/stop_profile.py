@@ -35,14 +35,14 @@ class StopProfile:
 
     @classmethod
     def along_path(
-        cls, model: RobotModel, sampler: TrajectorySampler, t_s: float, period_s: float
+        cls, model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
     ) -> StopProfile | None:
         """Category 1: brake along a trajectory from a time on it.
 
         Returns:
             None when nothing within the limits ends before the trajectory itself does.
         """
-        rows = brake_along(sampler, t_s, model.acceleration, model.jerk, period_s)
+        rows = brake_along(model, stance, sampler, t_s, period_s)
         return None if rows is None else cls(rows)
 
     @classmethod
@@ -52,7 +52,7 @@ class StopProfile:
         The feet stay where they are; should the legs have no way to do that, each joint stops on its
         own, and the base goes where the soles put it.
         """
-        rows = brake_standing(model, FreeCoordinates(model, stance), now, period_s)
+        rows = brake_standing(model, stance, FreeCoordinates(model, stance), now, period_s)
         if rows is not None:
             return cls(rows)
         q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], model.acceleration, model.jerk, period_s)

@@ -9,8 +9,9 @@ from kinematics import poses
 from kinematics.collision import CollisionWorld
 from kinematics.errors import KinematicsError, MissingPartError
 from kinematics.free_coordinates import FreeCoordinates
-from kinematics.ik import IkTolerance, WholeBodyIk
+from kinematics.ik import IkTolerance
 from kinematics.path_planner import PathPlanner, PathSettings
+from kinematics.placo_ik import PlacoIk
 from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import FLOOR, PlanningScene, SceneObject
@@ -212,7 +213,7 @@ def test_an_arm_mounted_on_a_table_plans_and_is_judged_there(panda):
 
 
 def test_the_hand_of_a_welded_arm_is_brought_to_poses_with_its_base_in_place(panda):
-    ik = WholeBodyIk(panda, NO_STANCE, "right")
+    ik = PlacoIk(panda, NO_STANCE, "right")
     rng = np.random.default_rng(0)
 
     for _ in range(20):
@@ -228,7 +229,7 @@ def test_the_hand_of_a_welded_arm_is_brought_to_poses_with_its_base_in_place(pan
 
 def test_a_hand_that_the_robot_does_not_have_is_named(panda):
     with pytest.raises(MissingPartError, match="panda has no left hand"):
-        WholeBodyIk(panda, NO_STANCE, "left")
+        PlacoIk(panda, NO_STANCE, "left")
 
 
 def test_a_welded_robot_cannot_tip_and_one_on_its_feet_cannot_stand_on_nothing(panda, talos):
@@ -287,7 +288,7 @@ def test_a_small_humanoid_stands_at_home_in_balance_and_free_of_collisions(g1, g
 def test_a_small_humanoid_reaches_with_both_hands_and_exact_feet(g1, g1_stance, before_a_table, hand):
     space = FreeCoordinates(g1, g1_stance)
     planner = planner_of(g1, space, g1_stance, before_a_table, iterations=300)
-    checker, ik = TrajectoryChecker(g1), WholeBodyIk(g1, g1_stance, hand)
+    checker, ik = TrajectoryChecker(g1), PlacoIk(g1, g1_stance, hand)
     groups, side = g1.description.groups, 1.0 if hand == "left" else -1.0
     moving = [space.index(joint) for joint in (*groups[f"{hand}_arm"], *groups["torso"])]
     rng, reached = np.random.default_rng(2), 0

@@ -29,10 +29,10 @@ def swing(talos, amount, duration_s):
 
 
 @pytest.mark.parametrize("share", [0.05, 0.2, 0.4, 0.5, 0.6, 0.8])
-def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, share):
+def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, stance, share):
     sampler = swing(talos, 0.8, 1.2)
 
-    rows = brake_along(sampler, share * 1.2, talos.acceleration, talos.jerk, PERIOD_S)
+    rows = brake_along(talos, stance, sampler, share * 1.2, PERIOD_S)
 
     assert rows is not None
     assert not rows.v[-1].any()
@@ -44,17 +44,17 @@ def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, share):
     np.testing.assert_allclose(elbow - start, 0.5 * (shoulder - begin), atol=1e-9)
 
 
-def test_a_slow_motion_stops_much_sooner_than_a_fast_one(talos):
-    slow = brake_along(swing(talos, 0.1, 1.2), 0.6, talos.acceleration, talos.jerk, PERIOD_S)
-    fast = brake_along(swing(talos, 0.8, 1.2), 0.6, talos.acceleration, talos.jerk, PERIOD_S)
+def test_a_slow_motion_stops_much_sooner_than_a_fast_one(talos, stance):
+    slow = brake_along(talos, stance, swing(talos, 0.1, 1.2), 0.6, PERIOD_S)
+    fast = brake_along(talos, stance, swing(talos, 0.8, 1.2), 0.6, PERIOD_S)
 
     assert slow is not None
     assert fast is not None
     assert len(slow.q) < 0.6 * len(fast.q)
 
 
-def test_a_trajectory_that_ends_sooner_than_any_brake_is_left_alone(talos):
-    assert brake_along(swing(talos, 0.8, 1.2), 1.1999, talos.acceleration, talos.jerk, PERIOD_S) is None
+def test_a_trajectory_that_ends_sooner_than_any_brake_is_left_alone(talos, stance):
+    assert brake_along(talos, stance, swing(talos, 0.8, 1.2), 1.1999, PERIOD_S) is None
 
 
 triples = arrays(float, 3, elements=st.floats(-2.0, 2.0))
@@ -71,7 +71,7 @@ def test_joints_come_to_rest_within_their_limits_without_a_step(q, v, a):
     assert (np.abs(np.diff(vs, axis=0)) <= 8.0 * PERIOD_S + 1e-9).all()
 
 
-def test_what_rests_stays(talos):
+def test_what_rests_stays(talos, stance):
     qs, vs, _ = brake_joints(np.ones(3), np.zeros(3), np.zeros(3), ACCELERATION, JERK, PERIOD_S)
 
     np.testing.assert_array_equal(qs[-1], np.ones(3))
@@ -96,7 +96,7 @@ def test_a_stop_of_every_joint_leaves_the_feet_where_they_stand(talos, stance, s
     space, sampler = reaching_down(talos, stance, rng)
     now = sampler.at(float(rng.uniform(0.3, 0.6)) * sampler.duration_s)
 
-    rows = brake_standing(talos, space, now, PERIOD_S)
+    rows = brake_standing(talos, stance, space, now, PERIOD_S)
 
     assert rows is not None
     for frame, world_T_sole in stance.soles:
@@ -117,4 +117,4 @@ def test_a_robot_whose_feet_have_left_the_stance_is_not_braked_as_if_they_had_no
     now = sampler.at(0.5 * sampler.duration_s)
     now.q[7 + talos.joint_index("leg_left_4_joint")] += 0.01
 
-    assert brake_standing(talos, space, now, PERIOD_S) is None
+    assert brake_standing(talos, stance, space, now, PERIOD_S) is None
