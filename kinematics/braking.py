@@ -161,7 +161,12 @@ def brake_standing(
     columns, joints = [space.index(joint) for joint in light], model.indices(light)
     coasting[columns] = 0.0
     arms = brake_joints(
-        x[columns], now.v[6 + joints], now.a[6 + joints], model.acceleration[joints], model.jerk[joints], period_s
+        x[columns],
+        now.v[6 + joints],
+        now.a[6 + joints],
+        model.acceleration[joints],
+        model.jerk[joints],
+        period_s,
     )[0]
     speed = np.maximum(np.abs(now.v[6:]), _MOVING_RAD_S)
     speed[joints] = _MOVING_RAD_S

@@ -147,15 +147,15 @@ class ReachIk:
         taken = 0
         for limits, start in self._tries(seed, where, starts):
             x = start.copy()
-            steps = kernel.reach(self._tree, self._coordinates, limits, goal, where, settings, x, self._memory)
+            steps = kernel.reach(
+                self._tree, self._coordinates, limits, goal, where, settings, x, self._memory
+            )
             taken += iterations if steps < 0 else steps
             if steps >= 0:
                 break
         return self._verified(world_T_tcp, taken)
 
-    def _tries(
-        self, seed: Array, where: ReachSpace, starts: Array | None
-    ) -> Iterator[tuple[Limits, Array]]:
+    def _tries(self, seed: Array, where: ReachSpace, starts: Array | None) -> Iterator[tuple[Limits, Array]]:
         """From the seed well in balance, then as the limit allows, then from other starts."""
         yield self._steady, seed
         yield self._limits, seed
