@@ -80,12 +80,17 @@ class ArmJudge:
         self._geometry_data = self._geometry.createData()
         for request, margin in zip(self._geometry_data.collisionRequests, margins, strict=True):
             request.security_margin = margin
+        self._tree = None
+        if clearance_m == 0.0:  # boxes around the solids know nothing of margins
+            manager = pin.BroadPhaseManager_DynamicAABBTreeCollisionManager
+            self._tree = manager(arm.model, self._geometry, self._geometry_data)
 
     def collides(self, q: Array) -> bool:
         """Tell whether any pair touches at one configuration, shape (7,)."""
-        return bool(
-            pin.computeCollisions(self._arm.model, self._data, self._geometry, self._geometry_data, q, True)
-        )
+        model, data = self._arm.model, self._data
+        if self._tree is not None:
+            return bool(pin.computeCollisions(model, data, self._tree, q, True))
+        return bool(pin.computeCollisions(model, data, self._geometry, self._geometry_data, q, True))
 
     def within_limits(self, q: Array) -> bool:
         """Tell whether every joint is inside its range."""

@@ -14,7 +14,6 @@ import numpy as np
 import ompl.base as ob
 import ompl.geometric as og
 import ompl.util as ou
-import pinocchio as pin
 from line_protocol import Document, serve
 
 STEP_RAD = 0.05
@@ -53,15 +52,14 @@ class Peer:
         }
 
     def _set_up(self, problem: Document) -> Any:
-        geometry = coal_scene.with_objects(self.geometry, problem["objects"])
-        data, geometry_data = self.model.createData(), geometry.createData()
         model, size = self.model, self.model.nq
+        scene = coal_scene.BroadPhase(model, coal_scene.with_objects(self.geometry, problem["objects"]))
         q = np.zeros(size)
 
         def valid(state: Any) -> bool:
             for i in range(size):
                 q[i] = state[i]
-            return not pin.computeCollisions(model, data, geometry, geometry_data, q, True)
+            return not scene.collides(q)
 
         space = ob.RealVectorStateSpace(size)
         bounds = ob.RealVectorBounds(size)

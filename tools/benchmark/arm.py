@@ -1,0 +1,91 @@
+"""Planning for an arm: the Panda in six kinds of scenes, side by side with the peers."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Sequence
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+
+from tools.benchmark.contest import Answer, ArmPlanner, Result, run_contest
+from tools.benchmark.peers.environments import PeerEnvironment
+from tools.benchmark.peers.peer_process import PeerProcess
+from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
+from tools.benchmark.problems.families import FAMILIES
+from tools.benchmark.problems.generator import problems
+from tools.benchmark.problems.panda_files import RobotFiles, write_panda
+from tools.benchmark.problems.problem import Problem
+
+# Peers and their scripts; pyroboplan is plain Python and gets fewer problems in a quick run anyway.
+PEERS = {"roboplan": "plan_roboplan", "ompl": "plan_ompl", "pyroboplan": "plan_pyroboplan"}
+# A path must begin and end where it was asked to.
+END_TOLERANCE_RAD = 1e-3
+
+
+class PeerPlanner:
+    """A peer that plans in its own environment."""
+
+    def __init__(self, process: PeerProcess, files: RobotFiles, budget_s: float) -> None:
+        self.name = process.environment.version.replace("==", " ")
+        self._process, self._budget_s = process, budget_s
+        process.ask("load", urdf=str(files.urdf), srdf=str(files.srdf), seed=0)
+
+    def plan(self, problem: Problem, seed: int) -> Answer:
+        """Ask the peer."""
+        answer = self._process.ask("plan", problem=problem.to_json(), seed=seed, budget_s=self._budget_s)
+        path = answer["path"]
+        return Answer(
+            path=None if path is None else np.array(path),
+            set_up_s=answer["set_up_s"],
+            plan_s=answer["plan_s"],
+            shorten_s=answer["shorten_s"],
+        )
+
+
+class Referee:
+    """Coal at 1/256 rad, which asks for the ends too."""
+
+    def __init__(self, arm: Arm) -> None:
+        self._arm = arm
+
+    def __call__(self, problem: Problem, path: Array) -> bool:
+        """Tell whether a path leads from start to goal and is free."""
+        ends = np.abs(path[0] - problem.start), np.abs(path[-1] - problem.goal)
+        if float(np.max(ends)) > END_TOLERANCE_RAD:
+            return False
+        return ArmJudge(self._arm, problem.objects).path_is_free(path)
+
+
+def arm_contest(
+    count: int,
+    seed: int,
+    cache: Path,
+    ours: Sequence[ArmPlanner] = (),
+    peers: Sequence[str] = tuple(PEERS),
+    families: Sequence[str] = tuple(FAMILIES),
+    budget_s: float = 10.0,
+) -> list[Result]:
+    """Let planners of this project and the peers whose environments are ready take turns.
+
+    Args:
+        count: Problems of each family.
+        seed: Of the problems.
+        cache: Folder with the peers' environments; the robot's files are written there too.
+        ours: Planners of this project; the first one is what ratios are taken to.
+        peers: Which peers, of ``PEERS``.
+        families: Which kinds of scenes.
+        budget_s: Longest search a problem; a planner that needs more did not solve it.
+    """
+    files = write_panda(cache / "panda")
+    arm = Arm(files)
+    with contextlib.ExitStack() as stack:
+        planners = list(ours)
+        for name in peers:
+            environment = PeerEnvironment(name, cache)
+            if environment.is_ready:
+                process = stack.enter_context(PeerProcess(environment, PEERS[name]))
+                planners.append(PeerPlanner(process, files, budget_s))
+        drawn = chain.from_iterable(problems(arm, family, count, seed) for family in families)
+        return run_contest(planners, drawn, Referee(arm)) if planners else []
