@@ -18,7 +18,7 @@ from kinematics.trajectory_document import StoredTrajectory
 from kinematics.trajectory_fit import stored_from
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
-from robots.description import load_description
+from robots.description import load_description_for_tasks
 from robots.perception.stub import PerceptionStub
 from robots.scene_description import SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
@@ -83,13 +83,13 @@ def assemble(
 
     Raises:
         UnknownRobotError: There is no robot of that name.
-        DescriptionError: The robot's data are incomplete.
+        DescriptionError: The robot's data are incomplete, or it lacks a part that tasks need.
         SceneError: The scene cannot be a world.
     """
     for_world, for_perception, for_trees = (
         np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(3)
     )
-    description = load_description(robot)
+    description = load_description_for_tasks(robot)
     if posture:
         description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)

@@ -24,8 +24,7 @@ from executive.statement import Statement
 from executive.task_result import TaskResult
 from kinematics.trajectory_document import StoredTrajectory, write_trajectory
 from robots.control.events import SetpointRefused, StopStarted
-from robots.description import known_robots
-from robots.errors import UnknownRobotError
+from robots.description import load_description_for_tasks
 from robots.scene_description import SceneDescription
 from robots.scene_file import known_scenes, load_scene
 
@@ -121,8 +120,7 @@ Said = tuple[Statement, list[TaskResult]]
 
 def _preflight(request: RunRequest) -> SceneDescription:
     """Find what is wrong with the request before anything is built."""
-    if request.robot not in known_robots():
-        raise UnknownRobotError(request.robot, known_robots())
+    load_description_for_tasks(request.robot)
     scene = load_scene(request.scene)
     for path in (request.report, request.snapshot, request.video):
         if path is not None:

@@ -18,7 +18,7 @@ from executive.task_result import TaskResult, chain
 from executive.task_script import TaskScript, is_script, load_script
 from kinematics.requests import CheckRequest, PickPlan, PlanRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
-from robots.description import load_description
+from robots.description import load_description_for_tasks
 from robots.scene_description import SceneDescription
 from robots.scene_file import load_scene
 from trees.failures import FailureKind
@@ -141,7 +141,7 @@ class _Rehearsal:
         """Rehearse a command, with one gaze after the other until what it is about is seen."""
         leave_opengl_to_the_renderer()
         self.notes.append(wording(command))
-        camera = load_description(self._place[0]).camera
+        camera = load_description_for_tasks(self._place[0]).camera
         gazes = [gaze for gaze in TreePolicy().search_gazes if gaze.lean_rad == 0.0]
         for gaze in gazes:
             result = self._look(

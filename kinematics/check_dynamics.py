@@ -1,8 +1,9 @@
 """Balance and effort along a trajectory: CoM, ZMP and joint torques.
 
-The CoM's projection has to stay inside the support polygon by the robot's margin, the ZMP (from
-the whole body's momentum, Pinocchio's inverse dynamics) inside it by the checker's. Torques are
-those of the smallest sole wrenches that carry the motion.
+Of a robot that stands, the CoM's projection has to stay inside the support polygon by the robot's
+margin, the ZMP (from the whole body's momentum, Pinocchio's inverse dynamics) inside it by the
+checker's. Torques are those of the smallest sole wrenches that carry the motion. A welded base takes
+any wrench: there, torques are judged alone.
 """
 
 from __future__ import annotations
@@ -81,19 +82,21 @@ class DynamicsCheck:
         """Judge balance and effort.
 
         Returns:
-            The findings, and the smallest CoM margin in m.
+            The findings, and the smallest CoM margin in m; infinite when the base is welded.
         """
         settings = self._settings
         times = timeline.knots(settings.dynamics_period_s)
         configurations = timeline.at(times)
+        q = np.hstack(
+            [configurations.base_position_m, configurations.base_quaternion, configurations.joints_rad]
+        )
+        if self._model.description.welded:
+            return self._effort(times, self._inverse_dynamics(trajectory, times, q)[:, 6:]), np.inf
         placed = self._kinematics.poses(configurations)
         polygon = SupportPolygon(self._model, trajectory.stance)
         margin = polygon.margin_m(self._kinematics.com(placed)[:, :2])
         least = self._model.description.com_margin_m
         findings = _first_below("CoM", times, margin, least, least - settings.com_tolerance_m)
-        q = np.hstack(
-            [configurations.base_position_m, configurations.base_quaternion, configurations.joints_rad]
-        )
         efforts = self._inverse_dynamics(trajectory, times, q)
         force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
         lift = np.maximum(force[:, 2], 1e-6)

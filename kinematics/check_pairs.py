@@ -8,12 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
 from kinematics.check_kinematics import BASE, WORLD, BatchedKinematics
 from kinematics.check_solids import Solid, plain_solid, robot_solids
 from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
+from kinematics.scene import FLOOR, PlanningScene, floor
 from kinematics.trajectory import FindingKind
 
 Array = NDArray[np.float64]
@@ -21,9 +19,6 @@ Indices = NDArray[np.intp]
 
 # rows of a rate: the base's path and turn, then the hinges; a hinge's row is its body's index
 _BASE_PATH, _BASE_TURN = 0, 1
-
-FLOOR = "floor"
-_FLOOR_SIZE_M = (40.0, 40.0, 2.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +62,8 @@ class PairBuilder:
         self._robot_rates: dict[tuple[int, int], Array] = {}
         self._self_rate = self._rates(self._robot, self._self_pairs)
         self._sole_links = {sole.link for sole in model.description.soles}
+        if model.description.welded:  # what is bolted to the floor stands on it too
+            self._sole_links |= {solid.name for solid in self._robot if solid.body == BASE}
 
     def pairs(self, scene: PlanningScene) -> Pairs:
         """Pairs that may not touch in a scene: robot, held objects, scene objects and the floor."""
@@ -82,9 +79,7 @@ class PairBuilder:
             )
         things = list(scene.objects.values())
         if FLOOR not in scene.objects:
-            things.append(
-                SceneObject(FLOOR, Box(_FLOOR_SIZE_M), poses.translation(0, 0, -0.5 * _FLOOR_SIZE_M[2]))
-            )
+            things.append(floor())
         world = [
             plain_solid(item.name, WORLD, item.world_T_object, item.shape, kinematics) for item in things
         ]

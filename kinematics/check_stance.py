@@ -1,4 +1,4 @@
-"""Whether the feet stay where the stance says they stand."""
+"""Whether the feet stay where the stance says they stand, and a welded base where it is mounted."""
 
 from __future__ import annotations
 
@@ -26,17 +26,19 @@ def stance_findings(
 ) -> list[Finding]:
     """Judge every sole of the stance at every sample, and between them where the motion bends.
 
+    A welded base is judged as well: it may not move at all.
+
     Raises:
         UnknownNameError: The stance names a frame that the model does not have.
     """
+    findings = _mount_findings(model, timeline, settings) if model.description.welded else []
     if not stance.soles:
-        return []
+        return findings
     frames = [model.pin.frames[model.frame_id(name)] for name, _ in stance.soles]
     feet = frozenset(int(frame.parentJoint) for frame in frames)
     legs = sorted({body - 2 for foot in feet for body in kinematics.chain(foot) if body >= 2})
     configurations = timeline.at(_instants(timeline, legs, settings))
     placed = kinematics.poses(configurations, feet)
-    findings = []
     for (name, world_T_sole), frame in zip(stance.soles, frames, strict=True):
         body, local = int(frame.parentJoint), np.array(frame.placement.homogeneous)
         position = placed.rotation[body] @ local[:3, 3] + placed.origin_m[body]
@@ -53,6 +55,27 @@ def stance_findings(
             if len(bad):
                 t_s = float(configurations.t_s[bad[0]])
                 findings.append(Finding(FindingKind.STANCE, t_s, subject, float(value[bad].max()), limit))
+    return findings
+
+
+def _mount_findings(model: RobotModel, timeline: Timeline, settings: CheckSettings) -> list[Finding]:
+    """Judge a welded base against its mount, between the samples too."""
+    between = timeline.bend()[:, 0]
+    stray = np.linalg.norm(timeline.base_position_m - model.mount[:3, 3], axis=1)
+    stray += np.maximum(np.append(between, 0.0), np.append(0.0, between))
+    # the base's orientation is blended: it strays nowhere farther than at a sample
+    mount = np.array(model.q_home[3:7])
+    cosine = np.abs(timeline.quaternions @ mount) / np.linalg.norm(mount)
+    tilt = 2.0 * np.arccos(np.minimum(cosine, 1.0))
+    base, findings = model.description.base_link, []
+    for subject, value, limit in (
+        ((base,), stray, settings.stance_m),
+        ((base, "orientation"), tilt, settings.stance_rad),
+    ):
+        bad = np.flatnonzero(value > limit)
+        if len(bad):
+            t_s = float(timeline.t_s[bad[0]])
+            findings.append(Finding(FindingKind.STANCE, t_s, subject, float(value[bad].max()), limit))
     return findings
 
 

@@ -3,6 +3,7 @@
 KinematicsError
 ├── UnknownNameError      a frame, joint, group or object that is not there
 ├── ModelError            a robot description that cannot be turned into a model
+├── MissingPartError      a part that this robot does not have
 ├── InvalidMotionError    arrays that cannot be a path or a trajectory
 └── TrajectoryDocumentError  a stored trajectory that cannot be one: place and reason
 
@@ -30,6 +31,13 @@ class UnknownNameError(KinematicsError):
 
 class ModelError(KinematicsError):
     """A robot description that cannot be turned into a model."""
+
+
+class MissingPartError(KinematicsError):
+    """A part that was asked for and that this robot does not have."""
+
+    def __init__(self, robot: str, part: str) -> None:
+        super().__init__(f"{robot} has no {part}")
 
 
 class InvalidMotionError(KinematicsError):

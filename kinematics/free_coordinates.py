@@ -1,7 +1,7 @@
-"""The coordinates that a standing robot is free to move: pelvis pose, trunk, arms and head.
+"""The coordinates that a robot is free to move: pelvis pose, trunk, arms and head.
 
-The legs follow from the pelvis by the closed form, so that every point of this space has both feet
-where they stand.
+The legs follow from the pelvis, so that every point of this space has both feet where they stand. A
+welded base does not move: its robot has its joints alone.
 """
 
 from __future__ import annotations
@@ -23,7 +23,13 @@ class FreeCoordinates:
     """Maps between configurations ``q`` and free coordinates ``x``.
 
     ``x`` has shape (size,): pelvis position (m), pelvis rotation vector (rad), then the joints that
-    are in no leg, in the model's order.
+    are in no leg, in the model's order. When the base is welded there are the joints alone.
+
+    Attributes:
+        base_size: How many of the coordinates are the pelvis's: the first 6, or 0 when welded.
+        joints: Names of the joints that follow them.
+        size: All together.
+        weights: Of each coordinate in the length of a path, shape (size,).
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:
@@ -33,15 +39,20 @@ class FreeCoordinates:
         in_legs = {joint for name, members in groups.items() if name.endswith("_leg") for joint in members}
         self.joints = tuple(joint for joint in model.joints if joint not in in_legs)
         self._columns = 7 + model.indices(self.joints)
-        self.size = 6 + len(self.joints)
-        self.weights = np.concatenate([np.full(3, PELVIS_WEIGHT), np.ones(self.size - 3)])
+        self._mount = model.q_home[:7] if model.description.welded else None
+        self.base_size = 0 if model.description.welded else 6
+        self.size = self.base_size + len(self.joints)
+        self.weights = np.ones(self.size)
+        self.weights[: min(3, self.base_size)] = PELVIS_WEIGHT
 
     def index(self, joint: str) -> int:
         """Column of a joint in ``x``."""
-        return 6 + self.joints.index(joint)
+        return self.base_size + self.joints.index(joint)
 
     def from_q(self, q: Array) -> Array:
         """Free coordinates of one configuration."""
+        if self._mount is not None:
+            return np.array(q[self._columns])
         vector, w = q[3:6], q[6]
         if w < 0.0:
             vector, w = -vector, -w
@@ -59,6 +70,10 @@ class FreeCoordinates:
             Configurations, shape (n, nq), and whether both feet can be reached, shape (n,).
         """
         q = np.zeros((len(x), self._model.nq))
+        q[:, self._columns] = x[:, self.base_size :]
+        if self._mount is not None:
+            q[:, :7] = self._mount
+            return q, np.ones(len(x), dtype=bool)
         q[:, :3] = x[:, :3]
         turn = x[:, 3:6]
         angle = np.sqrt(np.sum(turn * turn, axis=1))
@@ -66,7 +81,6 @@ class FreeCoordinates:
         half = np.where(angle < 1e-6, 0.5 - angle**2 / 48.0, np.sin(0.5 * angle) / np.maximum(angle, 1e-6))
         q[:, 3:6] = turn * half[:, None]
         q[:, 6] = np.cos(0.5 * angle)
-        q[:, self._columns] = x[:, 6:]
         return q, self._legs.fill(q)
 
     def distance(self, a: Array, b: Array) -> float:

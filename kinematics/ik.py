@@ -1,7 +1,8 @@
 """Whole-body inverse kinematics: feet pinned, CoM inside the support polygon, one TCP at a pose.
 
-PlaCo's task-based quadratic program does the search; the legs are then set by the closed form, and
-every residual is measured again with Pinocchio. An answer is never returned unverified.
+PlaCo's task-based quadratic program does the search; the legs are then set exactly, and every residual
+is measured again with Pinocchio. An answer is never returned unverified. A welded robot has neither feet
+nor balance to keep; its base stays at its mount.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import placo
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.errors import MissingPartError
 from kinematics.leg_ik import LegIk
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
@@ -52,7 +54,7 @@ class IkResult:
         position_error_m: Distance of the TCP from its target.
         orientation_error_rad: Angle between TCP and target.
         com_margin_m: Distance of the CoM's ground projection to the edge of the support polygon,
-            positive inside.
+            positive inside; infinite when the base is welded.
         limits_kept: Whether every joint is inside its limits (shrunk for planning).
         feet_reached: Whether the legs can be placed.
         iterations: Steps of the solver.
@@ -84,6 +86,9 @@ class WholeBodyIk:
         model: The robot.
         stance: Where the soles stand.
         hand: The hand whose TCP is placed.
+
+    Raises:
+        MissingPartError: The robot has no such hand.
     """
 
     def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
@@ -91,7 +96,9 @@ class WholeBodyIk:
         self._model = model
         self._legs = LegIk(model, stance)
         self._polygon = SupportPolygon(stance, description.soles)
-        self._frame = description.grippers[hand].tcp_frame
+        if hand not in description.tcp_frames:
+            raise MissingPartError(description.name, f"{hand} hand")
+        self._frame = description.tcp_frames[hand]
         margin = description.planning_margin_rad
         self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
         self._robot = placo.RobotWrapper(
@@ -110,6 +117,21 @@ class WholeBodyIk:
         solver = placo.KinematicsSolver(robot)
         solver.dt = STEP_S
         solver.enable_joint_limits(True)
+        if model.description.welded:
+            solver.mask_fbase(True)
+        else:
+            self._keep_standing(solver, stance)
+        posture = solver.add_joints_task()
+        posture.set_joints({name: model.description.home[name] for name in model.joints})
+        posture.configure("posture", "soft", POSTURE_WEIGHT)
+        if model.description.groups["torso"] and not model.description.welded:
+            facing = poses.rotation_z(_heading(stance))
+            solver.add_orientation_task(_trunk(model), facing).configure("trunk", "soft", TRUNK_WEIGHT)
+        solver.add_regularization_task(REGULARISATION)
+        return solver
+
+    def _keep_standing(self, solver: placo.KinematicsSolver, stance: Stance) -> None:
+        model = self._model
         for frame, world_T_sole in stance.soles:
             solver.add_frame_task(frame, world_T_sole).configure(frame, "hard")
         clockwise = [np.array(corner) for corner in self._polygon.vertices_m[::-1]]
@@ -119,13 +141,6 @@ class WholeBodyIk:
         com = model.com(model.q_home)
         middle = self._polygon.vertices_m.mean(axis=0)
         solver.add_com_task(np.array([middle[0], middle[1], com[2]])).configure("com", "soft", COM_WEIGHT)
-        posture = solver.add_joints_task()
-        posture.set_joints({name: model.description.home[name] for name in model.joints})
-        posture.configure("posture", "soft", POSTURE_WEIGHT)
-        facing = poses.rotation_z(_heading(stance))
-        solver.add_orientation_task(_trunk(model), facing).configure("trunk", "soft", TRUNK_WEIGHT)
-        solver.add_regularization_task(REGULARISATION)
-        return solver
 
     def solve(
         self,
@@ -135,6 +150,8 @@ class WholeBodyIk:
         iterations: int = 60,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
+
+        A welded base must be at its mount in ``q_seed``.
 
         Args:
             world_T_tcp: Target, shape (4, 4).

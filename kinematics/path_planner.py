@@ -143,10 +143,11 @@ class PathPlanner:
 
     def _sampling_box(self, start: Array, goal: Array, moving: list[int]) -> tuple[Array, Array]:
         lower, upper = np.minimum(start, goal), np.maximum(start, goal)
-        lower[:6] -= PELVIS_ROOM
-        upper[:6] += PELVIS_ROOM
+        base = self._space.base_size
+        lower[:base] -= PELVIS_ROOM[:base]
+        upper[:base] += PELVIS_ROOM[:base]
         for column in moving:
-            index = self._model.joint_index(self._space.joints[column - 6])
+            index = self._model.joint_index(self._space.joints[column - base])
             lower[column], upper[column] = self._lower[index], self._upper[index]
         return lower, upper
 

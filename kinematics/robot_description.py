@@ -10,8 +10,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from kinematics.errors import MissingPartError
+
 Hand = Literal["left", "right"]
 HANDS: tuple[Hand, Hand] = ("left", "right")
+"""The names of hands; a robot's own are ``RobotDescription.hands``, perhaps only one of them."""
+
+Base = Literal["floating", "welded"]
+"""What holds a robot up: its feet, or bolts."""
+
+GROUPS = ("left_leg", "right_leg", "torso", "left_arm", "right_arm", "head")
+"""The groups of joints that every robot has, some of them empty."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +48,8 @@ class JointGains:
 @dataclass(frozen=True, slots=True)
 class GripperDescription:
     """One gripper.
+
+    Of a joint that slides, positions are metres and efforts newtons where the names say rad and nm.
 
     Attributes:
         hand: Which hand it is.
@@ -118,15 +129,18 @@ class CameraDescription:
 
 @dataclass(frozen=True, slots=True)
 class SensorNoise:
-    """Standard deviations of the sensors' white noise, SI units, and the encoder resolution."""
+    """Standard deviations of the sensors' white noise, SI units, and the encoder resolution.
+
+    Those of an IMU or of feet that the robot does not have are 0.
+    """
 
     joint_position_rad: float
     joint_velocity_rad_s: float
     joint_effort_fraction: float
-    gyro_rad_s: float
-    accelerometer_m_s2: float
-    foot_force_n: float
-    foot_torque_nm: float
+    gyro_rad_s: float = 0.0
+    accelerometer_m_s2: float = 0.0
+    foot_force_n: float = 0.0
+    foot_torque_nm: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +157,16 @@ class RobotDescription:
         limits: By joint name, grippers too.
         gains: By joint name, grippers too.
         home: Joint positions of the home posture, every joint.
-        groups: Joint names by group: "left_leg", "right_leg", "torso", "left_arm", "right_arm", "head".
+        groups: Joint names by group, every one of ``GROUPS``; empty where the robot has no such part.
+        grippers: Of the hands that can grasp.
+        soles: What it stands on; empty when the base is welded.
+        tcp_frames: TCP of each hand, grasping or not: x along the approach, y along the opening.
+        head_camera: The camera that joints aim, if there is one.
+        imu: Link of the IMU, if there is one.
+        base: What holds the robot up.
+        mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
+            roll, pitch, yaw about fixed axes.
+        cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
         planning_margin_rad: Limits are shrunk by this for planning.
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
@@ -162,15 +185,60 @@ class RobotDescription:
     groups: Mapping[str, tuple[str, ...]]
     grippers: Mapping[Hand, GripperDescription]
     soles: tuple[SoleDescription, ...]
-    camera: CameraDescription
+    tcp_frames: Mapping[Hand, str]
+    head_camera: CameraDescription | None
     base_link: str
-    imu_link: str
+    imu: str | None
     noise: SensorNoise
     planning_margin_rad: float
     com_margin_m: float
     contact_effort_nm: Mapping[str, float] = field(default_factory=dict)
+    base: Base = "floating"
+    mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    cannot_grasp: str = ""
 
     @property
     def actuated(self) -> tuple[str, ...]:
         """Joint names of a setpoint: body joints, then gripper joints."""
         return self.joints + self.gripper_joints
+
+    @property
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that the robot has, left before right."""
+        return tuple(hand for hand in HANDS if hand in self.tcp_frames)
+
+    @property
+    def welded(self) -> bool:
+        """Whether the base is bolted to something: no stance, nothing to balance."""
+        return self.base == "welded"
+
+    @property
+    def camera(self) -> CameraDescription:
+        """The head camera.
+
+        Raises:
+            MissingPartError: The robot has none.
+        """
+        if self.head_camera is None:
+            raise MissingPartError(self.name, "camera that its joints aim")
+        return self.head_camera
+
+    @property
+    def imu_link(self) -> str:
+        """Link of the IMU.
+
+        Raises:
+            MissingPartError: The robot has none.
+        """
+        if self.imu is None:
+            raise MissingPartError(self.name, "IMU")
+        return self.imu
+
+    @property
+    def missing_for_tasks(self) -> tuple[str, ...]:
+        """What the skills need and this robot does not have; empty for one that can do tasks."""
+        missing = [] if self.soles else ["feet"]
+        if self.head_camera is None:
+            missing.append("camera that its joints aim")
+        return (*missing, *(f"{hand} gripper" for hand in HANDS if hand not in self.grippers))

@@ -24,7 +24,8 @@ class RobotModel:
 
     Attributes:
         description: The data it was built from.
-        pin: The Pinocchio model, free-flyer first, grippers fixed open.
+        pin: The Pinocchio model, free-flyer first, grippers fixed open. A welded base has the
+            free-flyer too, so that configurations of all robots have one form; it stays at ``mount``.
         joints: Body joints, the order of ``q[7:]`` and ``v[6:]``.
         lower_rad, upper_rad, velocity, acceleration, jerk, effort: Limits, shape (n,) each, in
             that order, SI units.
@@ -107,8 +108,20 @@ class RobotModel:
         quaternion = poses.quaternion_from_rotation(world_T_base[:3, :3])
         return np.concatenate([world_T_base[:3, 3], quaternion, values])
 
+    @cached_property
+    def mount(self) -> Transform:
+        """``odom_T_base`` of a welded base, shape (4, 4)."""
+        roll, pitch, yaw = self.description.mount_rpy_rad
+        turn = poses.rotation_z(yaw) @ poses.rotation_y(pitch) @ poses.rotation_x(roll)
+        return poses.transform(turn, self.description.mount_xyz_m)
+
     def on_the_floor(self, joints: Mapping[str, float]) -> Array:
-        """Configuration with the soles flat on z = 0, the point between them at the origin, x ahead."""
+        """Configuration with the soles flat on z = 0, the point between them at the origin, x ahead.
+
+        A welded base is where it is mounted.
+        """
+        if self.description.welded:
+            return self.configuration(joints, self.mount)
         q = self.configuration(joints, np.eye(4))
         soles = [self.frame_pose(q, sole.frame) for sole in self.description.soles]
         middle = poses.interpolate(soles[0], soles[1], 0.5)
@@ -117,11 +130,13 @@ class RobotModel:
 
     @cached_property
     def q_home(self) -> Array:
-        """The home posture, standing at the origin, shape (nq,)."""
+        """The home posture, standing at the origin or where it is mounted, shape (nq,)."""
         return self.on_the_floor({})
 
     def home_over(self, stance: Stance) -> Array:
-        """The home posture with its soles at a stance, shape (nq,)."""
+        """The home posture with its soles at a stance, shape (nq,); that of a welded robot has none."""
+        if self.description.welded:
+            return self.q_home
         soles = [world_T_sole for _, world_T_sole in stance.soles]
         middle = poses.interpolate(soles[0], soles[-1], 0.5)
         base = poses.transform(poses.rotation_from_quaternion(self.q_home[3:7]), self.q_home[:3])

@@ -10,12 +10,18 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import TypeVar
 
+from kinematics import poses
 from kinematics.errors import UnknownNameError
 from kinematics.poses import Transform
-from kinematics.shapes import Shape
+from kinematics.shapes import Box, Shape
 
 Pair = frozenset[str]
 """Two names, of links or of objects, in no order."""
+
+FLOOR = "floor"
+"""Name of the solid below z = 0 that every scene has, unless it says itself what its floor is."""
+
+_FLOOR_SIZE_M = (40.0, 40.0, 2.0)
 
 
 V = TypeVar("V")
@@ -43,6 +49,12 @@ class SceneObject:
     world_T_object: Transform
     margin_m: float = 0.0
     movable: bool = True
+
+
+def floor() -> SceneObject:
+    """The floor of a scene that names none."""
+    place = poses.translation(0.0, 0.0, -0.5 * _FLOOR_SIZE_M[2])
+    return SceneObject(FLOOR, Box(_FLOOR_SIZE_M), place, movable=False)
 
 
 @dataclass(frozen=True, slots=True)

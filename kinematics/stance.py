@@ -22,7 +22,8 @@ def stance_at(model: RobotModel, q: Array, frames: Sequence[str] | None = None) 
     Args:
         model: The robot.
         q: Configuration, shape (nq,).
-        frames: Names of the sole frames that carry; all soles of the robot when left out.
+        frames: Names of the sole frames that carry; all soles of the robot when left out (a welded
+            robot has none, so its stance is empty).
 
     Raises:
         UnknownNameError: A frame is not in the model.
@@ -34,12 +35,15 @@ def stance_at(model: RobotModel, q: Array, frames: Sequence[str] | None = None) 
 def standing_at(model: RobotModel, q: Array, stance: Stance) -> Array:
     """Configuration with the same joints and the base where the soles of a stance put it, shape (nq,).
 
-    Soles that disagree, because the joints do not keep their distance exactly, are averaged.
+    Soles that disagree, because the joints do not keep their distance exactly, are averaged. A welded
+    base is where it is mounted.
 
     Raises:
-        KinematicsError: The stance has no sole.
+        KinematicsError: The stance has no sole, and the base is not welded.
         UnknownNameError: A sole's frame is not in the model.
     """
+    if model.description.welded:
+        return np.concatenate([model.q_home[:7], q[7:]])
     if not stance.soles:
         raise KinematicsError("a stance without soles puts the base nowhere")
     at_origin = q.copy()
@@ -60,8 +64,10 @@ def standing_at(model: RobotModel, q: Array, stance: Stance) -> Array:
 class SupportPolygon:
     """The convex hull, on the floor, of the soles that carry.
 
+    A robot without soles is welded to what carries it and cannot tip: its margins are infinite.
+
     Attributes:
-        vertices_m: Corners, counter-clockwise seen from above, shape (n, 2).
+        vertices_m: Corners, counter-clockwise seen from above, shape (n, 2); (0, 2) when welded.
     """
 
     def __init__(self, stance: Stance, soles: Sequence[SoleDescription]) -> None:
@@ -73,8 +79,10 @@ class SupportPolygon:
 
         Raises:
             UnknownNameError: The stance names a sole that the robot does not have.
-            KinematicsError: No sole carries.
+            KinematicsError: The robot has soles, and none of them carries.
         """
+        self.vertices_m = np.zeros((0, 2))
+        self._inward, self._offset = np.zeros((0, 2)), np.zeros(0)
         by_frame = {sole.frame: sole for sole in soles}
         corners: list[tuple[float, float]] = []
         for frame, world_T_sole in stance.soles:
@@ -85,6 +93,8 @@ class SupportPolygon:
                 for y in sole.y_m:
                     corner = world_T_sole[:3, :3] @ (x, y, 0.0) + world_T_sole[:3, 3]
                     corners.append((float(corner[0]), float(corner[1])))
+        if not corners and not soles:
+            return
         if not corners:
             raise KinematicsError("a stance without soles has no support polygon")
         self.vertices_m = _convex_hull(corners)
@@ -99,11 +109,12 @@ class SupportPolygon:
         Outside it is minus the distance to the line of the edge that is overstepped most, which is
         never more than the distance to the polygon.
         """
-        return float(np.min(self._inward @ com_xy[:2] - self._offset))
+        return float(np.min(self._inward @ com_xy[:2] - self._offset, initial=np.inf))
 
     def margins_m(self, points: Array) -> Array:
         """``com_margin_m`` of many ground points, shape (n, 2), at once, shape (n,)."""
-        return np.asarray(np.min(points @ self._inward.T - self._offset, axis=1), dtype=np.float64)
+        distances = points @ self._inward.T - self._offset
+        return np.asarray(np.min(distances, axis=1, initial=np.inf), dtype=np.float64)
 
 
 def _convex_hull(points: Sequence[tuple[float, float]]) -> Array:

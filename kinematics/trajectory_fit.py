@@ -6,11 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from kinematics.check_pairs import FLOOR
 from kinematics.errors import TrajectoryDocumentError, UnknownNameError
 from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene import FLOOR, PlanningScene, SceneObject
 from kinematics.trajectory import Trajectory
 from kinematics.trajectory_document import HeldObject, StoredTrajectory
 

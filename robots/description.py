@@ -1,4 +1,7 @@
-"""Read a robot's data: ``robots/models/<name>/description.toml`` and the URDF that it names."""
+"""Read a robot's data: ``robots/models/<name>/description.toml`` and the URDF that it names.
+
+What the keys mean is told in ``docs/how-to-add-a-robot.md``.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +11,13 @@ import re
 import tomllib
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
+from importlib.resources.abc import Traversable
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 from kinematics.robot_description import (
+    GROUPS,
     HANDS,
     CameraDescription,
     GripperDescription,
@@ -24,8 +29,23 @@ from kinematics.robot_description import (
     SoleDescription,
 )
 from robots.errors import DescriptionError, UnknownRobotError
+from robots.urdf import (
+    Table,
+    add_collision_box,
+    add_frame,
+    joints_named,
+    link_names,
+    moving_joints,
+    read_urdf,
+    with_fixed_joints,
+)
 
-Table = Mapping[str, Any]
+DISABLED_COLLISIONS = "disabled_collisions.toml"
+"""Pairs of links that are not judged, for robots without an SRDF; made by ``tools.disabled_collisions``."""
+
+_GRIPPER_KIND = "gripper"
+"""Joints of this kind are held open for planning."""
+_NO_JOINT = "(?!)"
 
 
 def known_robots() -> list[str]:
@@ -45,59 +65,107 @@ def load_description(name: str) -> RobotDescription:
     """
     if name not in known_robots():
         raise UnknownRobotError(name, known_robots())
-    text = (importlib.resources.files("robots.models") / name / "description.toml").read_text("utf-8")
+    folder = importlib.resources.files("robots.models") / name
+    data = tomllib.loads((folder / "description.toml").read_text("utf-8"))
     try:
-        return _describe(name, tomllib.loads(text))
+        return _describe(name, data, folder)
     except KeyError as missing:
         raise DescriptionError(f"robot {name!r}: description.toml or URDF lacks {missing}") from missing
+    except DescriptionError as wrong:
+        raise DescriptionError(f"robot {name!r}: {wrong}") from wrong
 
 
-def _describe(name: str, data: Table) -> RobotDescription:
+def load_description_for_tasks(name: str) -> RobotDescription:
+    """Read the data of a robot that is to carry out sentences.
+
+    Raises:
+        UnknownRobotError: There is no robot of that name.
+        DescriptionError: As for ``load_description``, or the robot lacks a part that the skills need.
+    """
+    description = load_description(name)
+    if missing := description.missing_for_tasks:
+        reason = f" ({description.cannot_grasp})" if description.cannot_grasp else ""
+        raise DescriptionError(
+            f"robot {name!r} can plan but not carry out tasks yet: it has no {', no '.join(missing)}{reason}"
+        )
+    return description
+
+
+def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
     root = _model_root(data["source"])
-    urdf = _clean_urdf((root / data["source"]["urdf"]).read_text("utf-8"), root)
-    grippers = {hand: _gripper(hand, data["gripper"]) for hand in HANDS}
-    for hand in HANDS:
-        _add_tcp(urdf, grippers[hand], data["gripper"]["tcp"][hand])
-    planning = _with_fixed_joints(urdf, r"gripper_.*")
-    srdf = ElementTree.parse(root / data["source"]["srdf"]).getroot()
+    urdf = read_urdf(root / data["source"]["urdf"], root)
+    grippers = {hand: _gripper(hand, data["gripper"]) for hand in _hands(data.get("gripper"))}
+    tcp_frames = _add_tcps(urdf, data)
+    for frame in data.get("frame", ()):
+        add_frame(urdf, frame["name"], frame["link"], frame)
+    for box in data.get("collision", ()):
+        add_collision_box(urdf, box["link"], box)
+    members = data["gains"]["members"]
+    open_rad = {gripper.joint: gripper.open_rad for gripper in grippers.values()}
+    planning = with_fixed_joints(urdf, members.get(_GRIPPER_KIND, _NO_JOINT), open_rad)
     joints = _order(planning, data["groups"])
-    gripper_joints = tuple(grippers[hand].joint for hand in HANDS)
+    gripper_joints = tuple(gripper.joint for gripper in grippers.values())
     actuated = joints + gripper_joints
-    posture = _srdf_posture(srdf, data["source"]["srdf_posture"])
-    return RobotDescription(
+    srdf = _srdf(data["source"], root)
+    posture = {} if srdf is None else _srdf_posture(srdf, data["source"]["srdf_posture"])
+    body, limits = data["body"], data["limits"]
+    description = RobotDescription(
         name=name,
         urdf=ElementTree.tostring(urdf, encoding="unicode"),
         planning_urdf=ElementTree.tostring(planning, encoding="unicode"),
         mesh_dir=str(root),
-        disabled_collisions=_disabled_pairs(srdf, data["gripper"]),
+        disabled_collisions=_disabled_pairs(srdf, folder, data.get("gripper")),
         joints=joints,
         gripper_joints=gripper_joints,
         limits=_limits(urdf, actuated, data),
         gains={joint: _gains(joint, data["gains"]) for joint in actuated},
         home={joint: data["home"].get(joint, posture.get(joint, 0.0)) for joint in actuated},
-        groups={group: tuple(members) for group, members in data["groups"].items()},
+        groups={group: tuple(data["groups"].get(group, ())) for group in _group_names(data["groups"])},
         grippers=grippers,
-        soles=tuple(_sole(item) for item in data["sole"]),
-        camera=CameraDescription(
-            frame=data["camera"]["frame"],
-            horizontal_fov_rad=data["camera"]["horizontal_fov_rad"],
-            vertical_fov_rad=data["camera"]["vertical_fov_rad"],
-            range_m=tuple(data["camera"]["range_m"]),
-            pan_joint=data["camera"]["pan_joint"],
-            tilt_joint=data["camera"]["tilt_joint"],
-            lean_joint=data["camera"].get("lean_joint"),
-        ),
-        base_link=data["body"]["base_link"],
-        imu_link=data["body"]["imu_link"],
+        soles=tuple(_sole(item) for item in data.get("sole", ())),
+        tcp_frames=tcp_frames,
+        head_camera=_camera(data.get("camera")),
+        base_link=body["base_link"],
+        imu=body.get("imu_link"),
         noise=SensorNoise(**data["noise"]),
-        planning_margin_rad=data["limits"]["planning_margin_rad"],
-        com_margin_m=data["limits"]["com_margin_m"],
+        planning_margin_rad=limits["planning_margin_rad"],
+        com_margin_m=limits["com_margin_m"] if "sole" in data else 0.0,
         contact_effort_nm={
-            joint: data["limits"]["contact"][kind]
+            joint: limits["contact"][kind]
             for joint in joints
-            if (kind := _kind(joint, data["gains"]["members"])) in data["limits"]["contact"]
+            if (kind := _kind(joint, members)) in limits.get("contact", {})
         },
+        base=body.get("base", "floating"),
+        mount_xyz_m=tuple(body.get("mount_xyz_m", (0.0, 0.0, 0.0))),
+        mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
+        cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
     )
+    _require_consistent(description, link_names(urdf))
+    return description
+
+
+def _require_consistent(description: RobotDescription, links: list[str]) -> None:
+    """What every user of a description relies on."""
+    if description.base not in ("floating", "welded"):
+        raise DescriptionError(f"[body] base is floating or welded, not {description.base!r}")
+    if description.welded == bool(description.soles):
+        state = "welded and has soles" if description.welded else "floating and has no sole to stand on"
+        raise DescriptionError(f"the base is {state}")
+    if description.hands != tuple(description.grippers) and not description.cannot_grasp:
+        raise DescriptionError("a hand has no gripper and [hand] says no reason (cannot_grasp)")
+    named = {"base_link": description.base_link, "imu_link": description.imu}
+    named.update({f"sole {sole.frame}": sole.frame for sole in description.soles})
+    if description.head_camera is not None:
+        named["camera"] = description.head_camera.frame
+    for what, link in named.items():
+        if link is not None and link not in links:
+            raise DescriptionError(f"{what}: the URDF has no link {link!r}")
+    for joint in description.joints:
+        low, high = description.limits[joint].position
+        if not low <= description.home[joint] <= high:
+            raise DescriptionError(
+                f"home posture: {joint} at {description.home[joint]:g} is outside {low:g} to {high:g} rad"
+            )
 
 
 def _model_root(source: Table) -> Path:
@@ -110,64 +178,40 @@ def _model_root(source: Table) -> Path:
     return Path(str(distribution.locate_file(source["root"])))
 
 
-def _clean_urdf(text: str, root: Path) -> ElementTree.Element:
-    """Parse a URDF with absolute mesh paths and without what is meant for other simulators."""
-    text = re.sub(r"package:///?example-robot-data/robots/", f"{root}/", text)
-    urdf = ElementTree.fromstring(text)
-    for tag in ("gazebo", "transmission"):
-        for element in urdf.findall(tag):
-            urdf.remove(element)
-    return urdf
+def _hands(part: Table | None) -> list[Hand]:
+    """Hands that a table of grippers or of hands describes, left before right."""
+    return [] if part is None else [hand for hand in HANDS if hand in part["tcp"]]
 
 
-def _add_tcp(urdf: ElementTree.Element, gripper: GripperDescription, place: Table) -> None:
-    ElementTree.SubElement(urdf, "link", name=gripper.tcp_frame)
-    joint = ElementTree.SubElement(urdf, "joint", name=f"{gripper.tcp_frame}_joint", type="fixed")
-    ElementTree.SubElement(joint, "parent", link=gripper.base_link)
-    ElementTree.SubElement(joint, "child", link=gripper.tcp_frame)
-    ElementTree.SubElement(
-        joint, "origin", xyz=" ".join(map(str, place["xyz"])), rpy=" ".join(map(str, place["rpy"]))
-    )
+def _add_tcps(urdf: ElementTree.Element, data: Table) -> dict[Hand, str]:
+    """Put the TCPs of all hands into the URDF; those of hands with a gripper come from its table."""
+    frames: dict[Hand, str] = {}
+    for part in (data.get("gripper"), data.get("hand")):
+        for hand in _hands(part):
+            if part is None or hand in frames:
+                continue
+            frames[hand] = part["tcp"]["frame"].format(hand=hand)
+            add_frame(urdf, frames[hand], part["base_link"].format(hand=hand), part["tcp"][hand])
+    return frames
 
 
-def _with_fixed_joints(urdf: ElementTree.Element, pattern: str) -> ElementTree.Element:
-    copy = ElementTree.fromstring(ElementTree.tostring(urdf))
-    for joint in copy.findall("joint"):
-        if re.fullmatch(pattern, joint.get("name", "")):
-            joint.set("type", "fixed")
-            for tag in ("mimic", "limit", "dynamics"):
-                for element in joint.findall(tag):
-                    joint.remove(element)
-    return copy
+def _group_names(described: Table) -> list[str]:
+    return [*described, *(group for group in GROUPS if group not in described)]
 
 
 def _order(urdf: ElementTree.Element, groups: Table) -> tuple[str, ...]:
-    """Moving joints in Pinocchio's order: depth first, children in the order of their joints' names."""
-    children: dict[str, list[tuple[str, str, bool]]] = {}
-    is_child = set()
-    for joint in urdf.findall("joint"):
-        parent, child = joint.find("parent"), joint.find("child")
-        if parent is None or child is None:
-            raise DescriptionError(f"joint {joint.get('name')!r} has no parent or no child")
-        moving = joint.get("type") not in ("fixed", "floating")
-        children.setdefault(parent.attrib["link"], []).append(
-            (joint.attrib["name"], child.attrib["link"], moving)
-        )
-        is_child.add(child.attrib["link"])
-    roots = [link.attrib["name"] for link in urdf.findall("link") if link.attrib["name"] not in is_child]
-    order: list[str] = []
-
-    def visit(link: str) -> None:
-        for name, child, moving in sorted(children.get(link, []), key=lambda item: item[1]):
-            if moving:
-                order.append(name)
-            visit(child)
-
-    visit(roots[0])
+    """Body joints in Pinocchio's order."""
+    if unknown := sorted(set(groups) - set(GROUPS)):
+        raise DescriptionError(f"[groups] {unknown[0]!r} is none of {', '.join(GROUPS)}")
+    order = moving_joints(urdf)
     described = {joint for members in groups.values() for joint in members}
     if described != set(order):
         raise DescriptionError(f"groups and URDF disagree on {sorted(described ^ set(order))}")
-    return tuple(order)
+    return order
+
+
+def _srdf(source: Table, root: Path) -> ElementTree.Element | None:
+    return ElementTree.parse(root / source["srdf"]).getroot() if "srdf" in source else None
 
 
 def _srdf_posture(srdf: ElementTree.Element, name: str) -> dict[str, float]:
@@ -181,32 +225,41 @@ def _srdf_posture(srdf: ElementTree.Element, name: str) -> dict[str, float]:
     raise DescriptionError(f"the SRDF has no group_state {name!r}")
 
 
-def _disabled_pairs(srdf: ElementTree.Element, gripper: Table) -> frozenset[tuple[str, str]]:
-    pairs = [(item.attrib["link1"], item.attrib["link2"]) for item in srdf.findall("disable_collisions")]
-    for hand in HANDS:
-        cluster = sorted(name.format(hand=hand) for name in (*gripper["links"], *gripper["cluster"]))
-        pairs += combinations(cluster, 2)
+def _disabled_pairs(
+    srdf: ElementTree.Element | None, folder: Traversable, gripper: Table | None
+) -> frozenset[tuple[str, str]]:
+    """Pairs of links that are never judged: the SRDF's, the robot's own list, those within a gripper."""
+    disabled = [] if srdf is None else srdf.findall("disable_collisions")
+    pairs = [(item.attrib["link1"], item.attrib["link2"]) for item in disabled]
+    stored = folder / DISABLED_COLLISIONS
+    if stored.is_file():
+        pairs += [(a, b) for listed in tomllib.loads(stored.read_text("utf-8")).values() for a, b in listed]
+    for hand in _hands(gripper):
+        names: tuple[str, ...] = () if gripper is None else (*gripper["links"], *gripper.get("cluster", ()))
+        pairs += combinations(sorted(name.format(hand=hand) for name in names), 2)
     return frozenset((min(pair), max(pair)) for pair in pairs)
 
 
 def _limits(urdf: ElementTree.Element, actuated: tuple[str, ...], data: Table) -> dict[str, JointLimits]:
-    by_name = {joint.attrib["name"]: joint for joint in urdf.findall("joint")}
+    """The URDF's limits where the data do not say otherwise, by joint (position) or by kind."""
+    elements = joints_named(urdf, actuated)
     table, members = data["limits"], data["gains"]["members"]
+    positions: Mapping[str, Any] = table.get("position", {})
+    if unknown := sorted(set(positions) - set(actuated)):
+        raise DescriptionError(f"[limits.position] names no joint of the robot: {unknown[0]!r}")
     limits = {}
     for name in actuated:
-        element = by_name[name].find("limit")
+        element = elements[name].find("limit")
         if element is None:
             raise DescriptionError(f"joint {name!r} has no limits in the URDF")
         kind = _kind(name, members)
-        lower, upper = table["position"].get(
-            name, (float(element.attrib["lower"]), float(element.attrib["upper"]))
-        )
+        lower, upper = positions.get(name, (float(element.attrib["lower"]), float(element.attrib["upper"])))
         limits[name] = JointLimits(
             position=(lower, upper),
-            velocity=float(element.attrib["velocity"]),
+            velocity=table.get("velocity", {}).get(kind, float(element.attrib["velocity"])),
             acceleration=table["acceleration"][kind],
             jerk=table["jerk"][kind],
-            effort=table["effort"].get(kind, float(element.attrib["effort"])),
+            effort=table.get("effort", {}).get(kind, float(element.attrib["effort"])),
         )
     return limits
 
@@ -257,4 +310,18 @@ def _sole(item: Table) -> SoleDescription:
         x_m=tuple(item["x_m"]),
         y_m=tuple(item["y_m"]),
         thickness_m=item["thickness_m"],
+    )
+
+
+def _camera(data: Table | None) -> CameraDescription | None:
+    if data is None:
+        return None
+    return CameraDescription(
+        frame=data["frame"],
+        horizontal_fov_rad=data["horizontal_fov_rad"],
+        vertical_fov_rad=data["vertical_fov_rad"],
+        range_m=tuple(data["range_m"]),
+        pan_joint=data["pan_joint"],
+        tilt_joint=data["tilt_joint"],
+        lean_joint=data.get("lean_joint"),
     )

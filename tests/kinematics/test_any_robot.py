@@ -1,0 +1,251 @@
+"""The same planner and checker for robots of other kinds: a welded arm, a small humanoid."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.collision import CollisionWorld
+from kinematics.errors import KinematicsError, MissingPartError
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.ik import IkTolerance, WholeBodyIk
+from kinematics.path_planner import PathPlanner, PathSettings
+from kinematics.robot_model import RobotModel
+from kinematics.scene import FLOOR, PlanningScene, SceneObject
+from kinematics.shapes import Box
+from kinematics.stance import SupportPolygon, stance_at, standing_at
+from kinematics.timing import Pace, time_curve
+from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajectory, Unsafe
+from kinematics.trajectory_check import TrajectoryChecker
+from robots.description import load_description
+
+NO_STANCE = Stance(())
+# the cubics between samples overshoot a velocity that is held, by some 1e-4
+PACE = Pace(velocity=0.95)
+
+
+def box(name, size_m, x, y, z):
+    return SceneObject(name, Box(size_m), poses.translation(x, y, z), margin_m=0.01, movable=False)
+
+
+@pytest.fixture(scope="module")
+def panda():
+    return RobotModel(load_description("panda"))
+
+
+@pytest.fixture(scope="module")
+def among_boxes():
+    return PlanningScene().with_objects(
+        [
+            box("pillar", (0.2, 0.2, 0.5), 0.5, 0.3, 0.25),
+            box("crate", (0.15, 0.3, 0.3), 0.4, -0.45, 0.5),
+            box("shelf", (0.3, 0.6, 0.03), 0.6, 0.0, 0.35),
+        ]
+    )
+
+
+@pytest.fixture(scope="module")
+def panda_space(panda):
+    return FreeCoordinates(panda, NO_STANCE)
+
+
+@pytest.fixture(scope="module")
+def panda_checker(panda):
+    return TrajectoryChecker(panda)
+
+
+def planner_of(model, space, stance, scene, iterations=2000):
+    world = CollisionWorld(model, scene, extra_margin_m=0.004, self_margin_m=0.005)
+    return PathPlanner(model, space, stance, world, PathSettings(iterations=iterations))
+
+
+def free_points(planner, low, high, count, seed):
+    rng, found = np.random.default_rng(seed), []
+    while len(found) < count:
+        x = rng.uniform(low, high)
+        if planner.is_free(x):
+            found.append(x)
+    return found
+
+
+def at_rest(model, q, duration_s=0.4, stance=NO_STANCE):
+    """A trajectory that holds one configuration."""
+    t = np.linspace(0.0, duration_s, 5)
+    return Trajectory(model.joints, stance, t, np.tile(q, (5, 1)), np.zeros((5, model.nv)))
+
+
+def kinds(verdict):
+    assert isinstance(verdict, Unsafe), "accepted"
+    return {finding.kind for finding in verdict.findings}
+
+
+def test_a_welded_arm_has_its_joints_as_free_coordinates(panda, panda_space):
+    x = panda_space.from_q(panda.q_home)
+
+    q, reached = panda_space.to_q(np.array([x, x + 0.1]))
+
+    assert panda_space.size == 7
+    assert reached.all()
+    assert np.array_equal(q[0], panda.q_home)
+    assert np.array_equal(q[1, :7], panda.q_home[:7])
+    assert q[1, 7:] == pytest.approx(panda.q_home[7:] + 0.1)
+
+
+@pytest.mark.requirement("U4", "S6")
+def test_a_welded_arm_moves_between_random_postures_among_boxes(
+    panda, panda_space, panda_checker, among_boxes
+):
+    planner = planner_of(panda, panda_space, NO_STANCE, among_boxes)
+    points = free_points(planner, panda.lower_rad + 0.02, panda.upper_rad - 0.02, 20, seed=0)
+    rng, detours = np.random.default_rng(1), 0
+
+    for start, goal in zip(points[::2], points[1::2], strict=True):
+        curve = planner.plan(start, goal, list(range(7)), rng)
+        assert curve is not None
+        detours += planner.straight(start, goal) is None
+        trajectory = time_curve(panda, panda_space, NO_STANCE, curve, PACE)
+        verdict = panda_checker.check(trajectory, among_boxes)
+        assert isinstance(verdict, CheckedTrajectory), str(verdict)
+        assert panda_space.from_q(trajectory.q[0]) == pytest.approx(start, abs=1e-9)
+        assert panda_space.from_q(trajectory.q[-1]) == pytest.approx(goal, abs=1e-9)
+        assert verdict.min_com_margin_m == np.inf
+
+    assert detours >= 2  # both ways of planning were used
+
+
+def test_planner_and_checker_agree_about_a_welded_arm(panda, panda_space, panda_checker, among_boxes):
+    world = CollisionWorld(panda, among_boxes)
+    rng = np.random.default_rng(3)
+    margin = 0.02
+    seen = {True: 0, False: 0}
+
+    for x in rng.uniform(panda.lower_rad + margin, panda.upper_rad - margin, (80, 7)):
+        q = panda_space.to_q(x[None, :])[0][0]
+        collides = world.collides(q)
+        contacts = {FindingKind.SELF_COLLISION, FindingKind.SCENE_COLLISION}
+        verdict = panda_checker.check(at_rest(panda, q), among_boxes)
+        found = isinstance(verdict, Unsafe) and bool(kinds(verdict) & contacts)
+        assert found == collides, str(verdict)
+        seen[collides] += 1
+
+    assert min(seen.values()) >= 10
+
+
+def test_an_arm_on_the_floor_may_stand_on_it_and_not_reach_into_it(panda, panda_checker):
+    scene = PlanningScene()
+    low = panda.q_home.copy()
+    low[7:] = (0.0, 1.75, 0.0, -0.2, 0.0, 1.6, 0.0)
+
+    assert panda.frame_pose(low, "tcp_right")[2, 3] < 0.0
+    pair = CollisionWorld(panda, scene).colliding_pair(low)
+    assert pair is not None
+    assert FLOOR in pair
+    assert FindingKind.SCENE_COLLISION in kinds(panda_checker.check(at_rest(panda, low), scene))
+    assert not CollisionWorld(panda, scene).collides(panda.q_home)
+    assert isinstance(panda_checker.check(at_rest(panda, panda.q_home), scene), CheckedTrajectory)
+
+
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize(
+    ("column", "by", "subject"),
+    [(0, 0.005, ("panda_link0",)), (2, -0.005, ("panda_link0",)), (4, 0.01, ("panda_link0", "orientation"))],
+)
+def test_a_welded_base_that_is_not_at_its_mount_is_found(panda, panda_checker, column, by, subject):
+    q = panda.q_home.copy()
+    q[column] += by
+    q[3:7] /= np.linalg.norm(q[3:7])
+
+    verdict = panda_checker.check(at_rest(panda, q), PlanningScene())
+
+    assert FindingKind.STANCE in kinds(verdict)
+    assert subject in [finding.subject for finding in verdict.findings]
+
+
+@pytest.mark.requirement("S6")
+def test_a_welded_base_that_strays_between_two_samples_is_found(panda, panda_checker):
+    still = at_rest(panda, panda.q_home)
+    v = still.v.copy()
+    v[1:3, 1] = (0.2, -0.2)
+
+    verdict = panda_checker.check(dataclasses.replace(still, v=v), PlanningScene())
+
+    assert FindingKind.STANCE in kinds(verdict)
+
+
+@pytest.mark.requirement("S6")
+def test_a_load_that_is_too_heavy_for_a_welded_arm_is_an_effort_finding(panda):
+    weak = {name: dataclasses.replace(limit, effort=5.0) for name, limit in panda.description.limits.items()}
+    model = RobotModel(dataclasses.replace(panda.description, limits=weak))
+
+    verdict = TrajectoryChecker(model).check(at_rest(model, model.q_home), PlanningScene())
+
+    assert kinds(verdict) == {FindingKind.EFFORT_LIMIT}
+
+
+def test_an_arm_mounted_on_a_table_plans_and_is_judged_there(panda):
+    mounted = dataclasses.replace(
+        panda.description, mount_xyz_m=(0.3, -0.2, 0.7), mount_rpy_rad=(0.0, 0.0, np.pi / 2)
+    )
+    model = RobotModel(mounted)
+    table = box("table", (0.6, 0.8, 0.7), 0.3, -0.2, 0.349)
+    scene = PlanningScene().with_objects([table]).allowing([("panda_link0", "table")])
+    space = FreeCoordinates(model, NO_STANCE)
+    planner = planner_of(model, space, NO_STANCE, scene)
+    start = space.from_q(model.q_home)
+    goal = start.copy()
+    goal[0] = 1.2
+
+    curve = planner.plan(start, goal, list(range(7)), np.random.default_rng(0))
+    trajectory = time_curve(model, space, NO_STANCE, curve, PACE)
+
+    assert isinstance(TrajectoryChecker(model).check(trajectory, scene), CheckedTrajectory)
+    assert model.frame_pose(model.q_home, "panda_link0")[:3, 3] == pytest.approx([0.3, -0.2, 0.7])
+    ahead = model.frame_pose(model.q_home, "tcp_right")[:3, 3] - [0.3, -0.2, 0.7]
+    assert ahead == pytest.approx([0.0, panda.frame_pose(panda.q_home, "tcp_right")[0, 3], 0.487], abs=1e-3)
+    assert FindingKind.STANCE in kinds(TrajectoryChecker(panda).check(trajectory, scene))
+
+
+def test_the_hand_of_a_welded_arm_is_brought_to_poses_with_its_base_in_place(panda):
+    ik = WholeBodyIk(panda, NO_STANCE, "right")
+    rng = np.random.default_rng(0)
+
+    for _ in range(20):
+        q = panda.q_home.copy()
+        posture = q[7:] + rng.normal(0.0, 0.4, 7)
+        q[7:] = np.clip(posture, panda.lower_rad + 0.02, panda.upper_rad - 0.02)
+        wanted = panda.frame_pose(q, "tcp_right")
+        result = ik.solve(wanted, panda.q_home)
+        assert result.within(IkTolerance())
+        assert np.array_equal(result.q[:7], panda.q_home[:7])
+        assert panda.frame_pose(result.q, "tcp_right") == pytest.approx(wanted, abs=3e-3)
+
+
+def test_a_hand_that_the_robot_does_not_have_is_named(panda):
+    with pytest.raises(MissingPartError, match="panda has no left hand"):
+        WholeBodyIk(panda, NO_STANCE, "left")
+
+
+def test_a_welded_robot_cannot_tip_and_one_on_its_feet_cannot_stand_on_nothing(panda, talos):
+    polygon = SupportPolygon(NO_STANCE, panda.description.soles)
+
+    assert polygon.com_margin_m(np.array([9.0, 9.0])) == np.inf
+    assert np.all(polygon.margins_m(np.array([[9.0, 9.0], [0.0, 0.0]])) == np.inf)
+    with pytest.raises(KinematicsError):
+        SupportPolygon(NO_STANCE, talos.description.soles)
+
+
+def test_the_stance_of_a_welded_robot_is_empty_and_its_base_at_the_mount(panda):
+    q = panda.q_home.copy()
+    q[:3] = (1.0, 2.0, 3.0)
+
+    assert stance_at(panda, q) == NO_STANCE
+    assert np.array_equal(standing_at(panda, q, NO_STANCE), panda.q_home)
+    assert np.array_equal(panda.home_over(NO_STANCE), panda.q_home)
+
+
+@pytest.mark.requirement("S6")
+def test_a_standing_robot_on_an_empty_stance_is_out_of_balance(talos):
+    verdict = TrajectoryChecker(talos).check(at_rest(talos, talos.q_home), PlanningScene())
+
+    assert FindingKind.BALANCE in kinds(verdict)
