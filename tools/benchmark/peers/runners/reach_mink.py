@@ -5,6 +5,7 @@ Settings: as for pink; daqp is mink's default solver.
 
 from __future__ import annotations
 
+import logging
 import time
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import numpy as np
 from line_protocol import Document, serve
 from reach_tolerance import Tolerance
 
-STEPS = 100
+STEPS = 40
 DT_S = 1.0
 COMPILER = '<mujoco><compiler fusestatic="false" balanceinertia="true" discardvisual="true"/></mujoco>'
 
@@ -40,7 +41,7 @@ class Peer:
             self.model.jnt_range[self.model.joint(name).id] = (lower, upper)
         self.configuration = mink.Configuration(self.model)
         self.hand = mink.FrameTask(
-            question["tcp"], "body", position_cost=1.0, orientation_cost=0.5, lm_damping=1e-4
+            question["tcp"], "body", position_cost=1.0, orientation_cost=0.5, lm_damping=1e-1
         )
         self.feet = []
         for frame, pose in question["soles"]:
@@ -52,7 +53,7 @@ class Peer:
         posture = mink.PostureTask(self.model, cost=1e-3)
         posture.set_target(self._to_mujoco(np.array(question["home"])))
         self.tasks = [self.hand, *self.feet, com, posture]
-        self.limits = [mink.ConfigurationLimit(self.model, gain=0.9)]
+        self.limits = [mink.ConfigurationLimit(self.model, gain=0.5)]
         self.tolerance = Tolerance(question)
         return {"joints": question["joints"]}
 
@@ -97,5 +98,6 @@ class Peer:
 
 
 if __name__ == "__main__":
+    logging.disable(logging.WARNING)  # a rounding beyond a limit is told at each step, and costs time
     peer = Peer()
     serve({"load": peer.load, "reach": peer.reach})

@@ -6,6 +6,7 @@ Settings: frame tasks for feet and hand, CoM and posture, Gauss-Newton steps wit
 
 from __future__ import annotations
 
+import logging
 import time
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ from pink.limits import ConfigurationLimit
 from pink.tasks import ComTask, FrameTask, PostureTask
 from reach_tolerance import Tolerance
 
-STEPS = 100
+STEPS = 40
 DT_S = 1.0
 
 
@@ -38,7 +39,7 @@ class Peer:
         self.data = self.model.createData()
         self.model.lowerPositionLimit[7:] = question["lower"]
         self.model.upperPositionLimit[7:] = question["upper"]
-        self.hand = FrameTask(question["tcp"], position_cost=1.0, orientation_cost=0.5, lm_damping=1e-4)
+        self.hand = FrameTask(question["tcp"], position_cost=1.0, orientation_cost=0.5, lm_damping=1e-1)
         self.feet = []
         for frame, pose in question["soles"]:
             foot = FrameTask(frame, position_cost=10.0, orientation_cost=10.0)
@@ -49,7 +50,7 @@ class Peer:
         posture = PostureTask(cost=1e-3)
         posture.set_target(np.array(question["home"]))
         self.tasks = [self.hand, *self.feet, com, posture]
-        self.limits = [ConfigurationLimit(self.model, config_limit_gain=0.9)]
+        self.limits = [ConfigurationLimit(self.model, config_limit_gain=0.5)]
         self.tolerance = Tolerance(question)
         self.solver = question.get("solver", self.solver)
         return {"joints": list(self.model.names)[2:]}
@@ -92,5 +93,6 @@ def _se3(pose: Any) -> Any:
 
 
 if __name__ == "__main__":
+    logging.disable(logging.WARNING)  # a rounding beyond a limit is told at each step, and costs time
     peer = Peer()
     serve({"load": peer.load, "reach": peer.reach})
