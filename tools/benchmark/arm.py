@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tools.benchmark.contest import Answer, ArmPlanner, Result, run_contest
+from tools.benchmark.contest import Answer, ArmPlanner, Result, run_contest, standings
+from tools.benchmark.own_arm_planner import OwnArmPlanner
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
@@ -17,11 +18,15 @@ from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import problems
 from tools.benchmark.problems.panda_files import RobotFiles, write_panda
 from tools.benchmark.problems.problem import Problem
+from tools.benchmark.report import Report, contest_figures
 
-# Peers and their scripts; pyroboplan is plain Python and gets fewer problems in a quick run anyway.
+# Peers and their scripts.
 PEERS = {"roboplan": "plan_roboplan", "ompl": "plan_ompl", "pyroboplan": "plan_pyroboplan"}
 # A path must begin and end where it was asked to.
 END_TOLERANCE_RAD = 1e-3
+
+
+SEED = 0
 
 
 class PeerPlanner:
@@ -56,6 +61,14 @@ class Referee:
         if float(np.max(ends)) > END_TOLERANCE_RAD:
             return False
         return ArmJudge(self._arm, problem.objects).path_is_free(path)
+
+
+def arm(quick: bool, cache: Path) -> Report:
+    """The product's planner and every peer that is there, on 2 or 100 problems of each family."""
+    missing = [name for name in PEERS if not PeerEnvironment(name, cache).is_ready]
+    found = standings(arm_contest(2 if quick else 100, SEED, cache, ours=[OwnArmPlanner()]))
+    notes = [f"{name}: its environment is not there (python -m tools.benchmark.peers)" for name in missing]
+    return Report("arm", quick, contest_figures("plan and shorten, ms", found), found, notes)
 
 
 def arm_contest(

@@ -7,6 +7,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from kinematics import poses
+from kinematics.scene import FLOOR, SceneObject
+from kinematics.shapes import Box
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
 from tools.benchmark.problems.families import FAMILIES, Place, Rng, Setting
 from tools.benchmark.problems.problem import Problem
@@ -17,6 +20,8 @@ CLEARANCE_M = 0.005
 # The line from start to goal is judged this finely before it counts as not trivial.
 LINE_STEP_RAD = 0.02
 _SCENES, _POSES, _SEEDS = 200, 12, 4
+# Every scene has the same floor, a centimetre below the base, so that the base itself never touches it.
+GROUND = SceneObject(FLOOR, Box((4.0, 4.0, 0.1)), poses.translation(0.0, 0.0, -0.06), movable=False)
 
 
 class NoProblemError(RuntimeError):
@@ -46,14 +51,15 @@ def problems(arm: Arm, family: str, count: int, seed: int) -> Iterator[Problem]:
 
 
 def _draw(arm: Arm, family: str, number: int, setting: Setting, rng: Rng) -> Problem | None:
-    judge = ArmJudge(arm, setting.objects, CLEARANCE_M)
+    objects = (GROUND, *setting.objects)
+    judge = ArmJudge(arm, objects, CLEARANCE_M)
     start = _near_ready(judge, rng) if setting.start is None else _at(arm, judge, setting.start, rng)
     if start is None:
         return None
     goal = _at(arm, judge, setting.goal, rng)
-    if goal is None or ArmJudge(arm, setting.objects).edge_is_free(start, goal, LINE_STEP_RAD):
+    if goal is None or ArmJudge(arm, objects).edge_is_free(start, goal, LINE_STEP_RAD):
         return None
-    return Problem(family, number, setting.objects, start, goal)
+    return Problem(family, number, objects, start, goal)
 
 
 def _near_ready(judge: ArmJudge, rng: Rng) -> Array | None:

@@ -44,7 +44,7 @@ class Problem:
         return {
             "family": self.family,
             "number": self.number,
-            "objects": [_object_to_json(item) for item in self.objects],
+            "objects": [object_to_json(item) for item in self.objects],
             "start": self.start.tolist(),
             "goal": self.goal.tolist(),
         }
@@ -61,7 +61,8 @@ class Problem:
         )
 
 
-def _object_to_json(item: SceneObject) -> dict[str, Any]:
+def object_to_json(item: SceneObject) -> dict[str, Any]:
+    """One solid as plain values: its kind, sizes (edges; radius, height; radius) and pose."""
     kind, size = _kind_and_size(item.shape)
     quaternion = poses.quaternion_from_rotation(item.world_T_object[:3, :3])
     return {
