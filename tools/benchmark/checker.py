@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 
 import numpy as np
@@ -35,14 +36,19 @@ def checker(quick: bool) -> list[Figure]:
     judge.check(*motions[0])
     for trajectory, scene in motions:
         accepted += isinstance(judge.check(trajectory, scene), CheckedTrajectory)
-        whole.append(1e3 * timed_s(lambda t=trajectory, s=scene: judge.check(t, s)))
-        walk.append(1e3 * timed_s(lambda t=trajectory: [model.com(q) for q in t.q]))
+        whole.append(1e3 * timed_s(functools.partial(judge.check, trajectory, scene)))
+        walk.append(1e3 * timed_s(functools.partial(_centres_of_mass, model, trajectory)))
     peer = "CoM of each sample by Pinocchio, one by one"
     share = [100.0 * accepted / len(motions)]
     return [
         figure("motion of 5 s with 1,000 samples, ms", whole, peer, walk),
         figure("motions found safe, %", share),
     ]
+
+
+def _centres_of_mass(model: RobotModel, trajectory: Trajectory) -> None:
+    for q in trajectory.q:
+        model.com(q)
 
 
 def _motions(model: RobotModel, count: int) -> Iterator[tuple[Trajectory, PlanningScene]]:

@@ -126,7 +126,8 @@ def _rows(
 ) -> list[Figure]:
     ours, peers = judges[0].name, [judge.name for judge in judges[1:]]
     rows = []
-    for peer in peers or [None]:
+    compared: list[str | None] = [*peers] or [None]
+    for peer in compared:
         peer_times = times[peer] if peer else []
         rows.append(figure("line of 2 rad, us", times[ours], peer, peer_times))
         for name, shares in (("optimistic errors, %", optimistic), ("pessimistic errors, %", pessimistic)):

@@ -73,7 +73,7 @@ class Standing:
         planner: Who.
         problems: How many were put.
         solved: Share that got a path.
-        valid: Share of those paths that the referee found free.
+        valid: Share of those answers that the referee found right.
         median_ms: Plan and shorten, over solved problems.
         p95_ms: The same, 95th percentile.
         set_up_ms: Taking the solids in, median.
@@ -116,8 +116,10 @@ def run_contest(
                 planner.plan(problem, 0)
         for seed in range(repeats):
             turn = (k + seed) % len(planners)
-            for planner in [*planners[turn:], *planners[:turn]]:
-                results.append(_judged(planner, problem, planner.plan(problem, seed), referee))
+            results += [
+                _judged(planner, problem, planner.plan(problem, seed), referee)
+                for planner in (*planners[turn:], *planners[:turn])
+            ]
     return results
 
 
@@ -137,7 +139,7 @@ def _judged(planner: ArmPlanner, problem: Problem, answer: Answer, referee: Refe
 
 def standings(results: Sequence[Result]) -> list[Standing]:
     """Sum up by family and planner; ratios are to the planner that comes first."""
-    planners = list(dict.fromkeys(sorted((r.planner for r in results), key=_first_seen(results))))
+    planners = list(dict.fromkeys(r.planner for r in results))
     families = list(dict.fromkeys(r.family for r in results))
     found = []
     for family in [*families, "all"] if len(families) > 1 else families:
@@ -147,11 +149,6 @@ def standings(results: Sequence[Result]) -> list[Standing]:
             own = [r for r in of_family if r.planner == planner]
             found.append(_standing(family, planner, own, None if planner == planners[0] else base))
     return found
-
-
-def _first_seen(results: Sequence[Result]) -> Callable[[str], int]:
-    order = {name: i for i, name in enumerate(dict.fromkeys(r.planner for r in results))}
-    return lambda name: order[name]
 
 
 def _standing(family: str, planner: str, own: Sequence[Result], base: dict[str, Result] | None) -> Standing:
@@ -178,9 +175,11 @@ def _standing(family: str, planner: str, own: Sequence[Result], base: dict[str, 
 
 
 COLUMNS = (
-    "family", "planner", "problems", "solved", "paths free", "median ms", "p95 ms", "set up ms",
-    "length rad", "times slower", "quartiles", "times longer",
+    "family", "planner", "problems", "solved", "valid", "median ms", "p95 ms", "set up ms", "length rad",
+    "times slower", "quartiles", "times longer",
 )  # fmt: skip
+# What fits a terminal; the rest is in the JSON and in the documentation.
+BRIEF = ("family", "planner", "solved", "valid", "median ms", "p95 ms", "length rad", "times slower")
 
 
 def cells(item: Standing) -> list[str]:
@@ -203,8 +202,9 @@ def cells(item: Standing) -> list[str]:
 
 
 def print_standings(title: str, items: Sequence[Standing], console: Console) -> None:
-    """Print a table."""
-    table = Table(*COLUMNS, title=title)
+    """Print the brief table."""
+    table = Table(*BRIEF, title=title)
     for item in items:
-        table.add_row(*cells(item))
+        by_name = dict(zip(COLUMNS, cells(item), strict=True))
+        table.add_row(*(by_name[name] for name in BRIEF))
     console.print(table)

@@ -6,6 +6,7 @@ on all alike. They report their own processor time; what passes between the proc
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import subprocess
@@ -37,7 +38,8 @@ class PeerProcess:
         self.environment = environment
         script = _RUNNERS / f"{runner}.py"
         # a file and not a pipe: a peer that prints much must never wait for a reader
-        self._said = tempfile.TemporaryFile("w+", encoding="utf-8")
+        self._files = contextlib.ExitStack()
+        self._said = self._files.enter_context(tempfile.TemporaryFile("w+", encoding="utf-8"))
         self._process = subprocess.Popen(
             [str(environment.python), str(script)],
             stdin=subprocess.PIPE,
@@ -54,7 +56,7 @@ class PeerProcess:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._process.communicate()
-        self._said.close()
+        self._files.close()
 
     def ask(self, question: str, **values: Any) -> Mapping[str, Any]:
         """Put a question and wait for its answer.

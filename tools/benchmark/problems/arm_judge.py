@@ -5,6 +5,7 @@ It shares no code with the planners that it judges.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -108,7 +109,7 @@ class ArmJudge:
     def path_is_free(self, path: Array, step_rad: float = REFEREE_STEP_RAD) -> bool:
         """Judge a polyline, shape (n, 7), its limits included."""
         return all(self.within_limits(q) for q in path) and all(
-            self.edge_is_free(a, b, step_rad) for a, b in zip(path, path[1:], strict=False)
+            self.edge_is_free(a, b, step_rad) for a, b in itertools.pairwise(path)
         )
 
 

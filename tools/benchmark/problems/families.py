@@ -54,7 +54,9 @@ def table_pick(rng: Rng) -> Setting:
     def goal(draw: Rng) -> Transform:
         x, y, height = targets[int(draw.integers(len(targets)))]
         tilt = float(draw.uniform(0.0, 1.2))
-        return table.base @ _grasp(draw, (x, y, max(0.05, 0.6 * height)), tilt, float(draw.uniform(0.0, 0.04)))
+        return table.base @ _grasp(
+            draw, (x, y, max(0.05, 0.6 * height)), tilt, float(draw.uniform(0.0, 0.04))
+        )
 
     return Setting(tuple(table.objects), None, goal)
 
@@ -218,9 +220,7 @@ class _Builder:
         self.objects: list[SceneObject] = []
         self._tops: dict[tuple[float, float], float] = {}
 
-    def box(
-        self, name: str, size: tuple[float, float, float], centre: tuple[float, float, float]
-    ) -> None:
+    def box(self, name: str, size: tuple[float, float, float], centre: tuple[float, float, float]) -> None:
         self._add(name, Box(size), poses.translation(*centre))
 
     def cylinder(
@@ -274,7 +274,7 @@ def _spread(
 
 
 def _grasp(rng: Rng, point: tuple[float, float, float], tilt_rad: float, retreat_m: float) -> Transform:
-    """A hand at a point: from above (tilt 0) to from the side (tilt a quarter turn), from any heading ahead."""
+    """A hand at a point: from above (no tilt) to from the side (a quarter turn), from any heading ahead."""
     heading = float(rng.uniform(-1.0, 1.0))
     roll = float(rng.uniform(-np.pi, np.pi)) if tilt_rad < 0.3 else float(rng.choice([0.0, np.pi]))
     # z of the TCP is its approach: down, then tilted towards the heading

@@ -28,7 +28,9 @@ def with_objects(geometry: Any, objects: list[Document]) -> Any:
     scene = geometry.copy()
     own = scene.ngeoms
     for item in objects:
-        pose = pin.SE3(pin.Quaternion(*_wxyz(item)).normalized().toRotationMatrix(), np.array(item["position"]))
+        pose = pin.SE3(
+            pin.Quaternion(*_wxyz(item)).normalized().toRotationMatrix(), np.array(item["position"])
+        )
         index = scene.addGeometryObject(pin.GeometryObject(item["name"], 0, pose, _solid(item)))
         for link in range(own):
             scene.addCollisionPair(pin.CollisionPair(link, index))

@@ -68,7 +68,10 @@ class Peer:
         planned_s = time.process_time()
         if path is not None:
             shortcuts = PathShortcuttingOptions(
-                group_name=GROUP, max_step_size=STEP_RAD, seed=question["seed"], **question.get("shortcuts", {})
+                group_name=GROUP,
+                max_step_size=STEP_RAD,
+                seed=question["seed"],
+                **question.get("shortcuts", {}),
             )
             path = PathShortcutter(self.scene, shortcuts).shortcut(path)
         ended_s = time.process_time()

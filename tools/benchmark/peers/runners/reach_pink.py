@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pinocchio as pin
 import pink
+import pinocchio as pin
 from line_protocol import Document, serve
 from pink.limits import ConfigurationLimit
 from pink.tasks import ComTask, FrameTask, PostureTask
@@ -79,7 +79,12 @@ class Peer:
                 return configuration.q, step
             try:
                 velocity = pink.solve_ik(
-                    configuration, self.tasks, DT_S, solver=self.solver, limits=self.limits, safety_break=False
+                    configuration,
+                    self.tasks,
+                    DT_S,
+                    solver=self.solver,
+                    limits=self.limits,
+                    safety_break=False,
                 )
             except pink.exceptions.PinkError:
                 return None, step
