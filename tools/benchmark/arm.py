@@ -12,7 +12,7 @@ import numpy as np
 from tools.benchmark.contest import Answer, ArmPlanner, Result, run_contest, standings
 from tools.benchmark.own_arm_planner import OwnArmPlanner
 from tools.benchmark.peers.environments import PeerEnvironment
-from tools.benchmark.peers.peer_process import PeerProcess
+from tools.benchmark.peers.peer_process import PeerProcess, peer_process
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
 from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import problems
@@ -98,7 +98,7 @@ def arm_contest(
         for name in peers:
             environment = PeerEnvironment(name, cache)
             if environment.is_ready:
-                process = stack.enter_context(PeerProcess(environment, PEERS[name]))
+                process = stack.enter_context(peer_process(environment, PEERS[name]))
                 planners.append(PeerPlanner(process, files, budget_s))
         drawn = chain.from_iterable(problems(arm, family, count, seed) for family in families)
         return run_contest(planners, drawn, Referee(arm)) if planners else []

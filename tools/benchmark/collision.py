@@ -21,7 +21,7 @@ from kinematics.trajectory import Stance
 from robots.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment
-from tools.benchmark.peers.peer_process import PeerProcess
+from tools.benchmark.peers.peer_process import PeerProcess, peer_process
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
 from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import problems
@@ -91,7 +91,7 @@ def collision(quick: bool, cache: Path, peers: Sequence[str] = tuple(PEERS)) -> 
         judges: list[EdgeJudge] = [OwnEdgeJudge()]
         for name in peers:
             if name not in missing:
-                process = stack.enter_context(PeerProcess(PeerEnvironment(name, cache), PEERS[name]))
+                process = stack.enter_context(peer_process(PeerEnvironment(name, cache), PEERS[name]))
                 judges.append(PeerEdgeJudge(process, urdf=str(files.urdf), srdf=str(files.srdf)))
         figures = _figures(arm, judges, 2 if quick else 134)
     notes = [f"{name}: its environment is not there (python -m tools.benchmark.peers)" for name in missing]

@@ -16,7 +16,7 @@ from executive.config import APPLICATION
 from kinematics.ik import IkTolerance, WholeBodyIk
 from tools.benchmark.contest import Result, standings
 from tools.benchmark.peers.environments import PeerEnvironment
-from tools.benchmark.peers.peer_process import PeerProcess
+from tools.benchmark.peers.peer_process import PeerProcess, peer_process
 from tools.benchmark.reaches import HAND, Array, Reach, ReachingBody
 from tools.benchmark.report import Report, contest_figures
 
@@ -103,7 +103,7 @@ def ik(quick: bool, cache: Path, peers: Sequence[str] = tuple(PEERS)) -> Report:
         solvers: list[Solver] = [OwnSolver(body)]
         for name in peers:
             if name not in missing:
-                process = stack.enter_context(PeerProcess(PeerEnvironment(name, cache), PEERS[name]))
+                process = stack.enter_context(peer_process(PeerEnvironment(name, cache), PEERS[name]))
                 solvers.append(PeerSolver(process, question))
         for number, reach in enumerate(body.reaches(40 if quick else 1000, seed=0)):
             for solver in solvers:  # each gets the first reach twice: it warms up

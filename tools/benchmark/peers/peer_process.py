@@ -11,15 +11,16 @@ import json
 import os
 import subprocess
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from types import TracebackType
-from typing import Any
+from typing import IO, Any
 
 from tools.benchmark.peers.environments import PeerEnvironment
 
 _RUNNERS = Path(__file__).parent / "runners"
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+# How much of what a peer said before it died is told.
+_LAST_WORDS = 2000
 
 
 class PeerError(RuntimeError):
@@ -27,36 +28,15 @@ class PeerError(RuntimeError):
 
 
 class PeerProcess:
-    """One script running in a peer's environment; use it as a context.
+    """One script running in a peer's environment; ``peer_process`` starts it.
 
-    Args:
+    Attributes:
         environment: Where it runs.
-        runner: Name of the script in ``peers/runners``, without its ending.
     """
 
-    def __init__(self, environment: PeerEnvironment, runner: str) -> None:
+    def __init__(self, environment: PeerEnvironment, process: subprocess.Popen[str], said: IO[str]) -> None:
         self.environment = environment
-        script = _RUNNERS / f"{runner}.py"
-        # a file and not a pipe: a peer that prints much must never wait for a reader
-        self._files = contextlib.ExitStack()
-        self._said = self._files.enter_context(tempfile.TemporaryFile("w+", encoding="utf-8"))
-        self._process = subprocess.Popen(
-            [str(environment.python), str(script)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self._said,
-            text=True,
-            env={**os.environ, **_ONE_THREAD, "PYTHONPATH": ""},
-        )
-
-    def __enter__(self) -> PeerProcess:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._process.communicate()
-        self._files.close()
+        self._process, self._said = process, said
 
     def ask(self, question: str, **values: Any) -> Mapping[str, Any]:
         """Put a question and wait for its answer.
@@ -75,8 +55,28 @@ class PeerProcess:
             line = ""
         if not line:
             self._said.seek(0)
-            raise PeerError(f"{self.environment.name} ended: {self._said.read()[-2000:]}")
+            raise PeerError(f"{self.environment.name} ended: {self._said.read()[-_LAST_WORDS:]}")
         answer: dict[str, Any] = json.loads(line)
         if "error" in answer:
             raise PeerError(f"{self.environment.name}: {answer['error']}")
         return answer
+
+
+@contextlib.contextmanager
+def peer_process(environment: PeerEnvironment, runner: str) -> Iterator[PeerProcess]:
+    """Run a script in a peer's environment for as long as the context lasts.
+
+    Args:
+        environment: Where it runs.
+        runner: Name of the script in ``peers/runners``, without its ending.
+    """
+    command = [str(environment.python), str(_RUNNERS / f"{runner}.py")]
+    surroundings = {**os.environ, **_ONE_THREAD, "PYTHONPATH": ""}
+    # errors go to a file and not to a pipe: a peer that prints much must never wait for a reader
+    with (
+        tempfile.TemporaryFile("w+", encoding="utf-8") as said,
+        subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=said, text=True, env=surroundings
+        ) as process,
+    ):
+        yield PeerProcess(environment, process, said)
