@@ -30,16 +30,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--cache", type=Path, default=default_cache(),
         help=f"folder with the peers' environments (or the variable {CACHE_VARIABLE})",
     )  # fmt: skip
+    parser.add_argument(
+        "--samples", type=int, metavar="N",
+        help="problems or scenes of each family (arm, collision), or reaches (ik), if not the suite's own",
+    )  # fmt: skip
     options = parser.parse_args(arguments)
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    report = _run(options.suite, options.quick, options.cache)
+    report = _run(options.suite, options.quick, options.cache, options.samples)
     report.print(Console())
     if options.json is not None:
         options.json.write_text(json.dumps(report.to_json(), indent=1) + "\n", "utf-8")
     return 0
 
 
-def _run(suite: str, quick: bool, cache: Path) -> Report:
+def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     # imported after the number of threads is set: numerical libraries read it when they are loaded
     from tools.benchmark.arm import arm
     from tools.benchmark.checker import checker
@@ -51,9 +55,13 @@ def _run(suite: str, quick: bool, cache: Path) -> Report:
     from tools.benchmark.startup import startup
     from tools.benchmark.tick import tick
 
-    beside_peers: dict[str, Callable[[bool, Path], Report]] = {"arm": arm, "ik": ik, "collision": collision}
+    beside_peers: dict[str, Callable[[bool, Path, int | None], Report]] = {
+        "arm": arm,
+        "ik": ik,
+        "collision": collision,
+    }
     if suite in beside_peers:
-        return beside_peers[suite](quick, cache)
+        return beside_peers[suite](quick, cache, samples)
     alone = {"planning": planning, "checker": checker, "tick": tick, "control": control, "startup": startup}
     return Report(suite, quick, alone[suite](quick))
 

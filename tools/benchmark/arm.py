@@ -63,10 +63,10 @@ class Referee:
         return ArmJudge(self._arm, problem.objects).path_is_free(path)
 
 
-def arm(quick: bool, cache: Path) -> Report:
-    """The product's planner and every peer that is there, on 2 or 100 problems of each family."""
+def arm(quick: bool, cache: Path, samples: int | None = None) -> Report:
+    """The product's planner and every peer that is there, on 100 problems of each family (quick: 2)."""
     missing = [name for name in PEERS if not PeerEnvironment(name, cache).is_ready]
-    found = standings(arm_contest(2 if quick else 100, SEED, cache, ours=[OwnArmPlanner()]))
+    found = standings(arm_contest(samples or (2 if quick else 100), SEED, cache, ours=[OwnArmPlanner()]))
     notes = [f"{name}: its environment is not there (python -m tools.benchmark.peers)" for name in missing]
     return Report("arm", quick, contest_figures("plan and shorten, ms", found), found, notes)
 

@@ -78,7 +78,9 @@ class PeerEdgeJudge:
         return answer["free"], answer["judge_s"]
 
 
-def collision(quick: bool, cache: Path, peers: Sequence[str] = tuple(PEERS)) -> Report:
+def collision(
+    quick: bool, cache: Path, samples: int | None = None, peers: Sequence[str] = tuple(PEERS)
+) -> Report:
     """Lines from random free configurations, in the scenes of every family.
 
     An *optimistic* error is a line that is called free and collides by the referee, Coal at 1/256 rad; a
@@ -93,7 +95,7 @@ def collision(quick: bool, cache: Path, peers: Sequence[str] = tuple(PEERS)) -> 
             if name not in missing:
                 process = stack.enter_context(peer_process(PeerEnvironment(name, cache), PEERS[name]))
                 judges.append(PeerEdgeJudge(process, urdf=str(files.urdf), srdf=str(files.srdf)))
-        figures = _figures(arm, judges, 2 if quick else 134)
+        figures = _figures(arm, judges, samples or (2 if quick else 134))
     notes = [f"{name}: its environment is not there (python -m tools.benchmark.peers)" for name in missing]
     return Report("collision", quick, figures, notes=notes)
 
@@ -102,6 +104,7 @@ def _figures(arm: Arm, judges: Sequence[EdgeJudge], scenes: int) -> list[Figure]
     times: dict[str, list[float]] = {judge.name: [] for judge in judges}
     optimistic: dict[str, list[float]] = {judge.name: [] for judge in judges}
     pessimistic: dict[str, list[float]] = {judge.name: [] for judge in judges}
+    free_share: list[float] = []
     for number, (objects, edges) in enumerate(_edges(arm, scenes)):
         referee = ArmJudge(arm, objects)
         truth = [referee.edge_is_free(a, b) for a, b in edges]
@@ -115,7 +118,11 @@ def _figures(arm: Arm, judges: Sequence[EdgeJudge], scenes: int) -> list[Figure]
             both = list(zip(free, truth, strict=True))
             optimistic[judge.name].append(100.0 * sum(f and not t for f, t in both) / len(both))
             pessimistic[judge.name].append(100.0 * sum(t and not f for f, t in both) / len(both))
-    return _rows(judges, times, optimistic, pessimistic)
+        free_share.append(100.0 * sum(truth) / len(truth))
+    return [
+        *_rows(judges, times, optimistic, pessimistic),
+        Figure("lines that are free, %", float(np.mean(free_share)), None, None, 1.0),
+    ]
 
 
 def _rows(

@@ -93,7 +93,7 @@ def robot_question(body: ReachingBody, folder: Path) -> dict[str, Any]:
     }
 
 
-def ik(quick: bool, cache: Path, peers: Sequence[str] = tuple(PEERS)) -> Report:
+def ik(quick: bool, cache: Path, samples: int | None = None, peers: Sequence[str] = tuple(PEERS)) -> Report:
     """Random reaches, each put to everybody in turn."""
     body = ReachingBody()
     question = robot_question(body, cache / "talos")
@@ -105,10 +105,12 @@ def ik(quick: bool, cache: Path, peers: Sequence[str] = tuple(PEERS)) -> Report:
             if name not in missing:
                 process = stack.enter_context(peer_process(PeerEnvironment(name, cache), PEERS[name]))
                 solvers.append(PeerSolver(process, question))
-        for number, reach in enumerate(body.reaches(40 if quick else 1000, seed=0)):
-            for solver in solvers:  # each gets the first reach twice: it warms up
-                if number == 0:
+        for number, reach in enumerate(body.reaches(samples or (40 if quick else 1000), seed=0)):
+            if number == 0:  # once more before all, and not counted: it warms up
+                for solver in solvers:
                     solver.reach(reach)
+            turn = number % len(solvers)
+            for solver in (*solvers[turn:], *solvers[:turn]):
                 q, seconds = solver.reach(reach)
                 results.append(_judged(body, solver, number, reach, q, seconds))
     found = standings(results)
