@@ -66,6 +66,24 @@ def test_an_answer_that_the_referee_refuses_is_told():
     assert standing.valid == pytest.approx(0.5)
 
 
+def test_the_length_of_a_path_that_is_not_valid_does_not_count():
+    ours, peer = Planner("ours", 0.01, []), Planner("peer", 0.01, [])
+
+    def fair(problem, path):
+        return problem.number == 0
+
+    _, second = standings(run_contest([ours, peer], [problem(0), problem(1)], fair))
+
+    assert second.length_rad == pytest.approx(np.sqrt(7.0))
+    assert second.times_longer == pytest.approx(1.0)
+
+
+def test_no_valid_path_has_no_length():
+    (standing,) = standings(run_contest([Planner("a", 0.1, [])], [problem(0)], lambda p, path: False))
+
+    assert standing.length_rad is None
+
+
 def test_several_families_are_summed_up_in_the_end():
     planner = Planner("a", 0.1, [])
 
@@ -78,7 +96,8 @@ def test_several_families_are_summed_up_in_the_end():
 def test_a_planner_that_solves_nothing_stands_with_nothing():
     (standing,) = standings(run_contest([Planner("a", 0.1, [], unsolved={0})], [problem(0)], always))
 
-    assert (standing.solved, standing.valid) == (0.0, 0.0)
+    assert (standing.solved, standing.valid, standing.median_ms) == (0.0, 0.0, None)
+    assert contest_figures("plan, ms", [standing]) == []
 
 
 def test_figures_set_the_first_planner_beside_each_of_the_others():

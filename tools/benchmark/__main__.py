@@ -15,7 +15,13 @@ from rich.console import Console
 if TYPE_CHECKING:
     from tools.benchmark.report import Report
 
-SUITES = ("planning", "arm", "ik", "collision", "checker", "tick", "control", "startup")
+SUITES = ("planning", "pick", "arm", "ik", "collision", "checker", "tick", "control", "startup")
+
+
+class _ListSuites(argparse.Action):
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        print(*SUITES)
+        parser.exit()
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -24,6 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     parser = argparse.ArgumentParser(prog="python -m tools.benchmark", description="How fast the parts are.")
     parser.add_argument("suite", choices=SUITES)
+    parser.add_argument("--list", action=_ListSuites, nargs=0, help="print the names of the suites")
     parser.add_argument("--quick", action="store_true", help="fewer samples, under a minute")
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument(
@@ -32,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )  # fmt: skip
     parser.add_argument(
         "--samples", type=int, metavar="N",
-        help="problems or scenes of each family (arm, collision), or reaches (ik), if not the suite's own",
+        help="problems or scenes of each family (arm, collision), reaches (ik), picks (pick)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
@@ -50,12 +57,14 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.collision import collision
     from tools.benchmark.control import control
     from tools.benchmark.ik import ik
+    from tools.benchmark.pick import pick
     from tools.benchmark.planning import planning
     from tools.benchmark.report import Report
     from tools.benchmark.startup import startup
     from tools.benchmark.tick import tick
 
     beside_peers: dict[str, Callable[[bool, Path, int | None], Report]] = {
+        "pick": pick,
         "arm": arm,
         "ik": ik,
         "collision": collision,

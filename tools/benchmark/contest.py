@@ -74,14 +74,14 @@ class Standing:
         problems: How many were put.
         solved: Share that got a path.
         valid: Share of those answers that the referee found right.
-        median_ms: Plan and shorten, over solved problems.
+        median_ms: Plan and shorten, over solved problems; None when there is none.
         p95_ms: The same, 95th percentile.
         set_up_ms: Taking the solids in, median.
-        length_rad: Median length of the paths in joint space.
+        length_rad: Median length of the valid paths in joint space: one that cuts through a wall is short.
         times_slower: Median over problems of this planner's time to the first planner's, where both
             solved it; None for the first.
         times_slower_spread: Quartiles of that ratio, or None.
-        times_longer: The same for the lengths.
+        times_longer: The same for the lengths, where both answers are valid.
     """
 
     family: str
@@ -89,10 +89,10 @@ class Standing:
     problems: int
     solved: float
     valid: float
-    median_ms: float
-    p95_ms: float
+    median_ms: float | None
+    p95_ms: float | None
     set_up_ms: float
-    length_rad: float
+    length_rad: float | None
     times_slower: float | None
     times_slower_spread: tuple[float, float] | None
     times_longer: float | None
@@ -153,10 +153,11 @@ def standings(results: Sequence[Result]) -> list[Standing]:
 
 def _standing(family: str, planner: str, own: Sequence[Result], base: dict[str, Result] | None) -> Standing:
     solved = [r for r in own if r.solved]
-    times = [1e3 * r.solve_s for r in solved] or [float("nan")]
+    times = [1e3 * r.solve_s for r in solved]
     both = [(r, base[r.problem]) for r in solved if base is not None and base[r.problem].solved]
     slower = [r.solve_s / max(b.solve_s, 1e-9) for r, b in both]
-    longer = [r.length_rad / max(b.length_rad, 1e-9) for r, b in both]
+    longer = [r.length_rad / max(b.length_rad, 1e-9) for r, b in both if r.valid and b.valid]
+    lengths = [r.length_rad for r in solved if r.valid]
     low, high = np.percentile(slower, (25, 75)) if slower else (0.0, 0.0)
     return Standing(
         family=family,
@@ -164,10 +165,10 @@ def _standing(family: str, planner: str, own: Sequence[Result], base: dict[str, 
         problems=len(own),
         solved=len(solved) / len(own),
         valid=sum(r.valid for r in solved) / len(solved) if solved else 0.0,
-        median_ms=float(np.median(times)),
-        p95_ms=float(np.percentile(times, 95)),
+        median_ms=float(np.median(times)) if times else None,
+        p95_ms=float(np.percentile(times, 95)) if times else None,
         set_up_ms=float(np.median([1e3 * r.set_up_s for r in own])),
-        length_rad=float(np.median([r.length_rad for r in solved])) if solved else float("nan"),
+        length_rad=float(np.median(lengths)) if lengths else None,
         times_slower=float(np.median(slower)) if slower else None,
         times_slower_spread=(float(low), float(high)) if slower else None,
         times_longer=float(np.median(longer)) if longer else None,
@@ -191,14 +192,18 @@ def cells(item: Standing) -> list[str]:
         str(item.problems),
         f"{item.solved:.1%}",
         f"{item.valid:.1%}",
-        f"{item.median_ms:.3g}",
-        f"{item.p95_ms:.3g}",
-        f"{item.set_up_ms:.3g}",
-        f"{item.length_rad:.2f}",
-        "" if item.times_slower is None else f"{item.times_slower:.2f}",
+        _number(item.median_ms, ".4g"),
+        _number(item.p95_ms, ".4g"),
+        _number(item.set_up_ms, ".3g"),
+        _number(item.length_rad, ".2f"),
+        _number(item.times_slower, ".2f"),
         "" if spread is None else f"{spread[0]:.2f}–{spread[1]:.2f}",
-        "" if item.times_longer is None else f"{item.times_longer:.2f}",
+        _number(item.times_longer, ".2f"),
     ]
+
+
+def _number(value: float | None, form: str) -> str:
+    return "" if value is None else format(value, form)
 
 
 def print_standings(title: str, items: Sequence[Standing], console: Console) -> None:

@@ -38,8 +38,15 @@ Problems are drawn from a seed (`tools/benchmark/problems`), in the style of Mot
 planners get the same convex hulls, the same fingers fixed open and the same floor. *solved* is the share that
 got a path; *valid* the share of those paths that the referee found free: Coal at every 1/256 rad. Planners
 that look every 0.05 rad, as the peers' documentation does, return paths that graze something in between.
-*set up* is what taking in a new scene costs, beside the time to plan and shorten. *times slower* and *times
-longer* compare with the first planner, on the problems that both solved.
+*set up* is what taking in a new scene costs, beside the time to plan and shorten. *times slower* compares
+with the first planner on the problems that both solved, *times longer* where both paths are valid; lengths
+are those of valid paths.
+"""
+
+_PICK = """\
+TALOS takes a cup amid 3 to 12 things on a table: grasp, whole-body inverse kinematics, path, timing and the
+check of all motions. What has no plan is given to a long search with OMPL and Coal over twelve coordinates,
+which shares neither grasps nor goals nor planner with the product, to tell whether it was possible.
 """
 
 _IK = """\
@@ -61,6 +68,7 @@ times. What it is compared to is no checker: the least that anybody pays who loo
 # In the order of the page.
 _TEXTS = {
     "planning": "Every planning request of real picks in random scenes.\n",
+    "pick": _PICK,
     "arm": _ARM,
     "ik": _IK,
     "collision": _COLLISION,

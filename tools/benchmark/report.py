@@ -55,5 +55,7 @@ def contest_figures(name: str, standings: Sequence[Standing]) -> list[Figure]:
     families = [item.family for item in standings]
     of_all = [item for item in standings if item.family == families[-1]]
     ours, peers = of_all[0], of_all[1:]
-    spread = ours.p95_ms / ours.median_ms if ours.median_ms else 0.0
+    if ours.median_ms is None or ours.p95_ms is None:
+        return []
+    spread = ours.p95_ms / ours.median_ms
     return [Figure(name, ours.median_ms, peer.planner, peer.median_ms, spread) for peer in peers]

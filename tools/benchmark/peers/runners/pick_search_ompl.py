@@ -122,7 +122,7 @@ class Body:
 class Arm:
     """One hand's side of one problem."""
 
-    def __init__(self, body: Body, hand: str, question: Document) -> None:
+    def __init__(self, body: Body, hand: Any, question: Document) -> None:
         self.body, self.question = body, question
         model = body.model
         groups = model.description.groups
