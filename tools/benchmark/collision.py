@@ -31,6 +31,8 @@ from tools.benchmark.report import Report
 
 PEERS = {"roboplan": "plan_roboplan"}
 LENGTH_RAD = 2.0
+# How finely a peer looks along a line: its documented default.
+STEP_RAD = 0.05
 _PER_SCENE = 25
 
 
@@ -74,7 +76,7 @@ class PeerEdgeJudge:
     def judge(self, objects: Sequence[SceneObject], edges: Array) -> tuple[list[bool], float]:
         """Ask the peer."""
         values = [object_to_json(item) for item in objects]
-        answer = self._process.ask("edges", objects=values, edges=edges.tolist())
+        answer = self._process.ask("edges", objects=values, edges=edges.tolist(), step_rad=STEP_RAD)
         return answer["free"], answer["judge_s"]
 
 

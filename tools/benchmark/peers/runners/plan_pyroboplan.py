@@ -16,8 +16,6 @@ from line_protocol import Document, serve
 from pyroboplan.planning.path_shortcutting import shortcut_path
 from pyroboplan.planning.rrt import RRTPlanner, RRTPlannerOptions
 
-STEP_RAD = 0.05
-
 
 class Peer:
     """One robot and, for each question, the solids around it."""
@@ -37,7 +35,7 @@ class Peer:
         began_s = time.process_time()
         geometry = coal_scene.with_objects(self.geometry, problem["objects"])
         options = RRTPlannerOptions(
-            max_step_size=STEP_RAD,
+            max_step_size=question["step_rad"],
             max_connection_dist=5.0,
             rrt_connect=True,
             bidirectional_rrt=True,
@@ -52,7 +50,7 @@ class Peer:
         if path is not None and (len(path) < 2 or not np.allclose(path[-1], problem["goal"])):
             path = None
         if path is not None:
-            path = shortcut_path(self.model, geometry, path, max_step_size=STEP_RAD)
+            path = shortcut_path(self.model, geometry, path, max_step_size=question["step_rad"])
         ended_s = time.process_time()
         return {
             "path": None if path is None else [np.asarray(q).tolist() for q in path],

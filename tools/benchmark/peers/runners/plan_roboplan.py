@@ -1,7 +1,8 @@
 """Plans and shortens with roboplan.
 
 Settings: those of its own RRT benchmark (RRT-Connect, 100,000 nodes) and of its documented shortcutter,
-both with its default step of 0.05 and its default bisection; hulls instead of meshes, by the URDF.
+both with its default bisection and, unless a finer one is said, its default step of 0.05; hulls instead of
+meshes, by the URDF.
 """
 
 from __future__ import annotations
@@ -27,7 +28,6 @@ from roboplan.core import (
 from roboplan.rrt import RRT, RRTOptions
 
 GROUP = "arm"
-STEP_RAD = 0.05
 COLOR = np.array([0.5, 0.5, 0.5, 1.0])
 
 
@@ -53,7 +53,7 @@ class Peer:
             group_name=GROUP,
             max_nodes=100_000,
             rrt_connect=True,
-            collision_check_step_size=STEP_RAD,
+            collision_check_step_size=question["step_rad"],
             max_planning_time=question["budget_s"],
         )
         planner = RRT(self.scene, options)
@@ -68,10 +68,7 @@ class Peer:
         planned_s = time.process_time()
         if path is not None:
             shortcuts = PathShortcuttingOptions(
-                group_name=GROUP,
-                max_step_size=STEP_RAD,
-                seed=question["seed"],
-                **question.get("shortcuts", {}),
+                group_name=GROUP, max_step_size=question["step_rad"], seed=question["seed"]
             )
             path = PathShortcutter(self.scene, shortcuts).shortcut(path)
         ended_s = time.process_time()
@@ -87,7 +84,7 @@ class Peer:
         self._replace(question["objects"])
         edges = [(np.array(a), np.array(b)) for a, b in question["edges"]]
         began_s = time.process_time()
-        free = [not hasCollisionsAlongPath(self.scene, a, b, STEP_RAD, True) for a, b in edges]
+        free = [not hasCollisionsAlongPath(self.scene, a, b, question["step_rad"], True) for a, b in edges]
         return {"free": free, "judge_s": time.process_time() - began_s}
 
     def _replace(self, objects: list[Document]) -> None:
