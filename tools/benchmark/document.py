@@ -25,8 +25,8 @@ _HEAD = """\
 Made by `make benchmark`; do not edit. Every number is processor time on one core. Planners and solvers take
 turns on one problem after another in one run, beginning with another one each time, after a first problem
 that does not count, so that the machine's ups and downs fall on all alike. What passes between the processes
-is not counted. Ratios are medians over single problems, beside their quartiles, and never of numbers from
-different runs.
+is not counted. *times slower* and *times longer* are medians over single problems, beside their quartiles;
+*peer / ours* is the ratio of two medians of one run. No ratio joins numbers of different runs.
 
 Peers run in environments of their own with the versions locked in `tools/benchmark/peers/*.lock`; make them
 with `python -m tools.benchmark.peers`. None is tuned down: the settings are told below, and where the
@@ -143,8 +143,7 @@ def _settings() -> str:
     lines += [f"- {PeerEnvironment(name, Path()).version.replace('==', ' ')}" for name in NAMES]
     lines.append(
         "- VAMP (`vamp-planner`) is not among them: the package registry has its source alone, whose build "
-        "downloads more from elsewhere. Where it can be installed it is worth a look: it plans in "
-        "microseconds, on spheres instead of hulls.\n"
+        "downloads more from elsewhere. It plans on spheres instead of hulls.\n"
     )
     for script in sorted(RUNNERS.glob("*.py")):
         if script.stem not in _NO_PROTOCOL:

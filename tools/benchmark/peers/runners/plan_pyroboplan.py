@@ -1,12 +1,14 @@
 """Plans and shortens with pyroboplan.
 
-Settings: RRT-Connect from both ends, the fastest of its documented modes, a step of 0.05 (its default),
-connections of up to 5 rad as in its Panda example, and its shortcutter as it comes. That one forgets the
-first of the two points that it joins, so that many of its shortened paths are not free.
+Settings: RRT-Connect from both ends, a step of 0.05 (its default), connections of up to 5 rad, and its
+shortcutter as it comes. That one forgets the first of the two points that it joins: of 19 paths 18 were free
+before and 1 after it, by pyroboplan's own test. So a shortened path that fails that test is given up for the
+first one.
 """
 
 from __future__ import annotations
 
+import itertools
 import time
 from typing import Any
 
@@ -15,6 +17,7 @@ import numpy as np
 from line_protocol import Document, serve
 from pyroboplan.planning.path_shortcutting import shortcut_path
 from pyroboplan.planning.rrt import RRTPlanner, RRTPlannerOptions
+from pyroboplan.planning.utils import has_collision_free_path
 
 
 class Peer:
@@ -50,7 +53,8 @@ class Peer:
         if path is not None and (len(path) < 2 or not np.allclose(path[-1], problem["goal"])):
             path = None
         if path is not None:
-            path = shortcut_path(self.model, geometry, path, max_step_size=question["step_rad"])
+            shortened = shortcut_path(self.model, geometry, list(path), max_step_size=question["step_rad"])
+            path = shortened if self._free(geometry, shortened, question["step_rad"]) else path
         ended_s = time.process_time()
         return {
             "path": None if path is None else [np.asarray(q).tolist() for q in path],
@@ -58,6 +62,11 @@ class Peer:
             "plan_s": planned_s - set_up_s,
             "shorten_s": ended_s - planned_s,
         }
+
+    def _free(self, geometry: Any, path: Any, step_rad: float) -> bool:
+        return all(
+            has_collision_free_path(a, b, step_rad, self.model, geometry) for a, b in itertools.pairwise(path)
+        )
 
 
 if __name__ == "__main__":

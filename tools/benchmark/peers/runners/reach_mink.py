@@ -1,6 +1,6 @@
 """Whole-body inverse kinematics with mink, on a MuJoCo model of the same URDF.
 
-Settings: as for pink; daqp is mink's default solver.
+Settings: as for pink, with daqp, the solver that it installs.
 """
 
 from __future__ import annotations

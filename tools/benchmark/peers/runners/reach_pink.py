@@ -1,7 +1,8 @@
 """Whole-body inverse kinematics with pink.
 
 Settings: frame tasks for feet and hand, CoM and posture, Gauss-Newton steps with configuration limits
-(velocity limits are for control, and would only slow it down); daqp, the fastest of its solvers here.
+(velocity limits are for control, and would only slow it down); daqp, as fast as quadprog here and faster
+than proxqp. The damping is the best of those tried.
 """
 
 from __future__ import annotations
