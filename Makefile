@@ -7,6 +7,9 @@ BIN := $(VENV)/bin
 JOBS ?= 2
 EPISODES ?= 200
 SEED ?= 0
+# Options of every suite, such as --quick, and where their results are put.
+BENCHMARK ?=
+MEASURED ?= build/benchmark
 SENTENCE ?= pick up the red cup on the table
 
 # The first interpreter of a supported version; names that are only shims of absent versions fail the probe.
@@ -59,9 +62,13 @@ requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, wh
 evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth
 	$(BIN)/python -m tools.evaluate pick --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS)
 
-benchmark: $(VENV)/.dev-stamp  ## planning and control, timed
-	$(BIN)/python -m tools.benchmark planning
-	$(BIN)/python -m tools.benchmark control
+benchmark: $(VENV)/.dev-stamp  ## every suite beside its peers, and docs/benchmarks.md made from it
+	-$(BIN)/python -m tools.benchmark.peers  # a peer that cannot be installed is named and left out
+	mkdir -p $(MEASURED)
+	for suite in $$($(BIN)/python -m tools.benchmark --list); do \
+		$(BIN)/python -m tools.benchmark $$suite $(BENCHMARK) --json $(MEASURED)/$$suite.json || exit 1; \
+	done
+	$(BIN)/python -m tools.benchmark.document $(MEASURED) docs/benchmarks.md
 
 lock: $(VENV)/.dev-stamp  ## resolve the dependencies anew
 	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --output-file requirements.lock pyproject.toml

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.scene import FLOOR, PlanningScene, SceneObject, floor
+from kinematics.scene import FLOOR, PlanningScene, floor
 from kinematics.shapes import Ball, Box, Shape
 
 Array = NDArray[np.float64]
@@ -43,13 +43,12 @@ class CollisionWorld:
         robot = range(len(links))
         margins = [self_margin_m] * self._drop_pairs_between_legs()
         names = list(links)
-        bolted = self._bolted_links(links)
-        for item in _solids(model, scene):
+        scene = with_floor(model, scene) if model.description.welded else scene
+        for item in scene.objects.values():
             index = self._add(item.name, 0, item.world_T_object, item.shape)
             names.append(item.name)
             for i in robot:
-                standing = item.name == FLOOR and names[i] in bolted
-                if not standing and not scene.is_allowed(names[i], item.name):
+                if not scene.is_allowed(names[i], item.name):
                     self._geometry.addCollisionPair(pin.CollisionPair(i, index))
                     margins.append(item.margin_m + extra_margin_m)
         for name, body in scene.attached.items():
@@ -87,14 +86,6 @@ class CollisionWorld:
                 return self._names[pair.first], self._names[pair.second]
         return None
 
-    def _bolted_links(self, links: list[str]) -> set[str]:
-        """Links of a welded base, which touch the floor that they are bolted to."""
-        if not self._model.description.welded:
-            return set()
-        base = self._model.pin.frames[self._model.frame_id(self._model.description.base_link)].parentJoint
-        placed = zip(links, self._geometry.geometryObjects, strict=True)
-        return {link for link, item in placed if item.parentJoint == base}
-
     def _drop_pairs_between_legs(self) -> int:
         """Forget pairs of leg links, which a standing motion hardly changes; the checker has them."""
         groups = self._model.description.groups
@@ -122,10 +113,16 @@ class CollisionWorld:
         return int(self._geometry.addGeometryObject(item))
 
 
-def _solids(model: RobotModel, scene: PlanningScene) -> list[SceneObject]:
-    """Objects of a scene, and the floor for an arm that could reach into it; who stands has his hands up."""
-    things = list(scene.objects.values())
-    return [*things, floor()] if model.description.welded and FLOOR not in scene.objects else things
+def with_floor(model: RobotModel, scene: PlanningScene) -> PlanningScene:
+    """A scene with the floor, for an arm that could reach into it; who stands has his hands up.
+
+    The links of a welded base touch the floor that they are bolted to.
+    """
+    if FLOOR not in scene.objects:
+        scene = scene.with_object(floor())
+    base = model.pin.frames[model.frame_id(model.description.base_link)].parentJoint
+    parts = model.geometry().geometryObjects
+    return scene.allowing((model.link_of(part), FLOOR) for part in parts if part.parentJoint == base)
 
 
 def coal_shape(shape: Shape) -> coal.CollisionGeometry:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.collision import CollisionWorld
+from kinematics.collision import CollisionWorld, with_floor
 from kinematics.errors import ModelError
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
@@ -60,16 +60,16 @@ def validity(
         extra_margin_m: Added to every margin of the scene.
         self_margin_m: Distance kept between the robot's own links.
     """
-    if not model.description.welded:
-        # imported here: it brings the compiler
-        from kinematics.kernel.collision_kernel import CollisionKernel
+    # imported here: it brings the compiler
+    from kinematics.kernel.collision_kernel import CollisionKernel
 
-        try:
-            arrays = _arrays(model)
-            return CollisionKernel.standing(arrays, model, stance, scene, extra_margin_m, self_margin_m)
-        except ModelError:
-            pass  # legs without a closed form
-    return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
+    if model.description.welded:
+        scene = with_floor(model, scene)
+        return CollisionKernel.mounted(_arrays(model), model, scene, extra_margin_m, self_margin_m)
+    try:
+        return CollisionKernel.standing(_arrays(model), model, stance, scene, extra_margin_m, self_margin_m)
+    except ModelError:  # legs without a closed form
+        return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
 
 
 @functools.lru_cache(maxsize=4)

@@ -17,6 +17,8 @@ from kinematics.kernel.coordinates import (
     Coordinates,
     Limits,
     joint_limits,
+    mounted_coordinates,
+    mounted_limits,
     plain_coordinates,
     standing_coordinates,
     standing_limits,
@@ -115,6 +117,23 @@ class CollisionKernel:
             UnknownNameError: A body is attached to a frame that the robot does not have.
         """
         space, limits = standing_coordinates(model, stance), standing_limits(model, stance)
+        return cls(robot, scene, space, limits, extra_margin_m, self_margin_m)
+
+    @classmethod
+    def mounted(
+        cls,
+        robot: RobotArrays,
+        model: RobotModel,
+        scene: PlanningScene,
+        extra_margin_m: float = 0.0,
+        self_margin_m: float = 0.0,
+    ) -> CollisionKernel:
+        """A welded robot, over the coordinates of ``FreeCoordinates``.
+
+        Raises:
+            UnknownNameError: A body is attached to a frame that the robot does not have.
+        """
+        space, limits = mounted_coordinates(model, robot.tree), mounted_limits(model)
         return cls(robot, scene, space, limits, extra_margin_m, self_margin_m)
 
     def collides(self, q: Array) -> bool:

@@ -82,6 +82,18 @@ def standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
     )
 
 
+def mounted_coordinates(model: RobotModel, tree: Tree) -> Coordinates:
+    """The coordinates of a welded robot's ``FreeCoordinates``: its joints."""
+    bodies = np.array([model.pin.getJointId(joint) for joint in model.joints], np.int64)
+    return plain_coordinates(tree)._replace(floating=0, columns=tree.column[bodies], bodies=bodies)
+
+
+def mounted_limits(model: RobotModel) -> Limits:
+    """Joint limits shrunk for planning; a welded robot cannot lose its balance."""
+    margin = model.description.planning_margin_rad
+    return joint_limits(model.lower_rad + margin, model.upper_rad - margin, floating=True)
+
+
 def plain_coordinates(tree: Tree) -> Coordinates:
     """Every joint on its own, after the base's position and rotation vector when it floats."""
     floating = bool((tree.kind == FLOATING).any())

@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.kernel.coordinates import Coordinates
 from kinematics.kernel.solids import Solid, flatten, link_solid
-from kinematics.kernel.tree import WORLD, Tree, tree_of
+from kinematics.kernel.tree import WORLD, Tree, tree_of, welded_at
 from kinematics.poses import Transform
 from kinematics.robot_model import RobotModel
+
+_BASE = 1
+"""The body of the base joint in every model that ``RobotModel`` builds."""
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -162,7 +165,11 @@ def humanoid_arrays(model: RobotModel) -> RobotArrays:
     )
     geometry = model.geometry()
     names = [model.link_of(item) for item in geometry.geometryObjects]
-    return RobotArrays(model.pin, geometry, names, [legs])
+    arrays = RobotArrays(model.pin, geometry, names, [legs])
+    if model.description.welded:
+        mount = model.mount
+        arrays.tree = welded_at(arrays.tree, _BASE, mount[:3, :3], mount[:3, 3])
+    return arrays
 
 
 def _around(a: Array, ra: float, b: Array, rb: float) -> tuple[Array, float]:

@@ -87,3 +87,18 @@ def tree_of(model: pin.Model) -> Tree:
         mass=np.array([0.0, *(float(inertia.mass) for inertia in list(model.inertias)[1:])]),
         lever=np.array([np.array(inertia.lever) for inertia in model.inertias]),
     )
+
+
+def welded_at(tree: Tree, base: int, mount_R: Array, mount_p: Array) -> Tree:
+    """The same tree with its floating base bolted to the world.
+
+    Args:
+        tree: The tree.
+        base: The body that floats.
+        mount_R, mount_p: ``world_R_base``, shape (3, 3), and the base's place in the world, shape (3,), m.
+    """
+    kind, turned = tree.kind.copy(), tree.turned.copy()
+    place_R, place_p = tree.place_R.copy(), tree.place_p.copy()
+    kind[base], turned[base] = WELDED, 1
+    place_R[base], place_p[base] = mount_R, mount_p
+    return tree._replace(kind=kind, turned=turned, place_R=place_R, place_p=place_p)

@@ -6,33 +6,73 @@ import argparse
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-SUITES = ("planning", "control")
+if TYPE_CHECKING:
+    from tools.benchmark.report import Report
+
+SUITES = ("planning", "pick", "arm", "ik", "collision", "checker", "tick", "control", "startup")
+
+
+class _ListSuites(argparse.Action):
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        print(*SUITES)
+        parser.exit()
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one suite on one core."""
+    from tools.benchmark.peers.environments import CACHE_VARIABLE, default_cache
+
     parser = argparse.ArgumentParser(prog="python -m tools.benchmark", description="How fast the parts are.")
     parser.add_argument("suite", choices=SUITES)
+    parser.add_argument("--list", action=_ListSuites, nargs=0, help="print the names of the suites")
     parser.add_argument("--quick", action="store_true", help="fewer samples, under a minute")
     parser.add_argument("--json", type=Path, metavar="FILE")
+    parser.add_argument(
+        "--cache", type=Path, default=default_cache(),
+        help=f"folder with the peers' environments (or the variable {CACHE_VARIABLE})",
+    )  # fmt: skip
+    parser.add_argument(
+        "--samples", type=int, metavar="N",
+        help="problems or scenes of each family (arm, collision), reaches (ik), picks (pick)",
+    )  # fmt: skip
     options = parser.parse_args(arguments)
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    # after the number of threads is set: numerical libraries read it when they are loaded
-    from tools.benchmark.control import control
-    from tools.benchmark.figures import print_figures
-    from tools.benchmark.planning import planning
-
-    figures = {"planning": planning, "control": control}[options.suite](options.quick)
-    print_figures(options.suite, figures, Console())
+    report = _run(options.suite, options.quick, options.cache, options.samples)
+    report.print(Console())
     if options.json is not None:
-        document = {"suite": options.suite, "quick": options.quick, "figures": [f.to_json() for f in figures]}
-        options.json.write_text(json.dumps(document, indent=1) + "\n", "utf-8")
+        options.json.write_text(json.dumps(report.to_json(), indent=1) + "\n", "utf-8")
     return 0
+
+
+def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
+    # imported after the number of threads is set: numerical libraries read it when they are loaded
+    from tools.benchmark.arm import arm
+    from tools.benchmark.checker import checker
+    from tools.benchmark.collision import collision
+    from tools.benchmark.control import control
+    from tools.benchmark.ik import ik
+    from tools.benchmark.pick import pick
+    from tools.benchmark.planning import planning
+    from tools.benchmark.report import Report
+    from tools.benchmark.startup import startup
+    from tools.benchmark.tick import tick
+
+    beside_peers: dict[str, Callable[[bool, Path, int | None], Report]] = {
+        "pick": pick,
+        "arm": arm,
+        "ik": ik,
+        "collision": collision,
+    }
+    if suite in beside_peers:
+        return beside_peers[suite](quick, cache, samples)
+    alone = {"planning": planning, "checker": checker, "tick": tick, "control": control, "startup": startup}
+    return Report(suite, quick, alone[suite](quick))
 
 
 if __name__ == "__main__":

@@ -9,9 +9,9 @@ from kinematics.errors import UnknownNameError
 from kinematics.kernel import judge
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.path_planner import PathPlanner
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
+from kinematics.validity import SampledValidity
 
 
 def both(arrays, talos, stance, scene, extra_m=0.004, own_m=0.005):
@@ -59,10 +59,10 @@ def test_it_agrees_with_coal_on_configurations_amid_clutter(
 def test_it_agrees_with_the_planner_on_points(seed, arrays, talos, stance, space, make, at_random):
     rng = np.random.default_rng(100 + seed)
     kernel, world = both(arrays, talos, stance, at_random.scene(rng, talos, make))
-    planner = PathPlanner(talos, space, stance, world)
+    sampled = SampledValidity(talos, stance, world)
     x = [at_random.point(rng, talos, space) for _ in range(150)]
 
-    assert [kernel.is_free(point) for point in x] == [planner.is_free(point) for point in x]
+    assert [kernel.is_free(point) for point in x] == [sampled.points_are_free(point[None]) for point in x]
 
 
 def test_an_edge_that_is_proven_free_is_free_wherever_coal_looks(
@@ -72,13 +72,13 @@ def test_an_edge_that_is_proven_free_is_free_wherever_coal_looks(
     proven = refused = pessimistic = 0
     for k in range(6):
         kernel, world = both(arrays, talos, stance, at_random.scene(rng, talos, make, held=k % 2 == 1))
-        planner = PathPlanner(talos, space, stance, world)
+        sampled = SampledValidity(talos, stance, world)
         for _ in range(60):
             a, b = random_edge(rng, talos, space, at_random, length=0.5)
             points = a + (b - a) * np.linspace(0.0, 1.0, 129)[:, None]
             free = kernel.edge_is_free(a, b)
             if free:
-                assert planner._points_are_free(points[::4])
+                assert sampled.points_are_free(points[::4])
             proven += free
             refused += not free
             pessimistic += not free and kernel.points_are_free(points)

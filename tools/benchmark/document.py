@@ -1,0 +1,156 @@
+"""``python -m tools.benchmark.document FOLDER FILE``: write what the suites measured as one page.
+
+``FOLDER`` holds the JSON files of the suites, as ``python -m tools.benchmark SUITE --json`` wrote them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import json
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from tools.benchmark.contest import COLUMNS, Standing, cells
+from tools.benchmark.peers.environments import NAMES, PeerEnvironment
+
+RUNNERS = Path(__file__).parent / "peers" / "runners"
+_NO_PROTOCOL = ("line_protocol", "coal_scene", "reach_tolerance")
+
+_HEAD = """\
+# Benchmarks
+
+Made by `make benchmark`; do not edit. Every number is processor time on one core. Planners and solvers take
+turns on one problem after another in one run, beginning with another one each time, after a first problem
+that does not count, so that the machine's ups and downs fall on all alike. What passes between the processes
+is not counted. *times slower* and *times longer* are medians over single problems, beside their quartiles;
+*peer / ours* is the ratio of two medians of one run. No ratio joins numbers of different runs.
+
+Peers run in environments of their own with the versions locked in `tools/benchmark/peers/*.lock`; make them
+with `python -m tools.benchmark.peers`. None is tuned down: the settings are told below, and where the
+documented defaults were not the fastest for these problems, the faster ones were taken.
+"""
+
+_ARM = """\
+Problems are drawn from a seed (`tools/benchmark/problems`), in the style of MotionBenchMaker's families. All
+planners get the same convex hulls, the same fingers fixed open and the same floor. *solved* is the share that
+got a path; *valid* the share of those paths that the referee found free: Coal at every 1/256 rad. Planners
+that look every 0.05 rad, as the peers' documentation does, return paths that graze something in between.
+*set up* is what taking in a new scene costs, beside the time to plan and shorten. *times slower* compares
+with the first planner on the problems that both solved, *times longer* where both paths are valid; lengths
+are those of valid paths.
+"""
+
+_PICK = """\
+TALOS takes a cup amid 3 to 12 things on a table: grasp, whole-body inverse kinematics, path, timing and the
+check of all motions. What has no plan is given to a long search with OMPL and Coal over twelve coordinates,
+which shares neither grasps nor goals nor planner with the product, to tell whether it was possible.
+"""
+
+_IK = """\
+Random reachable poses of a hand, both feet standing and the CoM over them; five starts at most, the same for
+everybody. *valid* is judged by Pinocchio: hand and feet to 0.5 mm and 3 mrad, CoM inside the support polygon,
+joints within their limits. *length* is how far the joints went from the first start.
+"""
+
+_COLLISION = """\
+Straight lines of 2 rad from random free configurations of the Panda, in the scenes of all families. An
+optimistic error calls a line free that collides by Coal at every 1/256 rad, a pessimistic one the reverse.
+"""
+
+_CHECKER = """\
+The trajectory checker on planned motions of TALOS amid things on a table, stretched to 5 s and sampled 1,000
+times. What it is compared to is no checker: the least that anybody pays who looks at every sample.
+"""
+
+# In the order of the page.
+_TEXTS = {
+    "planning": "Every planning request of real picks in random scenes.\n",
+    "pick": _PICK,
+    "arm": _ARM,
+    "ik": _IK,
+    "collision": _COLLISION,
+    "timing": "",
+    "checker": _CHECKER,
+    "tick": "Ticks of the behavior tree during real picks, but those in which planning was computed.\n",
+    "control": "A control period with everything in it, beside physics alone.\n",
+    "startup": "Fresh processes, beside one that only imports the libraries.\n",
+}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Read the suites' files and write the page."""
+    parser = argparse.ArgumentParser(prog="python -m tools.benchmark.document", description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("file", type=Path)
+    options = parser.parse_args(arguments)
+    documents = [json.loads(path.read_text("utf-8")) for path in sorted(options.folder.glob("*.json"))]
+    order = list(_TEXTS)
+    documents.sort(key=lambda item: order.index(item["suite"]) if item["suite"] in order else len(order))
+    options.file.write_text(page(documents), "utf-8")
+    return 0
+
+
+def page(documents: Iterable[Mapping[str, Any]]) -> str:
+    """The page, in Markdown."""
+    parts = [_HEAD]
+    for document in documents:
+        parts.append(f"## {document['suite']}\n")
+        if document["quick"]:
+            parts.append("A quick run with few samples: read it as a direction, not as a result.\n")
+        parts.append(_TEXTS.get(document["suite"], ""))
+        if document["standings"]:
+            parts.append(_standings(document["standings"]))
+        if document["figures"]:
+            parts.append(_figures(document["figures"]))
+        parts += [f"- {note}\n" for note in document["notes"]]
+    parts.append(_settings())
+    return "\n".join(parts)
+
+
+def _figures(figures: Iterable[Mapping[str, Any]]) -> str:
+    rows = [("what", "ours", "peer", "its value", "peer / ours", "p95 / median")]
+    for item in figures:
+        value = item["peer_value"]
+        rows.append(
+            (
+                item["name"],
+                f"{item['ours']:.4g}",
+                item["peer"] or "",
+                "" if value is None else f"{value:.4g}",
+                f"{value / item['ours']:.2f}" if value and item["ours"] else "",
+                f"{item['spread']:.2f}",
+            )
+        )
+    return _table(rows)
+
+
+def _standings(standings: Iterable[Mapping[str, Any]]) -> str:
+    return _table([COLUMNS, *(tuple(cells(Standing(**item))) for item in standings)])
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    lines = ["| " + " | ".join(row) + " |" for row in rows]
+    lines.insert(1, "| " + " | ".join("---" for _ in rows[0]) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def _settings() -> str:
+    """What each runner's docstring says of the peer's settings, and the locked versions."""
+    lines = ["## Peers\n"]
+    lines += [f"- {PeerEnvironment(name, Path()).version.replace('==', ' ')}" for name in NAMES]
+    lines.append(
+        "- VAMP (`vamp-planner`) is not among them: the package registry has its source alone, whose build "
+        "downloads more from elsewhere. It plans on spheres instead of hulls.\n"
+    )
+    for script in sorted(RUNNERS.glob("*.py")):
+        if script.stem not in _NO_PROTOCOL:
+            text = ast.get_docstring(ast.parse(script.read_text("utf-8"))) or ""
+            lines.append(f"**{script.stem}**: {' '.join(text.split())}\n")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

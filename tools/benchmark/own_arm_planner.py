@@ -1,0 +1,51 @@
+"""This project's planner as a contestant: the path planner of the product on its Panda model."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import time
+
+import numpy as np
+
+from executive.config import APPLICATION
+from kinematics.free_coordinates import FreeCoordinates
+from kinematics.path_planner import PathPlanner, PathSettings
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import Stance
+from kinematics.validity import validity
+from robots.description import load_description
+from tools.benchmark.contest import Answer
+from tools.benchmark.problems.problem import Problem
+
+# Points of the smooth curve that stand for it when it is judged and measured.
+_SAMPLES = 400
+# More than the product's default: a contest is lost by giving up early.
+_SETTINGS = PathSettings(iterations=20_000)
+
+
+class OwnArmPlanner:
+    """Straight line, else RRT-Connect, shortcuts and rounded corners, with the product's settings."""
+
+    def __init__(self) -> None:
+        self.name = f"{APPLICATION} {importlib.metadata.version(APPLICATION)}"
+        self._model = RobotModel(load_description("panda"))
+        self._stance = Stance(())
+        self._space = FreeCoordinates(self._model, self._stance)
+
+    def plan(self, problem: Problem, seed: int) -> Answer:
+        """Plan; the product's planner shortens as it goes, so that all counts as planning."""
+        began_s = time.process_time()
+        scene = PlanningScene().with_objects(problem.objects)
+        judge = validity(self._model, self._stance, scene)
+        planner = PathPlanner(self._model, self._space, judge, _SETTINGS)
+        set_up_s = time.process_time()
+        columns = list(range(self._space.size))
+        curve = planner.plan(problem.start, problem.goal, columns, np.random.default_rng(seed))
+        ended_s = time.process_time()
+        return Answer(
+            path=None if curve is None else curve(np.linspace(0.0, 1.0, _SAMPLES)),
+            set_up_s=set_up_s - began_s,
+            plan_s=ended_s - set_up_s,
+            shorten_s=0.0,
+        )

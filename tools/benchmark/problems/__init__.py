@@ -1,0 +1,1 @@
+"""Motion problems for a Panda, made from a seed and written down as plain values."""
