@@ -25,7 +25,10 @@ _MOVING_RAD_S = 1e-9
 _STANDING_RAD = 1e-4
 """Legs nearer than this to where base and stance put them keep the stance: between the samples of a
 trajectory they stray by 1e-5 rad."""
-_PROBE_S = 1e-4
+_PROBE_S = 1e-3
+_BASE_ACCELERATION = np.array([1.5, 1.5, 1.5, 4.0, 4.0, 4.0])
+_BASE_JERK = np.array([20.0, 20.0, 20.0, 50.0, 50.0, 50.0])
+"""Of the base while it is braked, m/s^2, rad/s^2, and their rates: as much as the legs can follow."""
 _ZMP_RESERVE_M = 0.005
 _JUDGED_ROWS = 5
 """Every so many rows of a stop the ZMP is computed."""
@@ -153,46 +156,36 @@ def brake_standing(
     gap = now.q[7:] - q[0, 7:]
     if not reached[0] or np.abs(gap).max() > _STANDING_RAD:
         return None
-    ahead, behind = (
-        space.from_q(pin.integrate(model.pin, now.q, sign * _PROBE_S * now.v)) for sign in (1.0, -1.0)
-    )
-    coasting = (ahead - behind) / (2.0 * _PROBE_S)
-    light = [joint for joint in space.joints if joint not in model.description.groups["torso"]]
-    columns, joints = [space.index(joint) for joint in light], model.indices(light)
-    coasting[columns] = 0.0
-    arms = brake_joints(
-        x[columns],
-        now.v[6 + joints],
-        now.a[6 + joints],
-        model.acceleration[joints],
-        model.jerk[joints],
-        period_s,
-    )[0]
-    speed = np.maximum(np.abs(now.v[6:]), _MOVING_RAD_S)
-    speed[joints] = _MOVING_RAD_S
-    slope = min(_FASTEST_BRAKE_1_S2, float(np.min(model.acceleration / speed)))
-    slope_jerk = float(np.min(model.jerk / speed))
-    unlimited = np.full(model.nv - 6, np.inf)
+    speed, bend = _rates(model, space, now)
+    base, trunk = space.base_size, [space.index(joint) for joint in model.description.groups["torso"]]
+    limits = model.acceleration[model.indices(space.joints)], model.jerk[model.indices(space.joints)]
     for share in _SHARES:
-        passed, rate, _ = _brake_rate(share * slope, share * slope_jerk, period_s)
-        count = max(len(passed), len(arms))
-        rows = x + coasting * _held(passed[:, None], count)
-        rows[:, columns] = _held(arms, count)
+        # The heavy parts brake gently, but may go on with what they do now.
+        acceleration = np.concatenate([_BASE_ACCELERATION[:base], limits[0]])
+        jerk = np.concatenate([_BASE_JERK[:base], limits[1]])
+        for heavy in (*range(base), *trunk):
+            acceleration[heavy] = max(share * acceleration[heavy], abs(bend[heavy]))
+            jerk[heavy] *= share
+        rows = brake_joints(x, speed, bend, acceleration, jerk, period_s)[0]
         q, reached = space.to_q(rows)
         if not reached.all():
             return None
-        q[:, 7:] += gap * _held(rate[:, None], count)
+        q[:, 7:] += gap * np.linspace(1.0, 0.0, len(q) + 1)[1:, None]
         motion = _sampled(model, now, q, period_s)
-        if _holds(motion.a[:, 6:], motion.a[0, 6:], model.acceleration, unlimited, period_s) and _stands(
+        if _holds(motion.a[:, 6:], now.a[6:], model.acceleration, model.jerk, period_s) and _stands(
             model, stance, motion
         ):
             return motion
     return None
 
 
-def _held(rows: Array, count: int) -> Array:
-    """Rows with the last one repeated, so that there are ``count``."""
-    return np.vstack([rows, np.repeat(rows[-1:], count - len(rows), axis=0)])
+def _rates(model: RobotModel, space: FreeCoordinates, now: MotionSample) -> tuple[Array, Array]:
+    """How fast the free coordinates change, and how fast that changes."""
+    h = _PROBE_S
+    before, here, after = (
+        space.from_q(pin.integrate(model.pin, now.q, t * now.v + 0.5 * t * t * now.a)) for t in (-h, 0.0, h)
+    )
+    return (after - before) / (2.0 * h), (after - 2.0 * here + before) / (h * h)
 
 
 def _sampled(model: RobotModel, now: MotionSample, q: Array, period_s: float) -> MotionSample:

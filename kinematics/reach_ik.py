@@ -39,6 +39,7 @@ STEADY_RESERVE_M = 0.045
 # Soles are where they stand when no entry of their pose differs by more than this.
 _SAME = 1e-9
 _NOISE_RAD = 1e-6
+_COM_ROUNDING_M = 1e-4
 
 
 class ReachIk:
@@ -71,8 +72,8 @@ class ReachIk:
         self._coordinates = standing_coordinates(model, stance)
         limits = standing_limits(model, stance)
         least = np.sum(limits.inward * self._polygon.vertices_m, axis=1) + description.com_margin_m
-        self._limits = limits._replace(offset=least + COM_RESERVE_M)
-        self._steady = limits._replace(offset=least + STEADY_RESERVE_M)
+        self._limits, self._least = limits, least
+        self._com_margin_m = description.com_margin_m
         self._data = model.pin.createData()
         self._soles = [(model.frame_id(name), pose) for name, pose in stance.soles]
         if hand not in description.tcp_frames:
@@ -145,7 +146,7 @@ class ReachIk:
             0.5 * tolerance.position_m, 0.5 * tolerance.orientation_rad, DAMPING, PULL, iterations
         )
         taken = 0
-        for limits, start in self._tries(seed, where, starts):
+        for limits, start in self._tries(seed, where, starts, tolerance):
             x = start.copy()
             steps = kernel.reach(
                 self._tree, self._coordinates, limits, goal, where, settings, x, self._memory
@@ -155,12 +156,16 @@ class ReachIk:
                 break
         return self._verified(world_T_tcp, taken)
 
-    def _tries(self, seed: Array, where: ReachSpace, starts: Array | None) -> Iterator[tuple[Limits, Array]]:
-        """From the seed well in balance, then as the limit allows, then from other starts."""
-        yield self._steady, seed
-        yield self._limits, seed
+    def _tries(
+        self, seed: Array, where: ReachSpace, starts: Array | None, tolerance: IkTolerance
+    ) -> Iterator[tuple[Limits, Array]]:
+        """From the seed well in balance, then as far out as is allowed, then from other starts."""
+        yield self._limits._replace(offset=self._least + STEADY_RESERVE_M), seed
+        reserve = max(COM_RESERVE_M, tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M)
+        farthest = self._limits._replace(offset=self._least + reserve)
+        yield farthest, seed
         for share in () if starts is None else starts:
-            yield self._limits, where.lower + share * (where.upper - where.lower)
+            yield farthest, where.lower + share * (where.upper - where.lower)
 
     def _verified(self, world_T_tcp: Transform, count: int) -> IkResult:
         """Measure the last configuration again, with Pinocchio's kinematics instead of the kernel's."""

@@ -1,7 +1,7 @@
 """A start that is nearer to something than it should be, because that something moved.
 
 No plan can begin where the robot already breaks a margin. What is nearer than its margin at the start
-keeps the distance that it has there instead; a movable object that is believed to touch a link may be
+keeps most of the distance that it has there; a movable object that is believed to touch a link may be
 touched by that link. Everything else is judged as before.
 """
 
@@ -20,6 +20,8 @@ from kinematics.scene import PlanningScene, SceneObject
 
 # Kept between the distance at the start and the margin that is asked instead, for rounding.
 SLACK_M = 0.001
+# Of the distance at the start that has to be kept: hardly any motion leads straight away from a thing.
+KEPT_SHARE = 0.6
 
 
 def relaxed_at(
@@ -52,7 +54,7 @@ def relaxed_at(
         nearest = min(distances.values(), default=np.inf)
         if nearest >= item.margin_m + reserve_m:
             continue
-        margin = max(0.0, nearest - reserve_m - SLACK_M)
+        margin = max(0.0, KEPT_SHARE * nearest - reserve_m - SLACK_M)
         relaxed = relaxed.with_object(replace(item, margin_m=margin))
         if item.movable:
             touching = [link for link, distance in distances.items() if distance < reserve_m + SLACK_M]

@@ -20,7 +20,7 @@ Indices = NDArray[np.int64]
 # What numerical noise may overstep a limit by, as in the path planner.
 _LIMIT_NOISE_RAD = 1e-6
 # Kept in reserve against the checker, as in the path planner.
-_COM_RESERVE_M = 0.005
+_COM_RESERVE_M = 0.025
 
 
 class Coordinates(NamedTuple):
