@@ -33,6 +33,9 @@ Cell = tuple[float, float]
 _DEPTH_LOOKS = 16
 
 
+_ROUNDING_S = 1e-9
+
+
 @dataclass(slots=True)
 class _Contact:
     t_s: float
@@ -60,12 +63,28 @@ class CollisionCheck:
     """
 
     def __init__(
-        self, kinematics: BatchedKinematics, timeline: Timeline, pairs: Pairs, settings: CheckSettings
+        self,
+        kinematics: BatchedKinematics,
+        timeline: Timeline,
+        pairs: Pairs,
+        settings: CheckSettings,
+        jumps_s: Array,
     ) -> None:
+        """Prepare.
+
+        Args:
+            kinematics: Of the robot.
+            timeline: The motion.
+            pairs: What must not touch.
+            settings: Tolerances.
+            jumps_s: Beginnings and ends of segments that are no motion, shape (n, 2): findings
+                already, they are looked at but not refined, which could go on for long.
+        """
         self._kinematics = kinematics
         self._timeline = timeline
         self._pairs = pairs
         self._settings = settings
+        self._jumps_s = jumps_s
         self._contacts: dict[int, _Contact] = {}
         self._request = coal.DistanceRequest()
         self._request.enable_signed_distance = True
@@ -107,6 +126,11 @@ class CollisionCheck:
         return _Level(starts_s, ends_s, middles, lengths, poses)
 
     def _split(self, level: _Level, unproven: dict[int, Indices]) -> tuple[_Level, dict[int, Indices]]:
+        if len(self._jumps_s):
+            begin, end = self._jumps_s.T[:, :, None] + [[[-_ROUNDING_S]], [[_ROUNDING_S]]]
+            jumping = ((begin <= level.starts_s) & (level.ends_s <= end)).any(axis=0)
+            unproven = {pair: cells[~jumping[cells]] for pair, cells in unproven.items()}
+            unproven = {pair: cells for pair, cells in unproven.items() if len(cells)}
         if not unproven:
             return level, {}
         parts = self._settings.subdivision

@@ -20,15 +20,18 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 
+def jump_intervals(model: RobotModel, timeline: Timeline, settings: CheckSettings) -> Array:
+    """Beginnings and ends of the segments that no motion within reason joins, shape (n, 2), s."""
+    early, late = _accelerations(timeline)
+    jumps = np.flatnonzero(_jumps(model, early, late, settings).any(axis=1))
+    return np.column_stack([timeline.t_s[jumps], timeline.t_s[jumps + 1]])
+
+
 def limit_findings(model: RobotModel, timeline: Timeline, settings: CheckSettings) -> list[Finding]:
     """Judge every joint against its limits; one finding for each joint and kind of limit."""
-    h = timeline.spacing_s[:, None]
-    q, v = timeline.joints_rad, timeline.joint_velocity
-    slope = np.diff(q, axis=0) / h
-    early = (6.0 * slope - 4.0 * v[:-1] - 2.0 * v[1:]) / h
-    late = (-6.0 * slope + 2.0 * v[:-1] + 4.0 * v[1:]) / h
+    early, late = _accelerations(timeline)
     strongest = np.maximum(np.abs(early), np.abs(late))
-    jumps = strongest > settings.discontinuity_factor * model.acceleration
+    jumps = _jumps(model, early, late, settings)
     findings = _worst(
         FindingKind.DISCONTINUITY, model, timeline.t_s[:-1], strongest, model.acceleration, jumps
     )
@@ -43,6 +46,21 @@ def limit_findings(model: RobotModel, timeline: Timeline, settings: CheckSetting
         FindingKind.ACCELERATION_LIMIT, model, when, strongest, model.acceleration, over & ~jumps
     )
     return findings + _jerk(model, timeline, settings, early, late, jumps)
+
+
+def _accelerations(timeline: Timeline) -> tuple[Array, Array]:
+    """Accelerations at the beginning and at the end of each segment, where they are largest."""
+    h = timeline.spacing_s[:, None]
+    q, v = timeline.joints_rad, timeline.joint_velocity
+    slope = np.diff(q, axis=0) / h
+    early = (6.0 * slope - 4.0 * v[:-1] - 2.0 * v[1:]) / h
+    late = (-6.0 * slope + 2.0 * v[:-1] + 4.0 * v[1:]) / h
+    return early, late
+
+
+def _jumps(model: RobotModel, early: Array, late: Array, settings: CheckSettings) -> Mask:
+    strongest = np.maximum(np.abs(early), np.abs(late))
+    return np.asarray(strongest > settings.discontinuity_factor * model.acceleration)
 
 
 def base_findings(timeline: Timeline, angular: Array, settings: CheckSettings) -> list[Finding]:

@@ -13,7 +13,7 @@ import numpy as np
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_dynamics import DynamicsCheck
 from kinematics.check_kinematics import BatchedKinematics
-from kinematics.check_limits import base_findings, limit_findings
+from kinematics.check_limits import base_findings, jump_intervals, limit_findings
 from kinematics.check_pairs import PairBuilder
 from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
 from kinematics.check_stance import stance_findings
@@ -68,7 +68,8 @@ class TrajectoryChecker:
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
         unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)
         findings += unbalanced
-        collision = CollisionCheck(self._kinematics, timeline, self._pairs.pairs(scene), settings)
+        jumps_s = jump_intervals(model, timeline, settings)
+        collision = CollisionCheck(self._kinematics, timeline, self._pairs.pairs(scene), settings, jumps_s)
         findings += collision.findings()
         if findings:
             return Unsafe(tuple(sorted(findings, key=lambda finding: finding.t_s)))

@@ -1,5 +1,7 @@
 """The certificate stands on three bounds; each is tried against the thing that it bounds."""
 
+import dataclasses
+
 import coal
 import numpy as np
 import pinocchio as pin
@@ -8,6 +10,7 @@ import pytest
 from kinematics import poses
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_limits import jump_intervals
 from kinematics.check_pairs import PairBuilder
 from kinematics.check_settings import CheckSettings
 from kinematics.check_solids import distance_to_shape
@@ -99,7 +102,11 @@ def test_no_pair_comes_closer_than_its_rates_allow(talos, stance, kinematics, sc
 def test_balls_and_planes_never_promise_more_than_the_exact_distance(talos, stance, kinematics, scene, seed):
     pairs = PairBuilder(talos, kinematics).pairs(scene)
     check = CollisionCheck(
-        kinematics, Timeline(wild_trajectory(talos, stance, seed)), pairs, CheckSettings(cell_s=0.1)
+        kinematics,
+        Timeline(wild_trajectory(talos, stance, seed)),
+        pairs,
+        CheckSettings(cell_s=0.1),
+        np.empty((0, 2)),
     )
     knots = check._timeline.knots(0.05)
     level = check._level(knots[:-2:2], knots[2::2])
@@ -136,3 +143,21 @@ def test_the_distance_to_a_shape_is_coals(shape, solid):
         there = coal.Transform3s(np.eye(3), point)
         exact = coal.distance(solid, here, coal.Sphere(1e-6), there, request, result)
         assert distance == pytest.approx(max(exact, 0.0), abs=1e-5)
+
+
+def test_jumps_are_looked_at_but_not_refined(talos, stance, kinematics, scene):
+    """A jump of twelve radians is a finding already; proving what lies in between took minutes."""
+    trajectory = wild_trajectory(talos, stance, 0)
+    q = trajectory.q.copy()
+    q[len(q) // 2 :, 7:] += 12.0
+    timeline = Timeline(dataclasses.replace(trajectory, q=q))
+    settings = CheckSettings()
+    jumps_s = jump_intervals(talos, timeline, settings)
+    pairs = PairBuilder(talos, kinematics).pairs(scene)
+
+    judges = [CollisionCheck(kinematics, timeline, pairs, settings, s) for s in (jumps_s, np.empty((0, 2)))]
+    found = [{finding.subject for finding in judge.findings()} for judge in judges]
+
+    assert len(jumps_s) >= 1
+    assert found[0] <= found[1]
+    assert judges[0].queries < 0.5 * judges[1].queries
