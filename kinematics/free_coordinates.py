@@ -6,12 +6,20 @@ welded base does not move: its robot has its joints alone.
 
 from __future__ import annotations
 
+from functools import cached_property
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.leg_ik import LegIk
 from kinematics.robot_model import RobotModel
+from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
+
+if TYPE_CHECKING:
+    from kinematics.kernel.coordinates import Coordinates
+    from kinematics.kernel.tree import Tree
 
 Array = NDArray[np.float64]
 
@@ -40,6 +48,7 @@ class FreeCoordinates:
         self.joints = tuple(joint for joint in model.joints if joint not in in_legs)
         self._columns = 7 + model.indices(self.joints)
         self._mount = model.q_home[:7] if model.description.welded else None
+        self._stance = stance
         self.base_size = 0 if model.description.welded else 6
         self.size = self.base_size + len(self.joints)
         self.weights = np.ones(self.size)
@@ -70,10 +79,18 @@ class FreeCoordinates:
             Configurations, shape (n, nq), and whether both feet can be reached, shape (n,).
         """
         q = np.zeros((len(x), self._model.nq))
-        q[:, self._columns] = x[:, self.base_size :]
         if self._mount is not None:
-            q[:, :7] = self._mount
+            q[:, :7], q[:, self._columns] = self._mount, x
             return q, np.ones(len(x), dtype=bool)
+        if self._legs.closed:
+            # imported here: it brings the compiler
+            from kinematics.compiled_configurations import configurations
+
+            reached = np.empty(len(x), dtype=bool)
+            points = np.ascontiguousarray(x, dtype=np.float64)
+            configurations(*self._flattened, points, q, reached)
+            return q, reached
+        q[:, self._columns] = x[:, self.base_size :]
         q[:, :3] = x[:, :3]
         turn = x[:, 3:6]
         angle = np.sqrt(np.sum(turn * turn, axis=1))
@@ -83,7 +100,18 @@ class FreeCoordinates:
         q[:, 6] = np.cos(0.5 * angle)
         return q, self._legs.fill(q)
 
+    @cached_property
+    def _flattened(self) -> tuple[Coordinates, Tree]:
+        from kinematics.kernel.coordinates import standing_coordinates
+        from kinematics.kernel.tree import tree_of
+
+        return standing_coordinates(self._model, self._stance), tree_of(self._model.pin)
+
     def distance(self, a: Array, b: Array) -> float:
         """Weighted Euclidean distance of two points."""
         step = (b - a) * self.weights
         return float(np.sqrt(step @ step))
+
+
+free_coordinates = StanceTable(FreeCoordinates)
+"""The free coordinates of a robot on a stance; made once while the same ones are asked for."""

@@ -13,6 +13,7 @@ from kinematics.errors import ModelError
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
+from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
 
 Array = NDArray[np.float64]
@@ -88,8 +89,7 @@ class InverseKinematics(Protocol):
         ...
 
 
-def inverse_kinematics(model: RobotModel, stance: Stance, hand: Hand) -> InverseKinematics:
-    """The compiled solver where the legs have a closed form, else PlaCo's."""
+def _make_solver(model: RobotModel, stance: Stance, hand: Hand) -> InverseKinematics:
     from kinematics.placo_ik import PlacoIk
     from kinematics.reach_ik import ReachIk
 
@@ -97,6 +97,10 @@ def inverse_kinematics(model: RobotModel, stance: Stance, hand: Hand) -> Inverse
         return ReachIk(model, stance, hand)
     except ModelError:
         return PlacoIk(model, stance, hand)
+
+
+inverse_kinematics = StanceTable(_make_solver)
+"""The solver of a hand: compiled where the legs have a closed form, else PlaCo's."""
 
 
 def along_line(

@@ -62,6 +62,11 @@ class LegIk:
         ]
 
     @property
+    def closed(self) -> bool:
+        """Whether there are legs, and all of them have a closed form."""
+        return bool(self._legs) and all(isinstance(leg, _ClosedLeg) for leg in self._legs)
+
+    @property
     def geometry(self) -> tuple[LegGeometry, ...]:
         """The legs' numbers, left first.
 

@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.free_coordinates import free_coordinates
 from kinematics.ik import along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
@@ -59,7 +59,7 @@ class MotionPlanner:
 
     def _move(self, request: MoveRequest) -> MovePlan | NoPlan:
         model = self._model
-        space = FreeCoordinates(model, request.stance)
+        space = free_coordinates(model, request.stance)
         start = space.from_q(request.q_start)
         goal = start.copy()
         if not request.keep_others:
@@ -86,7 +86,7 @@ class MotionPlanner:
 
     def _retreat(self, request: RetreatRequest) -> MovePlan | NoPlan:
         model = self._model
-        space = FreeCoordinates(model, request.stance)
+        space = free_coordinates(model, request.stance)
         ik = inverse_kinematics(model, request.stance, request.hand)
         frame = model.description.grippers[request.hand].tcp_frame
         start = model.frame_pose(request.q_start, frame)

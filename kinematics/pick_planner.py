@@ -18,7 +18,7 @@ from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
 from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_candidates, key_of
 from kinematics.ik import DEFAULT_TOLERANCE, InverseKinematics, along_line, inverse_kinematics
@@ -108,16 +108,27 @@ class PickPlanner:
                 blocked.append(goal)
             else:
                 straight.append((goal, reach))
-            if len(straight) >= CHOICES or (len(blocked) >= MOST_BLOCKED and not straight):
+            if len(straight) >= CHOICES:
+                if (plan := _cheapest(task, straight)) is not None:
+                    return plan
+                straight.clear()
+            elif len(blocked) >= MOST_BLOCKED and not straight:
                 break
-        for goal, reach in sorted(straight, key=lambda item: item[0].cost):
-            if (plan := task.timed(goal, reach)) is not None:
-                return plan
+        if (plan := _cheapest(task, straight)) is not None:
+            return plan
         for goal in sorted(blocked, key=lambda item: item.cost):
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
         return None
+
+
+def _cheapest(task: _PickTask, ways: Sequence[tuple[_Goal, Curve]]) -> PickPlan | None:
+    """The plan of the best goal that has one."""
+    for goal, reach in sorted(ways, key=lambda item: item[0].cost):
+        if (plan := task.timed(goal, reach)) is not None:
+            return plan
+    return None
 
 
 class _PickTask:
@@ -133,10 +144,9 @@ class _PickTask:
     ) -> None:
         self._model, self._request, self._target = model, request, request.scene.objects[request.target]
         self._heights, self._reserve_m = heights, reserve_m
-        self._space = FreeCoordinates(model, request.stance)
+        self._space = free_coordinates(model, request.stance)
         self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
-        self._ik: dict[Hand, InverseKinematics] = {}
         self._hands: dict[Hand, HandCollision] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
@@ -192,7 +202,10 @@ class _PickTask:
         return curve
 
     def timed(self, goal: _Goal, reach: Curve) -> PickPlan | None:
-        """Give all three motions their time."""
+        """Give all three motions their time, once the lift is known to be free."""
+        if not self._planner(goal.lift_scene, 0.0).curve_is_free(goal.lift):
+            self.reasons["lift collides"] += 1
+            return None
         grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
         steps = [
             self._step("reach", reach, REACH_PACE, self._reach_scene),
@@ -235,8 +248,6 @@ class _PickTask:
         if not near.curve_is_free(approach):
             return "approach collides"
         lift_scene = self._lift_scene(grasp, grasp_scene)
-        if not self._planner(lift_scene, 0.0).curve_is_free(lift):
-            return "lift collides"
         balance_m = self._polygon.com_margin_m(self._model.com(first.q))
         cost = (
             candidate.cost
@@ -288,9 +299,7 @@ class _PickTask:
         return held.allowing((self._target.name, name) for name in supports_of(self._target, scene))
 
     def _ik_of(self, hand: Hand) -> InverseKinematics:
-        if hand not in self._ik:
-            self._ik[hand] = inverse_kinematics(self._model, self._request.stance, hand)
-        return self._ik[hand]
+        return inverse_kinematics(self._model, self._request.stance, hand)
 
     def _shoulder(self, hand: Hand) -> Array:
         joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])

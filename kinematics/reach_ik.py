@@ -10,7 +10,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.errors import MissingPartError, ModelError
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.free_coordinates import free_coordinates
 from kinematics.ik import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
@@ -66,7 +66,7 @@ class ReachIk:
             raise ModelError("the free coordinates of a welded robot have no base")
         self._reach = reach
         self._model = model
-        self._space = FreeCoordinates(model, stance)
+        self._space = free_coordinates(model, stance)
         self._polygon = SupportPolygon(stance, description.soles)
         self._tree = tree_of(model.pin)
         self._coordinates = standing_coordinates(model, stance)

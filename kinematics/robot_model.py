@@ -176,6 +176,8 @@ class RobotModel:
                 # too large, by up to 13 cm for the grippers' hollow parts
                 item.geometry.buildConvexHull(True, "Qt")
                 item.geometry = item.geometry.convex
+        for item in geometry.geometryObjects:
+            item.geometry.computeLocalAABB()  # and the ball about it
         link = [self.link_of(item) for item in geometry.geometryObjects]
         disabled = {frozenset(pair) for pair in self.description.disabled_collisions}
         for i in range(len(link)):

@@ -14,9 +14,10 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from kinematics.collision import CollisionWorld, coal_shape
+from kinematics.collision import coal_shape
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Ball, Box
 
 # Kept between the distance at the start and the margin that is asked instead, for rounding.
 SLACK_M = 0.001
@@ -39,20 +40,19 @@ def relaxed_at(
         The same scene when nothing is too near; else one in which ``q`` is free, unless a link is in
         furniture or in another link.
     """
-    if not CollisionWorld(model, scene, reserve_m).collides(q):
-        return scene
     geometry, data = model.geometry(), model.pin.createData()
     placed = geometry.createData()
     pin.updateGeometryPlacements(model.pin, data, geometry, placed, q)
     relaxed = scene
     for item in scene.objects.values():
+        keep_m = item.margin_m + reserve_m
         distances = {
             model.link_of(part): _distance(part, at, item)
             for part, at in zip(geometry.geometryObjects, placed.oMg, strict=True)
-            if not scene.is_allowed(model.link_of(part), item.name)
+            if _may_be_near(part, at, item, keep_m) and not scene.is_allowed(model.link_of(part), item.name)
         }
         nearest = min(distances.values(), default=np.inf)
-        if nearest >= item.margin_m + reserve_m:
+        if nearest >= keep_m:
             continue
         margin = max(0.0, KEPT_SHARE * nearest - reserve_m - SLACK_M)
         relaxed = relaxed.with_object(replace(item, margin_m=margin))
@@ -60,6 +60,21 @@ def relaxed_at(
             touching = [link for link, distance in distances.items() if distance < reserve_m + SLACK_M]
             relaxed = relaxed.allowing((link, item.name) for link in touching)
     return relaxed
+
+
+def _may_be_near(part: pin.GeometryObject, at: pin.SE3, item: SceneObject, near_m: float) -> bool:
+    """Whether a ball about a part comes near a box about an object."""
+    ball = part.geometry
+    local = (at.act(ball.aabb_center) - item.world_T_object[:3, 3]) @ item.world_T_object[:3, :3]
+    shape = item.shape
+    if isinstance(shape, Box):
+        half = 0.5 * np.array(shape.size_m)
+    elif isinstance(shape, Ball):
+        half = np.full(3, shape.radius_m)
+    else:
+        half = np.array([shape.radius_m, shape.radius_m, 0.5 * shape.height_m])
+    outside = np.maximum(np.abs(local) - half, 0.0)
+    return bool(np.sqrt(outside @ outside) < ball.aabb_radius + near_m)
 
 
 def _distance(part: pin.GeometryObject, at: pin.SE3, item: SceneObject) -> float:

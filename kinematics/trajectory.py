@@ -25,6 +25,11 @@ class Stance:
 
     soles: tuple[tuple[str, Transform], ...]
 
+    @property
+    def key(self) -> tuple[tuple[str, bytes], ...]:
+        """The same for stances that are equal to the bit, for tables of what was computed once."""
+        return tuple((frame, pose.tobytes()) for frame, pose in self.soles)
+
 
 @dataclass(frozen=True, slots=True)
 class Path:

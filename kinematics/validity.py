@@ -14,13 +14,15 @@ from numpy.typing import NDArray
 
 from kinematics.collision import CollisionWorld, with_floor
 from kinematics.errors import ModelError
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.free_coordinates import free_coordinates
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
+from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
 
 if TYPE_CHECKING:
+    from kinematics.kernel.coordinates import Coordinates, Limits
     from kinematics.kernel.robot_arrays import RobotArrays
 
 Array = NDArray[np.float64]
@@ -68,9 +70,19 @@ def validity(
         scene = with_floor(model, scene)
         return CollisionKernel.mounted(_arrays(model), model, scene, extra_margin_m, self_margin_m)
     try:
-        return CollisionKernel.standing(_arrays(model), model, stance, scene, extra_margin_m, self_margin_m)
+        space, limits = _standing(model, stance)
     except ModelError:  # legs without a closed form
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
+    return CollisionKernel(_arrays(model), scene, space, limits, extra_margin_m, self_margin_m)
+
+
+def _make_standing(model: RobotModel, stance: Stance) -> tuple[Coordinates, Limits]:
+    from kinematics.kernel.coordinates import standing_coordinates, standing_limits
+
+    return standing_coordinates(model, stance), standing_limits(model, stance)
+
+
+_standing = StanceTable(_make_standing)
 
 
 @functools.lru_cache(maxsize=4)
@@ -85,7 +97,7 @@ class SampledValidity:
 
     def __init__(self, model: RobotModel, stance: Stance, world: CollisionWorld) -> None:
         self._model, self._world = model, world
-        self._space = FreeCoordinates(model, stance)
+        self._space = free_coordinates(model, stance)
         margin = model.description.planning_margin_rad
         self._lower = model.lower_rad + margin - _LIMIT_NOISE_RAD
         self._upper = model.upper_rad - margin + _LIMIT_NOISE_RAD

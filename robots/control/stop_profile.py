@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.braking import brake_along, brake_joints, brake_standing
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.free_coordinates import free_coordinates
 from kinematics.robot_model import RobotModel
 from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
@@ -52,7 +52,7 @@ class StopProfile:
         The feet stay where they are; should the legs have no way to do that, each joint stops on its
         own, and the base goes where the soles put it.
         """
-        rows = brake_standing(model, stance, FreeCoordinates(model, stance), now, period_s)
+        rows = brake_standing(model, stance, free_coordinates(model, stance), now, period_s)
         if rows is not None:
             return cls(rows)
         q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], model.acceleration, model.jerk, period_s)
