@@ -52,6 +52,9 @@ class Finding:
     needed: bool = True
 
 
+_WARMING_TASK = "pick up the red cup on the table"
+
+
 def diagnose() -> list[Finding]:
     """Look at everything that the product needs."""
     findings = [_python(), *(_package(name, module) for name, module in _DISTRIBUTIONS.items())]
@@ -66,15 +69,33 @@ def warm_up(tell: Callable[[str], None] = lambda _: None) -> str:
         tell: Is told what is being done while it takes long.
     """
     from executive.assembly import assemble
+    from executive.command_parser import parse
     from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
-    from kinematics.kernel import readiness
     from robots.scene_file import load_scene
 
-    if not readiness.ready():
-        readiness.warm(tell)
+    compile_kernel(tell)
+    tell("one task, for everything else")
     assembly = assemble(DEFAULT_ROBOT, load_scene(DEFAULT_SCENE), 0)
-    assembly.session.hold(0.1)
-    return f"warm: {DEFAULT_ROBOT} stands in {DEFAULT_SCENE}"
+    (command,) = parse(_WARMING_TASK).commands
+    result = assembly.session.run_task(command)
+    return f"warm: {DEFAULT_ROBOT} in {DEFAULT_SCENE}, {result.outcome}: {_WARMING_TASK}"
+
+
+def compile_kernel(tell: Callable[[str], None] = lambda _: None) -> None:
+    """Compile the motion kernel where that has not been done and can be kept.
+
+    Args:
+        tell: Is told what is being done.
+    """
+    from kinematics.kernel import cache, readiness
+
+    if readiness.ready():
+        return
+    if cache.folder() is None:
+        tell("the cache folder cannot be written: planning goes on without the compiled kernel, slower")
+        return
+    tell("compiling the motion kernel, once: a minute or two")
+    readiness.warm(tell)
 
 
 def _python() -> Finding:

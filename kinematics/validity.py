@@ -1,6 +1,7 @@
 """Which points and lines of a robot's free coordinates are free: the planner's judge.
 
-The compiled kernel judges robots whose legs have a closed form; Coal, point by point, all others.
+The compiled kernel judges robots whose legs have a closed form; Coal, point by point, all others, and
+all of them where the kernel was not compiled.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 from kinematics.collision import CollisionWorld, with_floor
 from kinematics.errors import ModelError
 from kinematics.free_coordinates import free_coordinates
+from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
@@ -63,6 +65,8 @@ def validity(
         extra_margin_m: Added to every margin of the scene.
         self_margin_m: Distance kept between the robot's own links.
     """
+    if not _kernel_is_there():
+        return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
     # imported here: it brings the compiler
     from kinematics.kernel.collision_kernel import CollisionKernel
 
@@ -74,6 +78,12 @@ def validity(
     except ModelError:  # legs without a closed form
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
     return CollisionKernel(_arrays(model), scene, space, limits, extra_margin_m, self_margin_m)
+
+
+@functools.cache
+def _kernel_is_there() -> bool:
+    """Asked once, so that one run has one judge: to compile it takes minutes, Coal judges at once."""
+    return readiness.ready()
 
 
 def _make_standing(model: RobotModel, stance: Stance) -> tuple[Coordinates, Limits]:

@@ -34,6 +34,7 @@ def run(
     ] = False,
 ) -> None:
     """Carry out one sentence, or a task script."""
+    from executive.diagnosis import compile_kernel
     from executive.performance import perform
     from executive.statement import Statement
     from executive.task_script import TaskScript, is_script, load_script
@@ -56,6 +57,7 @@ def run(
         snapshot=snapshot,
         video=video,
     )
+    compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
     display = _display(quiet, plain)
     try:
         performance = perform(request, display)
