@@ -30,6 +30,8 @@ TORSO_FREEDOM = 0.1
 # The base stays within this of where it stands at home: position, m, and rotation vector, rad.
 BASE_BELOW = np.array([0.25, 0.25, 0.45, 0.6, 0.9, 0.6])
 BASE_ABOVE = np.array([0.25, 0.25, 0.05, 0.6, 0.9, 0.6])
+# Knees bend no more than this lowers the base where the hand gets there without.
+UPRIGHT_M = 0.15
 DAMPING = 1e-5
 PULL = 0.03
 # A centimetre more than the limit, so that the checker's view never differs.
@@ -146,10 +148,18 @@ class ReachIk:
             0.5 * tolerance.position_m, 0.5 * tolerance.orientation_rad, DAMPING, PULL, iterations
         )
         taken = 0
-        for limits, start in self._tries(seed, where, starts, tolerance):
+        following = q_preferred is not None
+        for limits, lower, start in self._tries(seed, where, starts, tolerance, following):
             x = start.copy()
             steps = kernel.reach(
-                self._tree, self._coordinates, limits, goal, where, settings, x, self._memory
+                self._tree,
+                self._coordinates,
+                limits,
+                goal,
+                where._replace(lower=lower),
+                settings,
+                x,
+                self._memory,
             )
             taken += iterations if steps < 0 else steps
             if steps >= 0:
@@ -157,15 +167,24 @@ class ReachIk:
         return self._verified(world_T_tcp, taken)
 
     def _tries(
-        self, seed: Array, where: ReachSpace, starts: Array | None, tolerance: IkTolerance
-    ) -> Iterator[tuple[Limits, Array]]:
-        """From the seed well in balance, then as far out as is allowed, then from other starts."""
-        yield self._limits._replace(offset=self._least + STEADY_RESERVE_M), seed
+        self, seed: Array, where: ReachSpace, starts: Array | None, tolerance: IkTolerance, following: bool
+    ) -> Iterator[tuple[Limits, Array, Array]]:
+        """Upright and well in balance first, then as far out and as low as is allowed, then elsewhere.
+
+        Who follows a line stays in the posture that he has.
+        """
+        steady = self._limits._replace(offset=self._least + STEADY_RESERVE_M)
         reserve = max(COM_RESERVE_M, tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M)
         farthest = self._limits._replace(offset=self._least + reserve)
-        yield farthest, seed
+        if not following:
+            upright = where.lower.copy()
+            upright[2] = self._home[2] - UPRIGHT_M
+            yield steady, upright, seed
+            yield farthest, upright, seed
+        yield steady, where.lower, seed
+        yield farthest, where.lower, seed
         for share in () if starts is None else starts:
-            yield farthest, where.lower + share * (where.upper - where.lower)
+            yield farthest, where.lower, where.lower + share * (where.upper - where.lower)
 
     def _verified(self, world_T_tcp: Transform, count: int) -> IkResult:
         """Measure the last configuration again, with Pinocchio's kinematics instead of the kernel's."""
