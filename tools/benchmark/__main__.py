@@ -15,7 +15,7 @@ from rich.console import Console
 if TYPE_CHECKING:
     from tools.benchmark.report import Report
 
-SUITES = ("planning", "pick", "arm", "ik", "collision", "checker", "tick", "control", "startup")
+SUITES = ("planning", "pick", "arm", "ik", "collision", "timing", "checker", "tick", "control", "startup")
 
 
 class _ListSuites(argparse.Action):
@@ -57,11 +57,13 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.collision import collision
     from tools.benchmark.control import control
     from tools.benchmark.ik import ik
+    from tools.benchmark.peers.environments import PeerEnvironment
     from tools.benchmark.pick import pick
     from tools.benchmark.planning import planning
     from tools.benchmark.report import Report
     from tools.benchmark.startup import startup
     from tools.benchmark.tick import tick
+    from tools.benchmark.timing import timing
 
     beside_peers: dict[str, Callable[[bool, Path, int | None], Report]] = {
         "pick": pick,
@@ -71,6 +73,9 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     }
     if suite in beside_peers:
         return beside_peers[suite](quick, cache, samples)
+    if suite == "timing":
+        toppra = PeerEnvironment("toppra", cache)
+        return Report(suite, quick, timing(quick, toppra.python if toppra.is_ready else None))
     alone = {"planning": planning, "checker": checker, "tick": tick, "control": control, "startup": startup}
     return Report(suite, quick, alone[suite](quick))
 
