@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from kinematics.curves import Curve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
-from kinematics.validity import RESOLUTION, Validity
+from kinematics.validity import RESOLUTION, PathSearch, Validity
 
 Array = NDArray[np.float64]
 
@@ -25,6 +25,8 @@ EXTEND = 0.5
 PELVIS_ROOM = np.array([0.04, 0.03, 0.06, 0.05, 0.05, 0.05])
 # Distance of the control points that round a polyline's corners.
 ROUNDING = 0.12
+# Directions that differ by less than this are one.
+_STRAIGHT = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,10 +69,9 @@ class PathPlanner:
         line = self.straight(start, goal)
         if line is not None:
             return line
-        polyline = self._rrt_connect(start, goal, moving, rng)
+        polyline = self._polyline(start, goal, moving, rng)
         if polyline is None:
             return None
-        polyline = self._shortened(polyline, rng)
         curve = self._rounded(polyline)
         if self.curve_is_free(curve):
             return curve
@@ -88,7 +89,7 @@ class PathPlanner:
         grid = curve(np.linspace(0.0, 1.0, 65))
         length = float(np.sum(np.sqrt(np.sum((np.diff(grid, axis=0) * self._space.weights) ** 2, axis=1))))
         count = max(3, int(np.ceil(length / RESOLUTION)) + 1)
-        return self._judge.polyline_is_free(curve(np.linspace(0.0, 1.0, count)))
+        return self._judge.polyline_is_free(_without_needless(curve(np.linspace(0.0, 1.0, count))))
 
     def is_free(self, x: Array) -> bool:
         """Check one point: reach of the legs, limits, balance, collision."""
@@ -99,6 +100,18 @@ class PathPlanner:
 
     def _edge_is_free(self, a: Array, b: Array) -> bool:
         return self._judge.polyline_is_free(np.stack([a, b]))
+
+    def _polyline(
+        self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
+    ) -> Array | None:
+        judge, settings = self._judge, self._settings
+        if not isinstance(judge, PathSearch):
+            polyline = self._rrt_connect(start, goal, moving, rng)
+            return None if polyline is None else self._shortened(polyline, rng)
+        seed, weights = int(rng.integers(2**53)), self._space.weights
+        lower, upper = self._sampling_box(start, goal, moving)
+        found = judge.connect(start, goal, lower, upper, weights, EXTEND, settings.iterations, seed)
+        return None if found is None else judge.shorten(found, weights, settings.shortcuts, seed)
 
     def _rrt_connect(
         self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
@@ -160,6 +173,14 @@ class PathPlanner:
             if self._edge_is_free(polyline[i], polyline[j]):
                 polyline = np.concatenate([polyline[: i + 1], polyline[j:]])
         return polyline
+
+
+def _without_needless(points: Array) -> Array:
+    """Points of a polyline, shape (n, size), without those in the middle of straight parts."""
+    steps = np.diff(points, axis=0)
+    steps = steps / np.maximum(np.sqrt(np.sum(steps**2, axis=1)), 1e-12)[:, None]
+    bent = np.max(np.abs(np.diff(steps, axis=0)), axis=1) > _STRAIGHT
+    return np.asarray(points[np.concatenate([[True], bent, [True]])])
 
 
 class _Tree:

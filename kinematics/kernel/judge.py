@@ -13,19 +13,25 @@ import math
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Limits
 from kinematics.kernel.forward_kinematics import centre_of_mass, place_bodies
-from kinematics.kernel.memory import Problem, Work, problem_in, work_in
-from kinematics.kernel.motion_bound import bound_motion
+from kinematics.kernel.memory import Problem, Work
+from kinematics.kernel.motion_bound import STILL, bound_motion, nearing, swept
 from kinematics.kernel.posture import com_room, configuration, leg_ranges, limits_kept
 from kinematics.kernel.separation import core_distance, point_distance
 from kinematics.kernel.solids import HULL, Array, Indices, Solids
 
 FREE, REACH, LIMITS, BALANCE, CONTACT, UNPROVEN = 0, 1, 2, 3, 4, 5
-AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION = 0, 1, 2, 3, 4
+# Nothing was seen where it was looked, and not everything is proven.
+PRESUMED = 6
 
 # Status of a pair.
 _APART, _OPEN, _TOUCHING = 0, 1, 2
+# A closer look is not worth while when less than this part of the motion bound uses up the distance.
+_HOPELESS = 0.5
 # What is still open when nothing moves any more by this much stays unproven, m (and rad for limits).
 RESOLUTION_M = 1e-4
+# An edge is cut into intervals in which no joint moves farther than this, before any pair is looked at.
+_FIRST_REACH_RAD = 0.2
+_FIRST_SPANS = 16
 
 
 @inlined
@@ -156,13 +162,26 @@ def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
     if square > far * far:
         return _APART
     between = math.sqrt(square)
-    if between > margin + solids.radius[i] + solids.radius[j] and need >= between:
+    if between > margin + solids.radius[i] + solids.radius[j] and margin + _HOPELESS * slack >= between:
         # apart now, and not by so much: no closer look can prove it
         return _OPEN
-    distance = _distance(solids, work, i, j, work.axis[pair], need, margin, 0)
+    axis = work.axis[pair]
+    distance = _distance(solids, work, i, j, axis, need, margin, 0)
     if distance > need:
         return _APART
-    return _OPEN if distance > margin else _TOUCHING
+    if distance <= margin:
+        return _TOUCHING
+    group = pairs.group[pair]
+    first = swept(
+        problem.tree, problem.chains, work, solids.body[i], pairs.first_level[group],
+        centre[i, 0], centre[i, 1], centre[i, 2], solids.radius[i],
+    )
+    second = swept(
+        problem.tree, problem.chains, work, solids.body[j], pairs.second_level[group],
+        centre[j, 0], centre[j, 1], centre[j, 2], solids.radius[j],
+    )
+    nears = nearing(work.first_R, axis, first, solids.radius[i], second, solids.radius[j])
+    return _APART if distance > margin + nears else _OPEN
 
 
 @inlined
@@ -176,13 +195,21 @@ def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) 
     need = margin + slack
     if gap > need:
         return _APART
-    if gap > margin and need >= between:
+    if gap > margin and margin + _HOPELESS * slack >= between:
         return _OPEN
-    pair = pairs.first.shape[0] + thing * pairs.moving + i
-    distance = _distance(solids, work, i, j, work.axis[pair], need, margin, 0)
+    axis = work.axis[pairs.first.shape[0] + thing * pairs.moving + i]
+    distance = _distance(solids, work, i, j, axis, need, margin, 0)
     if distance > need:
         return _APART
-    return _OPEN if distance > margin else _TOUCHING
+    if distance <= margin:
+        return _TOUCHING
+    body = solids.body[i]
+    c = work.centre[i]
+    first = swept(
+        problem.tree, problem.chains, work, body, problem.chains.length[body], c[0], c[1], c[2], solids.radius[i]
+    )
+    nears = nearing(work.first_R, axis, first, solids.radius[i], STILL, 0.0)
+    return _APART if distance > margin + nears else _OPEN
 
 
 @inlined
@@ -408,8 +435,10 @@ def _outside(limits: Limits, value: float, column: int, reach: float) -> bool:
     return value - reach < low or value + reach > high
 
 
-@inlined
-def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) -> tuple[int, float, int]:
+@compiled
+def judge_edge(
+    problem: Problem, work: Work, a: Array, b: Array, effort: int, resolution: float
+) -> tuple[int, float, int]:
     """Verdict on the whole straight line between two points of the free coordinates.
 
     Args:
@@ -417,12 +446,17 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         work: Memory.
         a, b: Ends, shape (size,); both are judged too.
         effort: Most intervals to look at.
+        resolution: What is open when nothing moves any more by this much is not looked at more closely,
+            m; when that is more than ``RESOLUTION_M``, it does not make the edge unproven but presumed.
 
     Returns:
         FREE when every point of the line is proven to be free, else a refusal, the parameter in [0, 1]
         where it arose or -1, and the pair or -1. CONTACT, LIMITS, BALANCE and REACH were seen there;
-        UNPROVEN means that something comes so near to its bound that it could not be proven.
+        UNPROVEN means that something comes so near to its bound that it could not be proven. PRESUMED
+        that nothing was seen to be refused.
     """
+    lazy = resolution > RESOLUTION_M
+    presumed = False
     space, tree, limits = problem.space, problem.tree, problem.limits
     first = 6 * space.floating
     # joints that move linearly keep their limits when both ends do
@@ -437,10 +471,24 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         step = math.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (b[2] - a[2]) ** 2)
         turn = math.sqrt((b[3] - a[3]) ** 2 + (b[4] - a[4]) ** 2 + (b[5] - a[5]) ** 2)
     old = 0
-    work.spans[0, 0, 0] = 0
-    work.spans[0, 0, 3] = 1
     spans = 1
     half = 0.5
+    widest = max(step, turn)
+    for k in range(space.columns.shape[0]):
+        widest = max(widest, abs(b[first + k] - a[first + k]))
+    while spans < _FIRST_SPANS and widest * half > _FIRST_REACH_RAD:
+        spans *= 2
+        half *= 0.5
+    for span in range(spans):
+        work.spans[0, span, 0] = span
+        work.spans[0, span, 3] = 1
+    work.rate[:] = 0.0
+    if step > 0.0 or turn > 0.0:
+        # the base and planted legs do not turn about an axis at one speed
+        work.rate[1] = math.nan
+        for leg in range(space.leg_bodies.shape[0]):
+            for k in range(6):
+                work.rate[space.leg_bodies[leg, k]] = math.nan
     looked = 0
     whole = True
     while spans > 0:
@@ -459,7 +507,8 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
             if not configuration(space, tree, work.x, work.q, work.base_R):
                 return REACH, t, -1
             for k in range(space.columns.shape[0]):
-                work.reach[space.bodies[k]] = abs(b[first + k] - a[first + k]) * half
+                work.rate[space.bodies[k]] = (b[first + k] - a[first + k]) * half
+                work.reach[space.bodies[k]] = abs(work.rate[space.bodies[k]])
             bounded = leg_ranges(space, tree, work.q, work.base_R, step * half, turn * half, work.reach)
             if whole or work.spans[old, span, 3] == 1:
                 _all_needed(work)
@@ -485,16 +534,20 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                 if verdict != FREE:
                     return verdict, t, -1
                 if not proven:
-                    if largest < RESOLUTION_M or half < 1e-6:
-                        return UNPROVEN, t, -1
-                    posture_open = True
+                    if largest < resolution or half < 1e-6:
+                        if not lazy:
+                            return UNPROVEN, t, -1
+                        presumed = True
+                    else:
+                        posture_open = True
             begin = listed
             if whole:
-                touching, listed = _scan(problem, work, found)
+                touching, more = _scan(problem, work, found[listed:])
                 if touching >= 0:
                     return CONTACT, t, touching
-                if listed < 0:
+                if more < 0:
                     return UNPROVEN, t, -1
+                listed += more
             else:
                 for at in range(work.spans[old, span, 1], work.spans[old, span, 2]):
                     pair = work.open_pairs[old, at]
@@ -506,9 +559,16 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                             return UNPROVEN, t, pair
                         found[listed] = pair
                         listed += 1
+            wide = begin
             for at in range(begin, listed):
-                if _slack(problem, work, found[at]) < RESOLUTION_M:
+                if _slack(problem, work, found[at]) >= resolution:
+                    found[wide] = found[at]
+                    wide += 1
+                elif not lazy:
                     return UNPROVEN, t, found[at]
+                else:
+                    presumed = True
+            listed = wide
             if listed > begin or posture_open:
                 if kept + 2 > work.spans.shape[1]:
                     return UNPROVEN, t, -1
@@ -522,7 +582,7 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         old = new
         half *= 0.5
         whole = False
-    return FREE, -1.0, -1
+    return (PRESUMED if presumed else FREE), -1.0, -1
 
 
 @inlined
@@ -566,47 +626,3 @@ def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Arra
         else:
             distance = _distance(solids, work, i, j, work.axis[pair], cap, -math.inf, 1)
             found[pair] = max(gap, distance)
-
-
-@compiled
-def ask(
-    floats: Array,
-    ints: Indices,
-    table: Indices,
-    question: int,
-    points: Array,
-    number: float,
-    found: Array,
-) -> tuple[int, float, int]:
-    """The one door from outside: everything behind it is compiled and loaded as one piece.
-
-    Args:
-        floats, ints, table: A packed problem and its memory.
-        question: AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES or TO_CONFIGURATION.
-        points: One row a point; configurations for AT_CONFIGURATION and DISTANCES.
-        number: Most intervals to look at, for ALONG_POINTS; the cap in metres, for DISTANCES.
-        found: Result of DISTANCES, by pair, and of TO_CONFIGURATION, shape (nq,).
-
-    Returns:
-        Verdict; row, or row plus parameter on the edge that begins there, or -1; pair or -1.
-    """
-    problem = problem_in(floats.ctypes.data, ints.ctypes.data, table)
-    work = work_in(floats.ctypes.data, ints.ctypes.data, table)
-    if question == AT_CONFIGURATION:
-        pair = contact_at(problem, work, points[0])
-        return (CONTACT, 0.0, pair) if pair >= 0 else (FREE, -1.0, -1)
-    if question == AT_POINTS:
-        verdict, row, pair = judge_points(problem, work, points)
-        return verdict, float(row), pair
-    if question == ALONG_POINTS:
-        for row in range(points.shape[0] - 1):
-            verdict, t, pair = judge_edge(problem, work, points[row], points[row + 1], int(number))
-            if verdict != FREE:
-                return verdict, row + t, pair
-        return FREE, -1.0, -1
-    if question == DISTANCES:
-        distances_at(problem, work, points[0], number, found)
-        return FREE, -1.0, -1
-    if not configuration(problem.space, problem.tree, points[0], found, work.base_R):
-        return REACH, 0.0, -1
-    return FREE, -1.0, -1

@@ -50,6 +50,8 @@ class Work(NamedTuple):
         open_pairs: Pairs that are open, two generations, shape (2, n).
         spans: Intervals that hold them: index, first and last open pair, whether the posture is open;
             two generations, shape (2, m, 4).
+        rate: How far each joint turns or slides, with its sign, by body; NaN where it does not do so
+            at one speed.
     """
 
     x: Array
@@ -74,6 +76,7 @@ class Work(NamedTuple):
     p_between: Array
     open_pairs: Indices
     spans: Indices
+    rate: Array
 
 
 def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
@@ -105,6 +108,7 @@ def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Wo
         p_between=np.zeros(3),
         open_pairs=np.zeros((2, max(open_pairs, count)), np.int64),
         spans=np.zeros((2, spans, 4), np.int64),
+        rate=np.zeros(n),
     )
 
 
@@ -250,4 +254,5 @@ def work_in(floats: int, ints: int, table: Indices) -> Work:
         p_between=floats1(floats, table[76]),
         open_pairs=ints2(ints, table[77]),
         spans=ints3(ints, table[78]),
+        rate=floats1(floats, table[79]),
     )

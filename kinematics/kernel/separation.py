@@ -199,7 +199,7 @@ def core_distance(
         R, p: Pose of the second's frame in the first's, shapes (3, 3) and (3,), m.
         enough: The search ends when the bound passes this, m.
         little: The search ends when the distance is known to be no more than this; or when it is
-            known to be more than this and no more than ``enough``. With ``OVERLAP`` here, only
+            known to be more than this and no more than ``enough``, and half of what is more. With ``OVERLAP`` here, only
             ``enough`` and convergence end it.
         axis: Direction to begin with, from the second to the first in the first's frame, shape
             (3,), or zero; on return the best one found.
@@ -245,7 +245,7 @@ def core_distance(
             # now length is the distance of two points of the cores: a bound from above
             if length - bound <= _CONVERGED_M + _CONVERGED_PART * length or length <= little:
                 return bound
-            if bound > little and little > OVERLAP and length <= enough:
+            if little > OVERLAP and length <= enough and 2.0 * bound >= length + little and bound > little:
                 return bound
         S[n, 0] = w0
         S[n, 1] = w1
