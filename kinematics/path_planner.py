@@ -81,8 +81,8 @@ class PathPlanner:
 
     def straight(self, start: Array, goal: Array) -> Curve | None:
         """The straight line between two points, or None when it is not free."""
-        line = self._rounded(np.stack([start, goal]))
-        return line if self.curve_is_free(line) else None
+        ends = np.stack([start, goal])
+        return self._rounded(ends) if self._judge.polyline_is_free(ends) else None
 
     def curve_is_free(self, curve: Curve) -> bool:
         """Check a curve along lines no longer than the resolution."""

@@ -13,7 +13,7 @@ from kinematics.kernel.judge import (
     judge_edge,
     judge_points,
 )
-from kinematics.kernel.memory import problem_in, work_in
+from kinematics.kernel.memory import Memory, problem_at, work_at
 from kinematics.kernel.posture import configuration
 from kinematics.kernel.search import connect, shorten
 from kinematics.kernel.solids import Array, Indices
@@ -46,29 +46,27 @@ def ask(
         Verdict; row, or row plus parameter on the edge that begins there, or the number of rows of
         a path, or -1; pair or -1.
     """
-    problem = problem_in(floats.ctypes.data, ints.ctypes.data, table)
-    work = work_in(floats.ctypes.data, ints.ctypes.data, table)
+    memory = Memory(floats.ctypes.data, ints.ctypes.data, table)
     if question == AT_CONFIGURATION:
-        pair = contact_at(problem, work, points[0])
+        pair = contact_at(memory, points[0])
         return (CONTACT, 0.0, pair) if pair >= 0 else (FREE, -1.0, -1)
     if question == AT_POINTS:
-        verdict, row, pair = judge_points(problem, work, points)
+        verdict, row, pair = judge_points(memory, points)
         return verdict, float(row), pair
     if question == ALONG_POINTS:
         for row in range(points.shape[0] - 1):
-            verdict, t, pair = judge_edge(
-                problem, work, points[row], points[row + 1], int(number), RESOLUTION_M
-            )
+            verdict, t, pair = judge_edge(memory, points[row], points[row + 1], number, RESOLUTION_M)
             if verdict != FREE:
                 return verdict, row + t, pair
         return FREE, -1.0, -1
     if question == DISTANCES:
-        distances_at(problem, work, points[0], number, found)
+        distances_at(memory, points[0], number, found)
         return FREE, -1.0, -1
     if question == CONNECT:
-        return FREE, float(connect(problem, work, points, int(number), found)), -1
+        return FREE, float(connect(memory, points, int(number), found)), -1
     if question == SHORTEN:
-        return FREE, float(shorten(problem, work, points, int(number), found)), -1
+        return FREE, float(shorten(memory, points, int(number), found)), -1
+    problem, work = problem_at(memory), work_at(memory)
     if not configuration(problem.space, problem.tree, points[0], found, work.base_R):
         return REACH, 0.0, -1
     return FREE, -1.0, -1

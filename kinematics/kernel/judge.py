@@ -13,10 +13,10 @@ import math
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Limits
 from kinematics.kernel.forward_kinematics import centre_of_mass, place_bodies
-from kinematics.kernel.memory import Problem, Work
+from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
 from kinematics.kernel.motion_bound import STILL, bound_motion, nearing, swept
 from kinematics.kernel.posture import com_room, configuration, leg_ranges, limits_kept
-from kinematics.kernel.separation import core_distance, point_distance
+from kinematics.kernel.separation import OVERLAP, core_gap, point_distance
 from kinematics.kernel.solids import HULL, Array, Indices, Solids
 
 FREE, REACH, LIMITS, BALANCE, CONTACT, UNPROVEN = 0, 1, 2, 3, 4, 5
@@ -54,18 +54,11 @@ def _pose_of(solids: Solids, solid: int, work: Work, R: Array, p: Array) -> None
             R[r, k] = B[r, 0] * P[0, k] + B[r, 1] * P[1, k] + B[r, 2] * P[2, k]
 
 
-@inlined
-def _distance(
-    solids: Solids,
-    work: Work,
-    first: int,
-    second: int,
-    axis: Array,
-    enough: float,
-    little: float,
-    exact_from: int,
-) -> float:
+@compiled
+def _distance(memory: Memory, first: int, second: int, pair: int, enough: float, little: float) -> float:
     """Lower bound of the distance of two placed solids; see ``core_distance``."""
+    solids, work = problem_at(memory).solids, work_at(memory)
+    axis = work.axis[pair]
     A, a, B, b = work.first_R, work.first_p, work.second_R, work.second_p
     R, p = work.R_between, work.p_between
     _pose_of(solids, first, work, A, a)
@@ -78,11 +71,9 @@ def _distance(
     pads = solids.pad[first] + solids.pad[second]
     distance = -math.inf
     # chosen vertices, padded; when those are too near, all vertices
-    for exact in range(exact_from, 2):
+    for exact in range(0 if little > OVERLAP else 1, 2):
         off = rounds if exact == 1 else rounds + pads
-        found = core_distance(
-            solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v
-        )
+        found = core_gap(solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v)
         distance = found - off
         if distance > little or pads == 0.0:
             break
@@ -146,7 +137,7 @@ def _need_pair(problem: Problem, work: Work, pair: int) -> None:
 
 
 @inlined
-def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
+def _judge_own(memory: Memory, problem: Problem, work: Work, pair: int, slack: float) -> int:
     """Whether two moving solids are apart by their margin and by what both can move."""
     solids, pairs = problem.solids, problem.pairs
     i = pairs.first[pair]
@@ -165,27 +156,36 @@ def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
     if between > margin + solids.radius[i] + solids.radius[j] and margin + _HOPELESS * slack >= between:
         # apart now, and not by so much: no closer look can prove it
         return _OPEN
-    axis = work.axis[pair]
-    distance = _distance(solids, work, i, j, axis, need, margin, 0)
+    distance = _distance(memory, i, j, pair, need, margin)
     if distance > need:
         return _APART
     if distance <= margin:
         return _TOUCHING
     group = pairs.group[pair]
     first = swept(
-        problem.tree, problem.chains, work, solids.body[i], pairs.first_level[group],
-        centre[i, 0], centre[i, 1], centre[i, 2], solids.radius[i],
+        memory,
+        solids.body[i],
+        pairs.first_level[group],
+        centre[i, 0],
+        centre[i, 1],
+        centre[i, 2],
+        solids.radius[i],
     )
     second = swept(
-        problem.tree, problem.chains, work, solids.body[j], pairs.second_level[group],
-        centre[j, 0], centre[j, 1], centre[j, 2], solids.radius[j],
+        memory,
+        solids.body[j],
+        pairs.second_level[group],
+        centre[j, 0],
+        centre[j, 1],
+        centre[j, 2],
+        solids.radius[j],
     )
-    nears = nearing(work.first_R, axis, first, solids.radius[i], second, solids.radius[j])
+    nears = nearing(work.first_R, work.axis[pair], first, solids.radius[i], second, solids.radius[j])
     return _APART if distance > margin + nears else _OPEN
 
 
 @inlined
-def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) -> int:
+def _judge_with(memory: Memory, problem: Problem, work: Work, i: int, thing: int, slack: float) -> int:
     """Whether a moving solid is apart from an object by its margin and by what it can move."""
     solids, pairs = problem.solids, problem.pairs
     j = pairs.moving + thing
@@ -197,18 +197,16 @@ def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) 
         return _APART
     if gap > margin and margin + _HOPELESS * slack >= between:
         return _OPEN
-    axis = work.axis[pairs.first.shape[0] + thing * pairs.moving + i]
-    distance = _distance(solids, work, i, j, axis, need, margin, 0)
+    pair = pairs.first.shape[0] + thing * pairs.moving + i
+    distance = _distance(memory, i, j, pair, need, margin)
     if distance > need:
         return _APART
     if distance <= margin:
         return _TOUCHING
     body = solids.body[i]
     c = work.centre[i]
-    first = swept(
-        problem.tree, problem.chains, work, body, problem.chains.length[body], c[0], c[1], c[2], solids.radius[i]
-    )
-    nears = nearing(work.first_R, axis, first, solids.radius[i], STILL, 0.0)
+    first = swept(memory, body, problem.chains.length[body], c[0], c[1], c[2], solids.radius[i])
+    nears = nearing(work.first_R, work.axis[pair], first, solids.radius[i], STILL, 0.0)
     return _APART if distance > margin + nears else _OPEN
 
 
@@ -234,27 +232,28 @@ def _slack(problem: Problem, work: Work, pair: int) -> float:
 
 
 @inlined
-def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
+def _judge_pair(memory: Memory, problem: Problem, work: Work, pair: int) -> int:
     """Status of a pair by its number."""
     slack = _slack(problem, work, pair)
     count = problem.pairs.first.shape[0]
     if pair < count:
-        return _judge_own(problem, work, pair, slack)
+        return _judge_own(memory, problem, work, pair, slack)
     thing = (pair - count) // problem.pairs.moving
-    return _judge_with(problem, work, pair - count - thing * problem.pairs.moving, thing, slack)
+    return _judge_with(memory, problem, work, pair - count - thing * problem.pairs.moving, thing, slack)
 
 
 @compiled
-def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
+def _scan(memory: Memory, found: Indices) -> tuple[int, int]:
     """Judge all pairs; list those that are open.
 
     Args:
-        problem, work: Bodies and motion bounds in place.
+        memory: Bodies and motion bounds in place.
         found: Result: open pairs.
 
     Returns:
         A pair that touches, or -1; and how many were listed, or -1 when the list is full.
     """
+    problem, work = problem_at(memory), work_at(memory)
     pairs, chains, ball = problem.pairs, problem.chains, work.ball
     listed = 0
     for group in range(pairs.group_first.shape[0]):
@@ -270,7 +269,7 @@ def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
         if d0 * d0 + d1 * d1 + d2 * d2 > far * far:
             continue
         for pair in range(first, last):
-            status = _judge_own(problem, work, pair, slack)
+            status = _judge_own(memory, problem, work, pair, slack)
             if status == _TOUCHING:
                 return pair, listed
             if status == _OPEN:
@@ -282,14 +281,16 @@ def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
         return -1, listed
     for limb in range(chains.limbs):
         if pairs.limb_start[limb] < pairs.limb_start[limb + 1]:
-            touching, listed = _scan_limb(problem, work, limb, found, listed)
+            touching, listed = _scan_limb(memory, problem, work, limb, found, listed)
             if touching >= 0 or listed < 0:
                 return touching, listed
     return -1, listed
 
 
 @inlined
-def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: int) -> tuple[int, int]:
+def _scan_limb(
+    memory: Memory, problem: Problem, work: Work, limb: int, found: Indices, listed: int
+) -> tuple[int, int]:
     """Judge a limb with every object: as a whole, body by body, solid by solid; see ``_scan``."""
     solids, pairs, chains, ball = problem.solids, problem.pairs, problem.chains, work.ball
     first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
@@ -323,7 +324,7 @@ def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: 
                 s = pairs.body_solids[k]
                 if pairs.judged[thing, s] == 0:
                     continue
-                status = _judge_with(problem, work, s, thing, slack)
+                status = _judge_with(memory, problem, work, s, thing, slack)
                 if status == _APART:
                     continue
                 pair = pairs.first.shape[0] + thing * pairs.moving + s
@@ -337,18 +338,20 @@ def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: 
 
 
 @inlined
-def contact_at(problem: Problem, work: Work, q: Array) -> int:
+def contact_at(memory: Memory, q: Array) -> int:
     """First pair that is nearer than its margin at a configuration, shape (nq,); -1 for none."""
+    problem, work = problem_at(memory), work_at(memory)
     work.q[:] = q
     work.moved[:, :] = 0.0
     _all_needed(work)
     _place(problem, work)
-    return _scan(problem, work, work.open_pairs[0])[0]
+    return _scan(memory, work.open_pairs[0])[0]
 
 
 @compiled
-def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
+def judge_point(memory: Memory, x: Array) -> tuple[int, int]:
     """Verdict on one point of the free coordinates, and the pair of a contact or -1."""
+    problem, work = problem_at(memory), work_at(memory)
     if not configuration(problem.space, problem.tree, x, work.q, work.base_R):
         return REACH, -1
     if not limits_kept(problem.limits, work.q):
@@ -360,12 +363,12 @@ def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
         centre_of_mass(problem.tree, work.R, work.p, work.com)
         if com_room(problem.limits, work.com) < 0.0:
             return BALANCE, -1
-    pair = _scan(problem, work, work.open_pairs[0])[0]
+    pair = _scan(memory, work.open_pairs[0])[0]
     return (CONTACT, pair) if pair >= 0 else (FREE, -1)
 
 
 @inlined
-def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]:
+def judge_points(memory: Memory, x: Array) -> tuple[int, int, int]:
     """Verdict on points, shape (n, size): ends first, then the middles of ever smaller gaps.
 
     Returns:
@@ -373,7 +376,7 @@ def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]
     """
     n = x.shape[0]
     for row in range(0, n, max(1, n - 1)):
-        verdict, pair = judge_point(problem, work, x[row])
+        verdict, pair = judge_point(memory, x[row])
         if verdict != FREE:
             return verdict, row, pair
     stride = 1
@@ -382,7 +385,7 @@ def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]
     while stride > 1:
         half = stride // 2
         for row in range(half, n - 1, stride):
-            verdict, pair = judge_point(problem, work, x[row])
+            verdict, pair = judge_point(memory, x[row])
             if verdict != FREE:
                 return verdict, row, pair
         stride = half
@@ -437,17 +440,16 @@ def _outside(limits: Limits, value: float, column: int, reach: float) -> bool:
 
 @compiled
 def judge_edge(
-    problem: Problem, work: Work, a: Array, b: Array, effort: int, resolution: float
+    memory: Memory, a: Array, b: Array, effort: float, resolution: float
 ) -> tuple[int, float, int]:
     """Verdict on the whole straight line between two points of the free coordinates.
 
     Args:
-        problem: Robot and scene.
-        work: Memory.
+        memory: Robot and scene.
         a, b: Ends, shape (size,); both are judged too.
-        effort: Most intervals to look at.
+        effort: Most intervals to look at; no integer, as the compiler makes a version for each constant.
         resolution: What is open when nothing moves any more by this much is not looked at more closely,
-            m; when that is more than ``RESOLUTION_M``, it does not make the edge unproven but presumed.
+            m. That makes the edge unproven, or, when this is negative, presumed.
 
     Returns:
         FREE when every point of the line is proven to be free, else a refusal, the parameter in [0, 1]
@@ -455,7 +457,9 @@ def judge_edge(
         UNPROVEN means that something comes so near to its bound that it could not be proven. PRESUMED
         that nothing was seen to be refused.
     """
-    lazy = resolution > RESOLUTION_M
+    problem, work = problem_at(memory), work_at(memory)
+    lazy = resolution < 0.0
+    resolution = abs(resolution)
     presumed = False
     space, tree, limits = problem.space, problem.tree, problem.limits
     first = 6 * space.floating
@@ -480,7 +484,13 @@ def judge_edge(
         spans *= 2
         half *= 0.5
     for span in range(spans):
-        work.spans[0, span, 0] = span
+        # numbers with their bits in reverse: what collides is found early
+        index = 0
+        bit = 1
+        while bit < spans:
+            index = 2 * index + (1 if span & bit else 0)
+            bit *= 2
+        work.spans[0, span, 0] = index
         work.spans[0, span, 3] = 1
     work.rate[:] = 0.0
     if step > 0.0 or turn > 0.0:
@@ -542,7 +552,7 @@ def judge_edge(
                         posture_open = True
             begin = listed
             if whole:
-                touching, more = _scan(problem, work, found[listed:])
+                touching, more = _scan(memory, found[listed:])
                 if touching >= 0:
                     return CONTACT, t, touching
                 if more < 0:
@@ -551,7 +561,7 @@ def judge_edge(
             else:
                 for at in range(work.spans[old, span, 1], work.spans[old, span, 2]):
                     pair = work.open_pairs[old, at]
-                    status = _judge_pair(problem, work, pair)
+                    status = _judge_pair(memory, problem, work, pair)
                     if status == _TOUCHING:
                         return CONTACT, t, pair
                     if status == _OPEN:
@@ -586,19 +596,19 @@ def judge_edge(
 
 
 @inlined
-def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Array) -> None:
+def distances_at(memory: Memory, q: Array, cap: float, found: Array) -> None:
     """Lower bounds of the distances of all pairs at a configuration.
 
     Bounds are exact within a micrometre where they are below ``cap``, and 0 or less where the pair
     touches or overlaps. A pair that is not judged gets infinity.
 
     Args:
-        problem: Robot and scene.
-        work: Memory.
+        memory: Robot and scene.
         q: Shape (nq,).
         cap: Larger distances need not be known, m.
         found: Result, by pair, m.
     """
+    problem, work = problem_at(memory), work_at(memory)
     work.q[:] = q
     _all_needed(work)
     _place(problem, work)
@@ -624,5 +634,5 @@ def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Arra
         if gap > cap:
             found[pair] = gap
         else:
-            distance = _distance(solids, work, i, j, work.axis[pair], cap, -math.inf, 1)
+            distance = _distance(memory, i, j, pair, cap, OVERLAP)
             found[pair] = max(gap, distance)

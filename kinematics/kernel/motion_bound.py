@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kinematics.kernel.compiler import compiled, inlined
-from kinematics.kernel.memory import Work
+from kinematics.kernel.memory import Memory, problem_at, work_at
 from kinematics.kernel.robot_arrays import Chains
 from kinematics.kernel.tree import FLOATING, SLIDE, Array, Indices, Tree
 
@@ -76,9 +76,7 @@ def bound_motion(
 
 
 @compiled
-def swept(
-    tree: Tree, chains: Chains, work: Work, body: int, levels: int, x: float, y: float, z: float, radius: float
-) -> Sweep:
+def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, radius: float) -> Sweep:
     """How a ball on a body moves in half an interval against the body that is so many joints away.
 
     Joints move at one speed each. Then the velocity of a point is the sum of ``rate * axis x lever`` over
@@ -87,8 +85,7 @@ def swept(
     No lever grows by more than what the joints outside of it move the point.
 
     Args:
-        tree, chains: The robot.
-        work: Bodies, ``rate`` and ``moved`` in place.
+        memory: Bodies, ``rate`` and ``moved`` in place.
         body, levels: The ball's body, and how many joints to cross.
         x, y, z, radius: The ball, m.
 
@@ -96,6 +93,8 @@ def swept(
         Displacement of the centre and turn of the ball to one side, of first order; and a bound of what
         any point's displacement differs from that, NaN when there is none.
     """
+    problem, work = problem_at(memory), work_at(memory)
+    tree, chains = problem.tree, problem.chains
     v0 = v1 = v2 = o0 = o1 = o2 = 0.0
     bend = 0.0
     levers = 0.0
@@ -136,7 +135,9 @@ def swept(
 
 
 @inlined
-def nearing(R: Array, axis: Array, first: Sweep, first_radius: float, second: Sweep, second_radius: float) -> float:
+def nearing(
+    R: Array, axis: Array, first: Sweep, first_radius: float, second: Sweep, second_radius: float
+) -> float:
     """How much the gap of two balls along a direction can shrink, m; NaN when it is not known.
 
     Args:

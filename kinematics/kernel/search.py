@@ -14,13 +14,15 @@ import numpy as np
 
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.judge import FREE, PRESUMED, RESOLUTION_M, judge_edge, judge_point
-from kinematics.kernel.memory import Problem, Work
+from kinematics.kernel.memory import Memory
 from kinematics.kernel.solids import Array, Indices
 
 # Where nothing moves farther than this, an edge of a tree is not looked at more closely, m.
 _LOOK_M = 0.01
+# A shortcut that comes nearer than about this to anything is not worth its proof, m.
+_SHORTCUT_M = 0.001
 # Most intervals of an edge of a tree, of a shortcut, and of a proof.
-_TREE_EFFORT, _SHORTCUT_EFFORT, _PROOF_EFFORT = 400, 400, 4000
+_TREE_EFFORT, _SHORTCUT_EFFORT, _PROOF_EFFORT = 400.0, 400.0, 4000.0
 # Nodes of a tree for each iteration; a tree that is full ends the search.
 _NODES_PER_ITERATION = 8
 _MOST_NODES = 60_000
@@ -69,22 +71,20 @@ def _nearest(tree: Array, count: int, point: Array, weights: Array) -> int:
 
 
 @compiled
-def _look(problem: Problem, work: Work, a: Array, b: Array) -> int:
+def _look(memory: Memory, a: Array, b: Array) -> int:
     """Whether an edge may join a tree: its end first, which is what is refused most often."""
-    verdict, _ = judge_point(problem, work, b)
+    verdict, _ = judge_point(memory, b)
     if verdict != FREE:
         return verdict
-    return judge_edge(problem, work, a, b, _TREE_EFFORT, _LOOK_M)[0]
+    return judge_edge(memory, a, b, _TREE_EFFORT, -_LOOK_M)[0]
 
 
 @compiled
-def _prove(
-    problem: Problem, work: Work, tree: Array, parent: Indices, state: Indices, count: int, node: int
-) -> bool:
+def _prove(memory: Memory, tree: Array, parent: Indices, state: Indices, count: int, node: int) -> bool:
     """Prove the way from a node to its root; drop what grew on an edge that is not proven."""
     while parent[node] >= 0:
         if state[node] == _UNSURE:
-            edge = judge_edge(problem, work, tree[parent[node]], tree[node], _PROOF_EFFORT, RESOLUTION_M)
+            edge = judge_edge(memory, tree[parent[node]], tree[node], _PROOF_EFFORT, RESOLUTION_M)
             if edge[0] != FREE:
                 _drop(tree, parent, count, node)
                 return False
@@ -103,12 +103,11 @@ def _drop(tree: Array, parent: Indices, count: int, node: int) -> None:
 
 
 @compiled
-def connect(problem: Problem, work: Work, points: Array, iterations: int, found: Array) -> int:
+def connect(memory: Memory, points: Array, iterations: int, found: Array) -> int:
     """Search a way between two points.
 
     Args:
-        problem: Robot and scene.
-        work: Memory.
+        memory: Robot and scene.
         points: Start, goal, least and largest sample, weights, shape (5, size).
         iterations: Most extensions.
         found: On entry the seed, a whole number below 2**53, and the longest step of a tree; on return
@@ -121,7 +120,7 @@ def connect(problem: Problem, work: Work, points: Array, iterations: int, found:
     lower, upper, weights = points[2], points[3], points[4]
     seed = int(found[0])
     extend = found[1]
-    if judge_point(problem, work, points[0])[0] != FREE or judge_point(problem, work, points[1])[0] != FREE:
+    if judge_point(memory, points[0])[0] != FREE or judge_point(memory, points[1])[0] != FREE:
         return 0
     most = min(_MOST_NODES, _NODES_PER_ITERATION * iterations + 8)
     trees = np.empty((2, most, size))
@@ -148,7 +147,7 @@ def connect(problem: Problem, work: Work, points: Array, iterations: int, found:
         part = min(1.0, extend / distance)
         for k in range(size):
             step[k] = trees[grown, near, k] + (sample[k] - trees[grown, near, k]) * part
-        verdict = _look(problem, work, trees[grown, near], step)
+        verdict = _look(memory, trees[grown, near], step)
         if verdict != FREE and verdict != PRESUMED:
             continue
         if counts[grown] == most:
@@ -167,7 +166,7 @@ def connect(problem: Problem, work: Work, points: Array, iterations: int, found:
             for k in range(size):
                 here = trees[other, node, k]
                 step[k] = trees[grown, new, k] if joined else here + (trees[grown, new, k] - here) * part
-            verdict = _look(problem, work, trees[other, node], step)
+            verdict = _look(memory, trees[other, node], step)
             if verdict != FREE and verdict != PRESUMED:
                 joined = False
                 break
@@ -181,9 +180,9 @@ def connect(problem: Problem, work: Work, points: Array, iterations: int, found:
             node = at
         if not joined:
             continue
-        if not _prove(problem, work, trees[grown], parents[grown], states[grown], counts[grown], new):
+        if not _prove(memory, trees[grown], parents[grown], states[grown], counts[grown], new):
             continue
-        if not _prove(problem, work, trees[other], parents[other], states[other], counts[other], node):
+        if not _prove(memory, trees[other], parents[other], states[other], counts[other], node):
             continue
         ends = (new, node) if grown == 0 else (node, new)
         return _way(trees, parents, ends[0], ends[1], found)
@@ -235,12 +234,11 @@ def _point_at(way: Array, along: Array, count: int, at: float, point: Array) -> 
 
 
 @compiled
-def shorten(problem: Problem, work: Work, points: Array, iterations: int, found: Array) -> int:
+def shorten(memory: Memory, points: Array, iterations: int, found: Array) -> int:
     """Cut corners of a free way: between any two points on it, not between its corners alone.
 
     Args:
-        problem: Robot and scene.
-        work: Memory.
+        memory: Robot and scene.
         points: Weights, then the way, shape (1 + rows, size).
         iterations: Attempts.
         found: On entry the seed; on return the way, row behind row, never longer than it was.
@@ -277,7 +275,7 @@ def shorten(problem: Problem, work: Work, points: Array, iterations: int, found:
             continue
         if _distance(a, b, weights) > (1.0 - _WORTH) * gap:
             continue
-        if judge_edge(problem, work, a, b, _SHORTCUT_EFFORT, RESOLUTION_M)[0] != FREE:
+        if judge_edge(memory, a, b, _SHORTCUT_EFFORT, _SHORTCUT_M)[0] != FREE:
             continue
         shift = 2 - (second - first)
         if shift > 0:
