@@ -149,13 +149,14 @@ def nearing(
     n1 = R[1, 0] * axis[0] + R[1, 1] * axis[1] + R[1, 2] * axis[2]
     n2 = R[2, 0] * axis[0] + R[2, 1] * axis[1] + R[2, 2] * axis[2]
     along = n0 * (first[0] - second[0]) + n1 * (first[1] - second[1]) + n2 * (first[2] - second[2])
-    return (
+    shrinks: float = (
         abs(along)
         + first_radius * _across(n0, n1, n2, first[3], first[4], first[5])
         + second_radius * _across(n0, n1, n2, second[3], second[4], second[5])
         + first[6]
         + second[6]
     )
+    return shrinks
 
 
 @inlined

@@ -13,8 +13,8 @@ import math
 import numpy as np
 
 from kinematics.kernel.compiler import compiled, inlined
-from kinematics.kernel.judge import FREE, PRESUMED, RESOLUTION_M, judge_edge, judge_point
-from kinematics.kernel.memory import Memory
+from kinematics.kernel.judge import CONTACT, FREE, PRESUMED, RESOLUTION_M, judge_edge, judge_point
+from kinematics.kernel.memory import Memory, work_at
 from kinematics.kernel.solids import Array, Indices
 
 # Where nothing moves farther than this, an edge of a tree is not looked at more closely, m.
@@ -23,6 +23,9 @@ _LOOK_M = 0.01
 _SHORTCUT_M = 0.001
 # Most intervals of an edge of a tree, of a shortcut, and of a proof.
 _TREE_EFFORT, _SHORTCUT_EFFORT, _PROOF_EFFORT = 400.0, 400.0, 4000.0
+# Points at which an edge is asked first: so far apart, in the joint that moves farthest, and so many, rad.
+_POINT_STEP = 0.15
+_MOST_POINTS = 16
 # Nodes of a tree for each iteration; a tree that is full ends the search.
 _NODES_PER_ITERATION = 8
 _MOST_NODES = 60_000
@@ -71,11 +74,32 @@ def _nearest(tree: Array, count: int, point: Array, weights: Array) -> int:
 
 
 @compiled
+def _blocked(memory: Memory, a: Array, b: Array) -> bool:
+    """Whether an edge is refused at one of a few points, the middle first; a point is cheap."""
+    work = work_at(memory)
+    widest = 0.0
+    for k in range(a.shape[0]):
+        widest = max(widest, abs(b[k] - a[k]))
+    count = 1
+    while count < _MOST_POINTS and widest > _POINT_STEP * (count + 1):
+        for i in range(count):
+            t = (i + 0.5) / count
+            for k in range(a.shape[0]):
+                work.x[k] = a[k] + (b[k] - a[k]) * t
+            if judge_point(memory, work.x)[0] != FREE:
+                return True
+        count *= 2
+    return False
+
+
+@compiled
 def _look(memory: Memory, a: Array, b: Array) -> int:
     """Whether an edge may join a tree: its end first, which is what is refused most often."""
     verdict, _ = judge_point(memory, b)
     if verdict != FREE:
         return verdict
+    if _blocked(memory, a, b):
+        return CONTACT
     return judge_edge(memory, a, b, _TREE_EFFORT, -_LOOK_M)[0]
 
 
@@ -250,7 +274,7 @@ def shorten(memory: Memory, points: Array, iterations: int, found: Array) -> int
     weights = points[0]
     seed = int(found[0])
     most = found.shape[0] // size
-    count = points.shape[0] - 1
+    count: int = points.shape[0] - 1
     if count > most:
         return 0
     way = np.empty((most, size))
@@ -274,6 +298,8 @@ def shorten(memory: Memory, points: Array, iterations: int, found: Array) -> int
         if second == first or count + 2 - (second - first) > most:
             continue
         if _distance(a, b, weights) > (1.0 - _WORTH) * gap:
+            continue
+        if _blocked(memory, a, b):
             continue
         if judge_edge(memory, a, b, _SHORTCUT_EFFORT, _SHORTCUT_M)[0] != FREE:
             continue

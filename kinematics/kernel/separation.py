@@ -268,8 +268,8 @@ def core_distance(
         R, p: Pose of the second's frame in the first's, shapes (3, 3) and (3,), m.
         enough: The search ends when the bound passes this, m.
         little: The search ends when the distance is known to be no more than this; or when it is
-            known to be more than this and no more than ``enough``, and half of what is more. With ``OVERLAP`` here, only
-            ``enough`` and convergence end it.
+            known to be no more than ``enough`` and the bound is half-way from ``little`` to it. With
+            ``OVERLAP`` here, only ``enough`` and convergence end it.
         axis: Direction to begin with, from the second to the first in the first's frame, shape
             (3,), or zero; on return the best one found.
         S, v: Scratch, shapes (4, 3) and (3,).

@@ -1,3 +1,5 @@
+import itertools
+
 import coal
 import numpy as np
 import pinocchio as pin
@@ -95,7 +97,7 @@ def test_more_attempts_never_make_a_way_longer():
     lengths = [length(kernel.shorten(way, WEIGHTS, attempts, 0)) for attempts in (0, 1, 5, 20, 100)]
 
     assert lengths[0] == pytest.approx(length(way))
-    assert all(later <= earlier + 1e-12 for earlier, later in zip(lengths, lengths[1:], strict=False))
+    assert all(later <= earlier + 1e-12 for earlier, later in itertools.pairwise(lengths))
 
 
 def test_an_arms_edges_that_are_proven_are_free_wherever_coal_looks():
@@ -107,7 +109,9 @@ def test_an_arms_edges_that_are_proven_are_free_wherever_coal_looks():
     proven = refused = pessimistic = 0
     for _ in range(6):
         things = [
-            SceneObject(f"thing_{k}", shape, poses.translation(*rng.uniform([-0.7, -0.7, 0.05], [0.7, 0.7, 0.9])))
+            SceneObject(
+                f"thing_{k}", shape, poses.translation(*rng.uniform([-0.7, -0.7, 0.05], [0.7, 0.7, 0.9]))
+            )
             for k, shape in enumerate([Box((0.05, 0.2, 0.1)), Ball(0.06), Box((0.004, 0.004, 0.5))] * 2)
         ]
         scene = PlanningScene().with_objects(things)
@@ -116,7 +120,9 @@ def test_an_arms_edges_that_are_proven_are_free_wherever_coal_looks():
         for _ in range(40):
             a = rng.uniform(model.lower_rad[:7] + 0.02, model.upper_rad[:7] - 0.02)
             step = rng.normal(size=7)
-            b = np.clip(a + step / np.linalg.norm(step), model.lower_rad[:7] + 0.02, model.upper_rad[:7] - 0.02)
+            b = np.clip(
+                a + step / np.linalg.norm(step), model.lower_rad[:7] + 0.02, model.upper_rad[:7] - 0.02
+            )
             q = space.to_q(a + (b - a) * np.linspace(0.0, 1.0, 150)[:, None])[0]
             free = kernel.polyline_is_free(np.stack([a, b]))
             truth = not any(world.collides(configuration) for configuration in q)
