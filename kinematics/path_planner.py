@@ -1,6 +1,7 @@
 """Find a collision-free path between two configurations of a standing robot.
 
-The straight line when it is free, RRT-Connect else (Kuffner and LaValle, ICRA 2000), then shortcuts.
+The straight line when it is free, RRT-Connect else (Kuffner and LaValle, ICRA 2000), then shortcuts:
+compiled where the robot has the kernel for its judge, in Python where not.
 Planned over the free coordinates, so the feet stay where they are; counted in iterations and drawn
 from an injected generator, so the same seed gives the same path.
 """
@@ -15,16 +16,19 @@ from numpy.typing import NDArray
 from kinematics.curves import Curve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
-from kinematics.validity import RESOLUTION, Validity
+from kinematics.validity import RESOLUTION, PathSearch, Validity
 
 Array = NDArray[np.float64]
 
-# The longest step of a tree.
+# The longest step of a tree; the compiled search takes longer ones, whose free parts it proves at once.
 EXTEND = 0.5
+COMPILED_EXTEND = 1.0
 # The pelvis may leave the box between start and goal by so much, m and rad.
 PELVIS_ROOM = np.array([0.04, 0.03, 0.06, 0.05, 0.05, 0.05])
-# Distance of the control points that round a polyline's corners.
-ROUNDING = 0.12
+# Distances of the control points that round a polyline's corners, tried in turn.
+ROUNDINGS = (0.12, 0.03, 0.0075)
+# Directions that differ by less than this are one.
+_STRAIGHT = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,38 +71,48 @@ class PathPlanner:
         line = self.straight(start, goal)
         if line is not None:
             return line
-        polyline = self._rrt_connect(start, goal, moving, rng)
+        polyline = self._polyline(start, goal, moving, rng)
         if polyline is None:
             return None
-        polyline = self._shortened(polyline, rng)
-        curve = self._rounded(polyline)
-        if self.curve_is_free(curve):
-            return curve
-        # rounding touched something: finer control points stay nearer to the free polyline
-        curve = RoundedPolyline(polyline, self._space.weights, ROUNDING / 4)
-        return curve if self.curve_is_free(curve) else None
+        # where rounding touches something, finer control points stay nearer to the free polyline
+        for spacing in ROUNDINGS:
+            curve = RoundedPolyline(polyline, self._space.weights, spacing)
+            if self.curve_is_free(curve):
+                return curve
+        return None
 
     def straight(self, start: Array, goal: Array) -> Curve | None:
         """The straight line between two points, or None when it is not free."""
-        line = self._rounded(np.stack([start, goal]))
-        return line if self.curve_is_free(line) else None
+        ends = np.stack([start, goal])
+        if not self._judge.polyline_is_free(ends):
+            return None
+        return RoundedPolyline(ends, self._space.weights, ROUNDINGS[0])
 
     def curve_is_free(self, curve: Curve) -> bool:
-        """Check a curve along lines no longer than the resolution."""
+        """Check a curve along lines no longer than the resolution, and three at least between its knots."""
         grid = curve(np.linspace(0.0, 1.0, 65))
         length = float(np.sum(np.sqrt(np.sum((np.diff(grid, axis=0) * self._space.weights) ** 2, axis=1))))
-        count = max(3, int(np.ceil(length / RESOLUTION)) + 1)
-        return self._judge.polyline_is_free(curve(np.linspace(0.0, 1.0, count)))
+        count = max(int(np.ceil(length / RESOLUTION)), 3 * (len(curve.knots) - 1)) + 1
+        return self._judge.polyline_is_free(_without_needless(curve(np.linspace(0.0, 1.0, count))))
 
     def is_free(self, x: Array) -> bool:
         """Check one point: reach of the legs, limits, balance, collision."""
         return self._judge.points_are_free(x[None, :])
 
-    def _rounded(self, polyline: Array) -> Curve:
-        return RoundedPolyline(polyline, self._space.weights, ROUNDING)
-
     def _edge_is_free(self, a: Array, b: Array) -> bool:
         return self._judge.polyline_is_free(np.stack([a, b]))
+
+    def _polyline(
+        self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
+    ) -> Array | None:
+        judge, settings = self._judge, self._settings
+        if not isinstance(judge, PathSearch):
+            polyline = self._rrt_connect(start, goal, moving, rng)
+            return None if polyline is None else self._shortened(polyline, rng)
+        seed, weights = int(rng.integers(2**53)), self._space.weights
+        lower, upper = self._sampling_box(start, goal, moving)
+        found = judge.connect(start, goal, lower, upper, weights, COMPILED_EXTEND, settings.iterations, seed)
+        return None if found is None else judge.shorten(found, weights, settings.shortcuts, seed)
 
     def _rrt_connect(
         self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
@@ -160,6 +174,14 @@ class PathPlanner:
             if self._edge_is_free(polyline[i], polyline[j]):
                 polyline = np.concatenate([polyline[: i + 1], polyline[j:]])
         return polyline
+
+
+def _without_needless(points: Array) -> Array:
+    """Points of a polyline, shape (n, size), without those in the middle of straight parts."""
+    steps = np.diff(points, axis=0)
+    steps = steps / np.maximum(np.sqrt(np.sum(steps**2, axis=1)), 1e-12)[:, None]
+    bent = np.max(np.abs(np.diff(steps, axis=0)), axis=1) > _STRAIGHT
+    return np.asarray(points[np.concatenate([[True], bent, [True]])])
 
 
 class _Tree:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import itertools
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +46,29 @@ class Validity(Protocol):
 
     def polyline_is_free(self, x: Array) -> bool:
         """Tell whether the lines between neighbouring points, shape (n, size), are free."""
+        ...
+
+
+@runtime_checkable
+class PathSearch(Protocol):
+    """A judge that searches paths itself; see ``CollisionKernel``."""
+
+    def connect(
+        self,
+        start: Array,
+        goal: Array,
+        lower: Array,
+        upper: Array,
+        weights: Array,
+        extend: float,
+        iterations: int,
+        seed: int,
+    ) -> Array | None:
+        """Search a proven polyline, shape (n, size), or None."""
+        ...
+
+    def shorten(self, polyline: Array, weights: Array, attempts: int, seed: int) -> Array:
+        """Replace parts of a proven polyline by proven lines."""
         ...
 
 

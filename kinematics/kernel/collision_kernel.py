@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.kernel import judge
+from kinematics.kernel import door, judge
 from kinematics.kernel.coordinates import (
     Coordinates,
     Limits,
@@ -35,6 +35,10 @@ Array = NDArray[np.float64]
 
 # Most intervals that an edge is cut into before it counts as not proven.
 EFFORT = 4000
+
+# Most corners of a polyline that is searched, and those that shortening may add.
+_MOST_ROWS = 1000
+_ROOM_ROWS = 64
 
 REASONS = ("free", "reach", "limits", "balance", "contact", "unproven")
 
@@ -138,24 +142,24 @@ class CollisionKernel:
 
     def collides(self, q: Array) -> bool:
         """Tell whether any pair that may not touch is nearer than its margin, at ``q``, shape (nq,)."""
-        return self._ask(judge.AT_CONFIGURATION, q[None])[0] != judge.FREE
+        return self._ask(door.AT_CONFIGURATION, q[None])[0] != judge.FREE
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of the first pair that collides, or None."""
-        refusal = self._refusal(self._ask(judge.AT_CONFIGURATION, q[None]))
+        refusal = self._refusal(self._ask(door.AT_CONFIGURATION, q[None]))
         return None if refusal is None else refusal.pair
 
     def is_free(self, x: Array) -> bool:
         """Tell whether one point, shape (size,), keeps feet, limits, balance and distances."""
-        return self._ask(judge.AT_POINTS, x[None])[0] == judge.FREE
+        return self._ask(door.AT_POINTS, x[None])[0] == judge.FREE
 
     def points_are_free(self, x: Array) -> bool:
         """Tell whether every one of many points, shape (n, size), is free."""
-        return self._ask(judge.AT_POINTS, x)[0] == judge.FREE
+        return self._ask(door.AT_POINTS, x)[0] == judge.FREE
 
     def points_refusal(self, x: Array) -> Refusal | None:
         """Why points, shape (n, size), are not free, or None."""
-        return self._refusal(self._ask(judge.AT_POINTS, x))
+        return self._refusal(self._ask(door.AT_POINTS, x))
 
     def edge_is_free(self, a: Array, b: Array, effort: int = EFFORT) -> bool:
         """Tell whether the whole line between two points, shape (size,) each, is proven to be free."""
@@ -163,11 +167,56 @@ class CollisionKernel:
 
     def polyline_is_free(self, x: Array, effort: int = EFFORT) -> bool:
         """Tell whether the lines between neighbouring points, shape (n, size), are proven to be free."""
-        return self._ask(judge.ALONG_POINTS, x, effort)[0] == judge.FREE
+        return self._ask(door.ALONG_POINTS, x, effort)[0] == judge.FREE
 
     def polyline_refusal(self, x: Array, effort: int = EFFORT) -> Refusal | None:
         """Why lines between neighbouring points, shape (n, size), are not free, or None."""
-        return self._refusal(self._ask(judge.ALONG_POINTS, x, effort))
+        return self._refusal(self._ask(door.ALONG_POINTS, x, effort))
+
+    def connect(
+        self,
+        start: Array,
+        goal: Array,
+        lower: Array,
+        upper: Array,
+        weights: Array,
+        extend: float,
+        iterations: int,
+        seed: int,
+    ) -> Array | None:
+        """Search a polyline between two points, all of whose lines are proven to be free.
+
+        Args:
+            start, goal: Shape (size,).
+            lower, upper: Box of the samples, shape (size,).
+            weights: Of the coordinates in distances, shape (size,).
+            extend: The longest step of a tree, weighted.
+            iterations: Most samples.
+            seed: Of the samples, 0 to 2**53 - 1; the same one gives the same answer.
+
+        Returns:
+            Shape (n, size), or None when none was found.
+        """
+        points = np.stack([start, goal, lower, upper, weights])
+        found = np.empty(_MOST_ROWS * self.size)
+        found[0] = seed
+        found[1] = extend
+        _, rows, _ = self._ask(door.CONNECT, points, iterations, found)
+        return found[: int(rows) * self.size].reshape(-1, self.size).copy() if rows > 0.0 else None
+
+    def shorten(self, polyline: Array, weights: Array, attempts: int, seed: int) -> Array:
+        """Replace parts of a free polyline by lines that are proven to be free.
+
+        Args:
+            polyline: Shape (n, size).
+            weights: Of the coordinates in its length, shape (size,).
+            attempts: How many lines are tried; fewer give an answer too, a longer one.
+            seed: Of the attempts, as in ``connect``.
+        """
+        found = np.empty((2 * len(polyline) + _ROOM_ROWS) * self.size)
+        found[0] = seed
+        rows = int(self._ask(door.SHORTEN, np.vstack([weights, polyline]), attempts, found)[1])
+        return found[: rows * self.size].reshape(-1, self.size).copy()
 
     def distances_m(self, q: Array, cap_m: float = 1.0) -> Array:
         """Lower bounds of the distances of all pairs at a configuration, shape (pair_count,).
@@ -176,7 +225,7 @@ class CollisionKernel:
         touches or overlaps; infinite for pairs that may touch. ``pair_names`` tells which they are.
         """
         found = np.empty(self.pair_count)
-        self._ask(judge.DISTANCES, q[None], cap_m, found)
+        self._ask(door.DISTANCES, q[None], cap_m, found)
         return found
 
     def pair_names(self, pair: int) -> tuple[str, str]:
@@ -190,7 +239,7 @@ class CollisionKernel:
     def configuration(self, x: Array) -> Array | None:
         """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
         q = np.empty(self._nq)
-        return q if self._ask(judge.TO_CONFIGURATION, x[None], 0.0, q)[0] == judge.FREE else None
+        return q if self._ask(door.TO_CONFIGURATION, x[None], 0.0, q)[0] == judge.FREE else None
 
     def _ask(
         self, question: int, points: Array, number: float = 0.0, found: Array | None = None
@@ -198,7 +247,7 @@ class CollisionKernel:
         # one type of argument only, so that nothing is ever compiled anew
         points = np.ascontiguousarray(points, dtype=np.float64)
         found = self._nothing if found is None else found
-        return judge.ask(*self._packed, question, points, float(number), found)
+        return door.ask(*self._packed, question, points, float(number), found)
 
     def _refusal(self, answer: tuple[int, float, int]) -> Refusal | None:
         verdict, at, pair = answer

@@ -13,19 +13,25 @@ import math
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Limits
 from kinematics.kernel.forward_kinematics import centre_of_mass, place_bodies
-from kinematics.kernel.memory import Problem, Work, problem_in, work_in
-from kinematics.kernel.motion_bound import bound_motion
+from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
+from kinematics.kernel.motion_bound import STILL, bound_motion, nearing, swept
 from kinematics.kernel.posture import com_room, configuration, leg_ranges, limits_kept
-from kinematics.kernel.separation import core_distance, point_distance
+from kinematics.kernel.separation import OVERLAP, core_gap, point_distance
 from kinematics.kernel.solids import HULL, Array, Indices, Solids
 
 FREE, REACH, LIMITS, BALANCE, CONTACT, UNPROVEN = 0, 1, 2, 3, 4, 5
-AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION = 0, 1, 2, 3, 4
+# Nothing was seen where it was looked, and not everything is proven.
+PRESUMED = 6
 
 # Status of a pair.
 _APART, _OPEN, _TOUCHING = 0, 1, 2
+# A closer look is not worth while when less than this part of the motion bound uses up the distance.
+_HOPELESS = 0.5
 # What is still open when nothing moves any more by this much stays unproven, m (and rad for limits).
 RESOLUTION_M = 1e-4
+# An edge is cut into intervals in which no joint moves farther than this, before any pair is looked at.
+_FIRST_REACH_RAD = 0.2
+_FIRST_SPANS = 16
 
 
 @inlined
@@ -48,18 +54,11 @@ def _pose_of(solids: Solids, solid: int, work: Work, R: Array, p: Array) -> None
             R[r, k] = B[r, 0] * P[0, k] + B[r, 1] * P[1, k] + B[r, 2] * P[2, k]
 
 
-@inlined
-def _distance(
-    solids: Solids,
-    work: Work,
-    first: int,
-    second: int,
-    axis: Array,
-    enough: float,
-    little: float,
-    exact_from: int,
-) -> float:
+@compiled
+def _distance(memory: Memory, first: int, second: int, pair: int, enough: float, little: float) -> float:
     """Lower bound of the distance of two placed solids; see ``core_distance``."""
+    solids, work = problem_at(memory).solids, work_at(memory)
+    axis = work.axis[pair]
     A, a, B, b = work.first_R, work.first_p, work.second_R, work.second_p
     R, p = work.R_between, work.p_between
     _pose_of(solids, first, work, A, a)
@@ -72,11 +71,9 @@ def _distance(
     pads = solids.pad[first] + solids.pad[second]
     distance = -math.inf
     # chosen vertices, padded; when those are too near, all vertices
-    for exact in range(exact_from, 2):
+    for exact in range(0 if little > OVERLAP else 1, 2):
         off = rounds if exact == 1 else rounds + pads
-        found = core_distance(
-            solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v
-        )
+        found = core_gap(solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v)
         distance = found - off
         if distance > little or pads == 0.0:
             break
@@ -140,7 +137,7 @@ def _need_pair(problem: Problem, work: Work, pair: int) -> None:
 
 
 @inlined
-def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
+def _judge_own(memory: Memory, problem: Problem, work: Work, pair: int, slack: float) -> int:
     """Whether two moving solids are apart by their margin and by what both can move."""
     solids, pairs = problem.solids, problem.pairs
     i = pairs.first[pair]
@@ -156,17 +153,39 @@ def _judge_own(problem: Problem, work: Work, pair: int, slack: float) -> int:
     if square > far * far:
         return _APART
     between = math.sqrt(square)
-    if between > margin + solids.radius[i] + solids.radius[j] and need >= between:
+    if between > margin + solids.radius[i] + solids.radius[j] and margin + _HOPELESS * slack >= between:
         # apart now, and not by so much: no closer look can prove it
         return _OPEN
-    distance = _distance(solids, work, i, j, work.axis[pair], need, margin, 0)
+    distance = _distance(memory, i, j, pair, need, margin)
     if distance > need:
         return _APART
-    return _OPEN if distance > margin else _TOUCHING
+    if distance <= margin:
+        return _TOUCHING
+    group = pairs.group[pair]
+    first = swept(
+        memory,
+        solids.body[i],
+        pairs.first_level[group],
+        centre[i, 0],
+        centre[i, 1],
+        centre[i, 2],
+        solids.radius[i],
+    )
+    second = swept(
+        memory,
+        solids.body[j],
+        pairs.second_level[group],
+        centre[j, 0],
+        centre[j, 1],
+        centre[j, 2],
+        solids.radius[j],
+    )
+    nears = nearing(work.first_R, work.axis[pair], first, solids.radius[i], second, solids.radius[j])
+    return _APART if distance > margin + nears else _OPEN
 
 
 @inlined
-def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) -> int:
+def _judge_with(memory: Memory, problem: Problem, work: Work, i: int, thing: int, slack: float) -> int:
     """Whether a moving solid is apart from an object by its margin and by what it can move."""
     solids, pairs = problem.solids, problem.pairs
     j = pairs.moving + thing
@@ -176,13 +195,19 @@ def _judge_with(problem: Problem, work: Work, i: int, thing: int, slack: float) 
     need = margin + slack
     if gap > need:
         return _APART
-    if gap > margin and need >= between:
+    if gap > margin and margin + _HOPELESS * slack >= between:
         return _OPEN
     pair = pairs.first.shape[0] + thing * pairs.moving + i
-    distance = _distance(solids, work, i, j, work.axis[pair], need, margin, 0)
+    distance = _distance(memory, i, j, pair, need, margin)
     if distance > need:
         return _APART
-    return _OPEN if distance > margin else _TOUCHING
+    if distance <= margin:
+        return _TOUCHING
+    body = solids.body[i]
+    c = work.centre[i]
+    first = swept(memory, body, problem.chains.length[body], c[0], c[1], c[2], solids.radius[i])
+    nears = nearing(work.first_R, work.axis[pair], first, solids.radius[i], STILL, 0.0)
+    return _APART if distance > margin + nears else _OPEN
 
 
 @inlined
@@ -207,27 +232,28 @@ def _slack(problem: Problem, work: Work, pair: int) -> float:
 
 
 @inlined
-def _judge_pair(problem: Problem, work: Work, pair: int) -> int:
+def _judge_pair(memory: Memory, problem: Problem, work: Work, pair: int) -> int:
     """Status of a pair by its number."""
     slack = _slack(problem, work, pair)
     count = problem.pairs.first.shape[0]
     if pair < count:
-        return _judge_own(problem, work, pair, slack)
+        return _judge_own(memory, problem, work, pair, slack)
     thing = (pair - count) // problem.pairs.moving
-    return _judge_with(problem, work, pair - count - thing * problem.pairs.moving, thing, slack)
+    return _judge_with(memory, problem, work, pair - count - thing * problem.pairs.moving, thing, slack)
 
 
 @compiled
-def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
+def _scan(memory: Memory, found: Indices) -> tuple[int, int]:
     """Judge all pairs; list those that are open.
 
     Args:
-        problem, work: Bodies and motion bounds in place.
+        memory: Bodies and motion bounds in place.
         found: Result: open pairs.
 
     Returns:
         A pair that touches, or -1; and how many were listed, or -1 when the list is full.
     """
+    problem, work = problem_at(memory), work_at(memory)
     pairs, chains, ball = problem.pairs, problem.chains, work.ball
     listed = 0
     for group in range(pairs.group_first.shape[0]):
@@ -243,7 +269,7 @@ def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
         if d0 * d0 + d1 * d1 + d2 * d2 > far * far:
             continue
         for pair in range(first, last):
-            status = _judge_own(problem, work, pair, slack)
+            status = _judge_own(memory, problem, work, pair, slack)
             if status == _TOUCHING:
                 return pair, listed
             if status == _OPEN:
@@ -255,14 +281,16 @@ def _scan(problem: Problem, work: Work, found: Indices) -> tuple[int, int]:
         return -1, listed
     for limb in range(chains.limbs):
         if pairs.limb_start[limb] < pairs.limb_start[limb + 1]:
-            touching, listed = _scan_limb(problem, work, limb, found, listed)
+            touching, listed = _scan_limb(memory, problem, work, limb, found, listed)
             if touching >= 0 or listed < 0:
                 return touching, listed
     return -1, listed
 
 
 @inlined
-def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: int) -> tuple[int, int]:
+def _scan_limb(
+    memory: Memory, problem: Problem, work: Work, limb: int, found: Indices, listed: int
+) -> tuple[int, int]:
     """Judge a limb with every object: as a whole, body by body, solid by solid; see ``_scan``."""
     solids, pairs, chains, ball = problem.solids, problem.pairs, problem.chains, work.ball
     first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
@@ -296,7 +324,7 @@ def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: 
                 s = pairs.body_solids[k]
                 if pairs.judged[thing, s] == 0:
                     continue
-                status = _judge_with(problem, work, s, thing, slack)
+                status = _judge_with(memory, problem, work, s, thing, slack)
                 if status == _APART:
                     continue
                 pair = pairs.first.shape[0] + thing * pairs.moving + s
@@ -310,18 +338,20 @@ def _scan_limb(problem: Problem, work: Work, limb: int, found: Indices, listed: 
 
 
 @inlined
-def contact_at(problem: Problem, work: Work, q: Array) -> int:
+def contact_at(memory: Memory, q: Array) -> int:
     """First pair that is nearer than its margin at a configuration, shape (nq,); -1 for none."""
+    problem, work = problem_at(memory), work_at(memory)
     work.q[:] = q
     work.moved[:, :] = 0.0
     _all_needed(work)
     _place(problem, work)
-    return _scan(problem, work, work.open_pairs[0])[0]
+    return _scan(memory, work.open_pairs[0])[0]
 
 
 @compiled
-def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
+def judge_point(memory: Memory, x: Array) -> tuple[int, int]:
     """Verdict on one point of the free coordinates, and the pair of a contact or -1."""
+    problem, work = problem_at(memory), work_at(memory)
     if not configuration(problem.space, problem.tree, x, work.q, work.base_R):
         return REACH, -1
     if not limits_kept(problem.limits, work.q):
@@ -333,12 +363,12 @@ def judge_point(problem: Problem, work: Work, x: Array) -> tuple[int, int]:
         centre_of_mass(problem.tree, work.R, work.p, work.com)
         if com_room(problem.limits, work.com) < 0.0:
             return BALANCE, -1
-    pair = _scan(problem, work, work.open_pairs[0])[0]
+    pair = _scan(memory, work.open_pairs[0])[0]
     return (CONTACT, pair) if pair >= 0 else (FREE, -1)
 
 
 @inlined
-def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]:
+def judge_points(memory: Memory, x: Array) -> tuple[int, int, int]:
     """Verdict on points, shape (n, size): ends first, then the middles of ever smaller gaps.
 
     Returns:
@@ -346,7 +376,7 @@ def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]
     """
     n = x.shape[0]
     for row in range(0, n, max(1, n - 1)):
-        verdict, pair = judge_point(problem, work, x[row])
+        verdict, pair = judge_point(memory, x[row])
         if verdict != FREE:
             return verdict, row, pair
     stride = 1
@@ -355,7 +385,7 @@ def judge_points(problem: Problem, work: Work, x: Array) -> tuple[int, int, int]
     while stride > 1:
         half = stride // 2
         for row in range(half, n - 1, stride):
-            verdict, pair = judge_point(problem, work, x[row])
+            verdict, pair = judge_point(memory, x[row])
             if verdict != FREE:
                 return verdict, row, pair
         stride = half
@@ -408,21 +438,29 @@ def _outside(limits: Limits, value: float, column: int, reach: float) -> bool:
     return value - reach < low or value + reach > high
 
 
-@inlined
-def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) -> tuple[int, float, int]:
+@compiled
+def judge_edge(
+    memory: Memory, a: Array, b: Array, effort: float, resolution: float
+) -> tuple[int, float, int]:
     """Verdict on the whole straight line between two points of the free coordinates.
 
     Args:
-        problem: Robot and scene.
-        work: Memory.
+        memory: Robot and scene.
         a, b: Ends, shape (size,); both are judged too.
-        effort: Most intervals to look at.
+        effort: Most intervals to look at; no integer, as the compiler makes a version for each constant.
+        resolution: What is open when nothing moves any more by this much is not looked at more closely,
+            m. That makes the edge unproven, or, when this is negative, presumed.
 
     Returns:
         FREE when every point of the line is proven to be free, else a refusal, the parameter in [0, 1]
         where it arose or -1, and the pair or -1. CONTACT, LIMITS, BALANCE and REACH were seen there;
-        UNPROVEN means that something comes so near to its bound that it could not be proven.
+        UNPROVEN means that something comes so near to its bound that it could not be proven. PRESUMED
+        that nothing was seen to be refused.
     """
+    problem, work = problem_at(memory), work_at(memory)
+    lazy = resolution < 0.0
+    resolution = abs(resolution)
+    presumed = False
     space, tree, limits = problem.space, problem.tree, problem.limits
     first = 6 * space.floating
     # joints that move linearly keep their limits when both ends do
@@ -437,10 +475,30 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         step = math.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (b[2] - a[2]) ** 2)
         turn = math.sqrt((b[3] - a[3]) ** 2 + (b[4] - a[4]) ** 2 + (b[5] - a[5]) ** 2)
     old = 0
-    work.spans[0, 0, 0] = 0
-    work.spans[0, 0, 3] = 1
     spans = 1
     half = 0.5
+    widest = max(step, turn)
+    for k in range(space.columns.shape[0]):
+        widest = max(widest, abs(b[first + k] - a[first + k]))
+    while spans < _FIRST_SPANS and widest * half > _FIRST_REACH_RAD:
+        spans *= 2
+        half *= 0.5
+    for span in range(spans):
+        # numbers with their bits in reverse: what collides is found early
+        index = 0
+        bit = 1
+        while bit < spans:
+            index = 2 * index + (1 if span & bit else 0)
+            bit *= 2
+        work.spans[0, span, 0] = index
+        work.spans[0, span, 3] = 1
+    work.rate[:] = 0.0
+    if step > 0.0 or turn > 0.0:
+        # the base and planted legs do not turn about an axis at one speed
+        work.rate[1] = math.nan
+        for leg in range(space.leg_bodies.shape[0]):
+            for k in range(6):
+                work.rate[space.leg_bodies[leg, k]] = math.nan
     looked = 0
     whole = True
     while spans > 0:
@@ -459,7 +517,8 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
             if not configuration(space, tree, work.x, work.q, work.base_R):
                 return REACH, t, -1
             for k in range(space.columns.shape[0]):
-                work.reach[space.bodies[k]] = abs(b[first + k] - a[first + k]) * half
+                work.rate[space.bodies[k]] = (b[first + k] - a[first + k]) * half
+                work.reach[space.bodies[k]] = abs(work.rate[space.bodies[k]])
             bounded = leg_ranges(space, tree, work.q, work.base_R, step * half, turn * half, work.reach)
             if whole or work.spans[old, span, 3] == 1:
                 _all_needed(work)
@@ -485,20 +544,24 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                 if verdict != FREE:
                     return verdict, t, -1
                 if not proven:
-                    if largest < RESOLUTION_M or half < 1e-6:
-                        return UNPROVEN, t, -1
-                    posture_open = True
+                    if largest < resolution or half < 1e-6:
+                        if not lazy:
+                            return UNPROVEN, t, -1
+                        presumed = True
+                    else:
+                        posture_open = True
             begin = listed
             if whole:
-                touching, listed = _scan(problem, work, found)
+                touching, more = _scan(memory, found[listed:])
                 if touching >= 0:
                     return CONTACT, t, touching
-                if listed < 0:
+                if more < 0:
                     return UNPROVEN, t, -1
+                listed += more
             else:
                 for at in range(work.spans[old, span, 1], work.spans[old, span, 2]):
                     pair = work.open_pairs[old, at]
-                    status = _judge_pair(problem, work, pair)
+                    status = _judge_pair(memory, problem, work, pair)
                     if status == _TOUCHING:
                         return CONTACT, t, pair
                     if status == _OPEN:
@@ -506,9 +569,16 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
                             return UNPROVEN, t, pair
                         found[listed] = pair
                         listed += 1
+            wide = begin
             for at in range(begin, listed):
-                if _slack(problem, work, found[at]) < RESOLUTION_M:
+                if _slack(problem, work, found[at]) >= resolution:
+                    found[wide] = found[at]
+                    wide += 1
+                elif not lazy:
                     return UNPROVEN, t, found[at]
+                else:
+                    presumed = True
+            listed = wide
             if listed > begin or posture_open:
                 if kept + 2 > work.spans.shape[1]:
                     return UNPROVEN, t, -1
@@ -522,23 +592,23 @@ def judge_edge(problem: Problem, work: Work, a: Array, b: Array, effort: int) ->
         old = new
         half *= 0.5
         whole = False
-    return FREE, -1.0, -1
+    return (PRESUMED if presumed else FREE), -1.0, -1
 
 
 @inlined
-def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Array) -> None:
+def distances_at(memory: Memory, q: Array, cap: float, found: Array) -> None:
     """Lower bounds of the distances of all pairs at a configuration.
 
     Bounds are exact within a micrometre where they are below ``cap``, and 0 or less where the pair
     touches or overlaps. A pair that is not judged gets infinity.
 
     Args:
-        problem: Robot and scene.
-        work: Memory.
+        memory: Robot and scene.
         q: Shape (nq,).
         cap: Larger distances need not be known, m.
         found: Result, by pair, m.
     """
+    problem, work = problem_at(memory), work_at(memory)
     work.q[:] = q
     _all_needed(work)
     _place(problem, work)
@@ -564,49 +634,5 @@ def distances_at(problem: Problem, work: Work, q: Array, cap: float, found: Arra
         if gap > cap:
             found[pair] = gap
         else:
-            distance = _distance(solids, work, i, j, work.axis[pair], cap, -math.inf, 1)
+            distance = _distance(memory, i, j, pair, cap, OVERLAP)
             found[pair] = max(gap, distance)
-
-
-@compiled
-def ask(
-    floats: Array,
-    ints: Indices,
-    table: Indices,
-    question: int,
-    points: Array,
-    number: float,
-    found: Array,
-) -> tuple[int, float, int]:
-    """The one door from outside: everything behind it is compiled and loaded as one piece.
-
-    Args:
-        floats, ints, table: A packed problem and its memory.
-        question: AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES or TO_CONFIGURATION.
-        points: One row a point; configurations for AT_CONFIGURATION and DISTANCES.
-        number: Most intervals to look at, for ALONG_POINTS; the cap in metres, for DISTANCES.
-        found: Result of DISTANCES, by pair, and of TO_CONFIGURATION, shape (nq,).
-
-    Returns:
-        Verdict; row, or row plus parameter on the edge that begins there, or -1; pair or -1.
-    """
-    problem = problem_in(floats.ctypes.data, ints.ctypes.data, table)
-    work = work_in(floats.ctypes.data, ints.ctypes.data, table)
-    if question == AT_CONFIGURATION:
-        pair = contact_at(problem, work, points[0])
-        return (CONTACT, 0.0, pair) if pair >= 0 else (FREE, -1.0, -1)
-    if question == AT_POINTS:
-        verdict, row, pair = judge_points(problem, work, points)
-        return verdict, float(row), pair
-    if question == ALONG_POINTS:
-        for row in range(points.shape[0] - 1):
-            verdict, t, pair = judge_edge(problem, work, points[row], points[row + 1], int(number))
-            if verdict != FREE:
-                return verdict, row + t, pair
-        return FREE, -1.0, -1
-    if question == DISTANCES:
-        distances_at(problem, work, points[0], number, found)
-        return FREE, -1.0, -1
-    if not configuration(problem.space, problem.tree, points[0], found, work.base_R):
-        return REACH, 0.0, -1
-    return FREE, -1.0, -1

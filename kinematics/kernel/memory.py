@@ -50,6 +50,8 @@ class Work(NamedTuple):
         open_pairs: Pairs that are open, two generations, shape (2, n).
         spans: Intervals that hold them: index, first and last open pair, whether the posture is open;
             two generations, shape (2, m, 4).
+        rate: How far each joint turns or slides, with its sign, by body; NaN where it does not do so
+            at one speed.
     """
 
     x: Array
@@ -74,6 +76,7 @@ class Work(NamedTuple):
     p_between: Array
     open_pairs: Indices
     spans: Indices
+    rate: Array
 
 
 def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
@@ -105,6 +108,7 @@ def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Wo
         p_between=np.zeros(3),
         open_pairs=np.zeros((2, max(open_pairs, count)), np.int64),
         spans=np.zeros((2, spans, 4), np.int64),
+        rate=np.zeros(n),
     )
 
 
@@ -148,8 +152,36 @@ def _leaves(value: Any) -> Iterator[Any]:
         yield value
 
 
+class Memory(NamedTuple):
+    """Where a packed problem is; what compiled functions are called with.
+
+    A call copies every array of a tuple that it is given, which for a problem and its memory takes
+    two microseconds. So whoever is called makes views of its own of what it needs.
+
+    Attributes:
+        floats, ints: Addresses of the two buffers.
+        table: As in ``Packed``.
+    """
+
+    floats: int
+    ints: int
+    table: Indices
+
+
 @inlined
-def problem_in(floats: int, ints: int, table: Indices) -> Problem:
+def problem_at(memory: Memory) -> Problem:
+    """Views of the problem."""
+    return _problem_in(memory.floats, memory.ints, memory.table)
+
+
+@inlined
+def work_at(memory: Memory) -> Work:
+    """Views of the memory of the compiled code."""
+    return _work_in(memory.floats, memory.ints, memory.table)
+
+
+@inlined
+def _problem_in(floats: int, ints: int, table: Indices) -> Problem:
     """Views of the problem, in the order of ``pack``; addresses of the two buffers."""
     return Problem(
         tree=Tree(
@@ -225,7 +257,7 @@ def problem_in(floats: int, ints: int, table: Indices) -> Problem:
 
 
 @inlined
-def work_in(floats: int, ints: int, table: Indices) -> Work:
+def _work_in(floats: int, ints: int, table: Indices) -> Work:
     """Views of the memory, in the order of ``pack``; addresses of the two buffers."""
     return Work(
         x=floats1(floats, table[57]),
@@ -250,4 +282,5 @@ def work_in(floats: int, ints: int, table: Indices) -> Work:
         p_between=floats1(floats, table[76]),
         open_pairs=ints2(ints, table[77]),
         spans=ints3(ints, table[78]),
+        rate=floats1(floats, table[79]),
     )

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled
+from kinematics.kernel.compiler import compiled, inlined
+from kinematics.kernel.memory import Memory, problem_at, work_at
 from kinematics.kernel.robot_arrays import Chains
 from kinematics.kernel.tree import FLOATING, SLIDE, Array, Indices, Tree
+
+Sweep = tuple[float, float, float, float, float, float, float]
+"""Displacement of a ball's centre and turn, of first order, and what points of the ball can deviate, m."""
+STILL: Sweep = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
@@ -68,3 +73,95 @@ def bound_motion(
                     z = a0 * d1 - a1 * d0
                     so_far += reach[k] * (math.sqrt(x * x + y * y + z * z) + radius + so_far)
             moved[body, crossed + 1] = so_far
+
+
+@compiled
+def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, radius: float) -> Sweep:
+    """How a ball on a body moves in half an interval against the body that is so many joints away.
+
+    Joints move at one speed each. Then the velocity of a point is the sum of ``rate * axis x lever`` over
+    the joints, and its acceleration the sum of ``rate_i * rate_k * axis_i x (axis_k x lever_k)`` over
+    all pairs of them, ``k`` being the outer one; a slide has its axis in place of ``axis x lever``.
+    No lever grows by more than what the joints outside of it move the point.
+
+    Args:
+        memory: Bodies, ``rate`` and ``moved`` in place.
+        body, levels: The ball's body, and how many joints to cross.
+        x, y, z, radius: The ball, m.
+
+    Returns:
+        Displacement of the centre and turn of the ball to one side, of first order; and a bound of what
+        any point's displacement differs from that, NaN when there is none.
+    """
+    problem, work = problem_at(memory), work_at(memory)
+    tree, chains = problem.tree, problem.chains
+    v0 = v1 = v2 = o0 = o1 = o2 = 0.0
+    bend = 0.0
+    levers = 0.0
+    for crossed in range(levels):
+        k = chains.joint[body, crossed]
+        rate = work.rate[k]
+        if rate == 0.0:
+            continue
+        if math.isnan(rate):
+            return v0, v1, v2, o0, o1, o2, math.nan
+        axis = tree.axis[k]
+        R = work.R[k]
+        a0 = rate * (R[0, 0] * axis[0] + R[0, 1] * axis[1] + R[0, 2] * axis[2])
+        a1 = rate * (R[1, 0] * axis[0] + R[1, 1] * axis[1] + R[1, 2] * axis[2])
+        a2 = rate * (R[2, 0] * axis[0] + R[2, 1] * axis[1] + R[2, 2] * axis[2])
+        if tree.kind[k] == SLIDE:
+            v0 += a0
+            v1 += a1
+            v2 += a2
+            levers += abs(rate)
+            continue
+        d0 = x - work.p[k, 0]
+        d1 = y - work.p[k, 1]
+        d2 = z - work.p[k, 2]
+        c0 = a1 * d2 - a2 * d1
+        c1 = a2 * d0 - a0 * d2
+        c2 = a0 * d1 - a1 * d0
+        v0 += c0
+        v1 += c1
+        v2 += c2
+        o0 += a0
+        o1 += a1
+        o2 += a2
+        lever = math.sqrt(c0 * c0 + c1 * c1 + c2 * c2) + abs(rate) * (radius + work.moved[body, crossed])
+        bend += abs(rate) * (lever + 2.0 * levers)
+        levers += lever
+    return v0, v1, v2, o0, o1, o2, 0.5 * bend
+
+
+@inlined
+def nearing(
+    R: Array, axis: Array, first: Sweep, first_radius: float, second: Sweep, second_radius: float
+) -> float:
+    """How much the gap of two balls along a direction can shrink, m; NaN when it is not known.
+
+    Args:
+        R, axis: The direction is ``R @ axis``, a unit vector.
+        first, second: Motion of the two, of ``swept``.
+        first_radius, second_radius: Their sizes, m.
+    """
+    n0 = R[0, 0] * axis[0] + R[0, 1] * axis[1] + R[0, 2] * axis[2]
+    n1 = R[1, 0] * axis[0] + R[1, 1] * axis[1] + R[1, 2] * axis[2]
+    n2 = R[2, 0] * axis[0] + R[2, 1] * axis[1] + R[2, 2] * axis[2]
+    along = n0 * (first[0] - second[0]) + n1 * (first[1] - second[1]) + n2 * (first[2] - second[2])
+    shrinks: float = (
+        abs(along)
+        + first_radius * _across(n0, n1, n2, first[3], first[4], first[5])
+        + second_radius * _across(n0, n1, n2, second[3], second[4], second[5])
+        + first[6]
+        + second[6]
+    )
+    return shrinks
+
+
+@inlined
+def _across(n0: float, n1: float, n2: float, o0: float, o1: float, o2: float) -> float:
+    c0 = n1 * o2 - n2 * o1
+    c1 = n2 * o0 - n0 * o2
+    c2 = n0 * o1 - n1 * o0
+    return math.sqrt(c0 * c0 + c1 * c1 + c2 * c2)

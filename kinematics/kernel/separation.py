@@ -176,8 +176,8 @@ def _nearest(S: Array, n: int, v: Array) -> int:
     return m
 
 
-@compiled
-def core_distance(
+@inlined
+def core_gap(
     solids: Solids,
     first: int,
     second: int,
@@ -190,21 +190,7 @@ def core_distance(
     S: Array,
     v: Array,
 ) -> float:
-    """Lower bound of the distance of two cores.
-
-    Args:
-        solids: All solids.
-        first, second: Which two.
-        exact: 1 for all vertices of hulls, 0 for the chosen ones.
-        R, p: Pose of the second's frame in the first's, shapes (3, 3) and (3,), m.
-        enough: The search ends when the bound passes this, m.
-        little: The search ends when the distance is known to be no more than this; or when it is
-            known to be more than this and no more than ``enough``. With ``OVERLAP`` here, only
-            ``enough`` and convergence end it.
-        axis: Direction to begin with, from the second to the first in the first's frame, shape
-            (3,), or zero; on return the best one found.
-        S, v: Scratch, shapes (4, 3) and (3,).
-    """
+    """As ``core_distance``, made part of whoever calls it."""
     bound: float = OVERLAP
     n = 0
     for r in range(3):
@@ -245,7 +231,7 @@ def core_distance(
             # now length is the distance of two points of the cores: a bound from above
             if length - bound <= _CONVERGED_M + _CONVERGED_PART * length or length <= little:
                 return bound
-            if bound > little and little > OVERLAP and length <= enough:
+            if little > OVERLAP and length <= enough and 2.0 * bound >= length + little and bound > little:
                 return bound
         S[n, 0] = w0
         S[n, 1] = w1
@@ -257,6 +243,38 @@ def core_distance(
         if length < 1e-9:
             return OVERLAP
     return bound
+
+
+@compiled
+def core_distance(
+    solids: Solids,
+    first: int,
+    second: int,
+    exact: int,
+    R: Array,
+    p: Array,
+    enough: float,
+    little: float,
+    axis: Array,
+    S: Array,
+    v: Array,
+) -> float:
+    """Lower bound of the distance of two cores.
+
+    Args:
+        solids: All solids.
+        first, second: Which two.
+        exact: 1 for all vertices of hulls, 0 for the chosen ones.
+        R, p: Pose of the second's frame in the first's, shapes (3, 3) and (3,), m.
+        enough: The search ends when the bound passes this, m.
+        little: The search ends when the distance is known to be no more than this; or when it is
+            known to be no more than ``enough`` and the bound is half-way from ``little`` to it. With
+            ``OVERLAP`` here, only ``enough`` and convergence end it.
+        axis: Direction to begin with, from the second to the first in the first's frame, shape
+            (3,), or zero; on return the best one found.
+        S, v: Scratch, shapes (4, 3) and (3,).
+    """
+    return core_gap(solids, first, second, exact, R, p, enough, little, axis, S, v)
 
 
 @inlined

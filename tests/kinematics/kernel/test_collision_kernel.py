@@ -6,7 +6,7 @@ import pytest
 from kinematics import poses
 from kinematics.collision import CollisionWorld
 from kinematics.errors import UnknownNameError
-from kinematics.kernel import judge
+from kinematics.kernel import door
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.scene import PlanningScene, SceneObject
@@ -162,7 +162,7 @@ def test_nothing_is_compiled_twice(arrays, talos, stance, space, make, at_random
     kernel.polyline_is_free(np.asfortranarray(np.stack([point, point])))
     empty.distances_m(talos.q_home)
 
-    assert len(judge.ask.signatures) == 1
+    assert len(door.ask.signatures) == 1
 
 
 def welded_arm():
