@@ -38,6 +38,7 @@ $(BIN)/python:
 $(VENV)/.run-stamp: requirements.lock pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet -r requirements.lock -c requirements-dev.lock setuptools
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	$(BIN)/executive doctor --warm
 	@touch $@
 
 $(VENV)/.dev-stamp: requirements-dev.lock $(VENV)/.run-stamp
@@ -47,7 +48,9 @@ $(VENV)/.dev-stamp: requirements-dev.lock $(VENV)/.run-stamp
 run: $(VENV)/.run-stamp  ## the main job
 	$(BIN)/executive run "$(SENTENCE)"
 
+# Warm first: several test processes at once would all compile the same.
 test: $(VENV)/.dev-stamp  ## every test
+	$(BIN)/executive doctor --warm
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
 
 check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
