@@ -16,7 +16,6 @@ from functools import cache
 from pathlib import Path
 
 _SOURCES = Path(__file__).parent
-_MARKER = "complete.json"
 # Folders of other sources that are left: of other versions or checkouts in use.
 _KEPT = 5
 
@@ -54,7 +53,7 @@ def mark_complete() -> None:
     place = folder()
     if place is None:
         return
-    (place / _MARKER).write_text(json.dumps(_stamp()))
+    _marker(place).write_text(json.dumps(_stamp()))
     others = [other for other in place.parent.glob("kernel-*") if other != place]
     for old in sorted(others, key=lambda other: other.stat().st_mtime)[:-_KEPT]:
         shutil.rmtree(old, ignore_errors=True)
@@ -66,9 +65,14 @@ def is_complete() -> bool:
     if place is None:
         return False
     try:
-        return bool(json.loads((place / _MARKER).read_text()) == _stamp())
+        return bool(json.loads(_marker(place).read_text()) == _stamp())
     except (OSError, ValueError):
         return False
+
+
+def _marker(place: Path) -> Path:
+    """One for each place of the sources: an installed copy must not unmake a checkout's."""
+    return place / f"complete-{hashlib.sha256(str(_SOURCES.resolve()).encode()).hexdigest()[:12]}.json"
 
 
 def _stamp() -> dict[str, object]:

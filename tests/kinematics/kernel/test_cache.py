@@ -1,3 +1,5 @@
+import shutil
+
 import pytest
 
 from kinematics.kernel import cache, readiness
@@ -60,3 +62,16 @@ def test_only_a_few_folders_of_other_sources_are_kept(home):
 
     assert place.exists()
     assert len(list(place.parent.glob("kernel-*"))) == 6
+
+
+def test_an_installed_copy_of_the_same_sources_does_not_unmake_a_checkout(home, monkeypatch, tmp_path):
+    cache.mark_complete()
+    copy = tmp_path / "installed"
+    shutil.copytree(cache._SOURCES, copy)
+    with monkeypatch.context() as elsewhere:
+        elsewhere.setattr(cache, "_SOURCES", copy)
+        assert not readiness.ready()
+        cache.mark_complete()
+        assert readiness.ready()
+
+    assert readiness.ready()
