@@ -41,6 +41,17 @@ class Pairs:
     kinds: tuple[FindingKind, ...]
     rate: Array
 
+    def only(self, some: Indices) -> Pairs:
+        """The same for some of the pairs."""
+        return Pairs(
+            self.solids,
+            self.first[some],
+            self.second[some],
+            self.clearance_m[some],
+            tuple(self.kinds[k] for k in some),
+            self.rate[:, some],
+        )
+
 
 class PairBuilder:
     """Makes the pairs of a scene; what depends on the robot alone is prepared once.
@@ -133,20 +144,16 @@ class PairBuilder:
     def _reach(self, solid: Solid, root: int) -> Array:
         """How far any point of a solid can be from each axis between it and ``root``, shape (2 + k,).
 
-        The base's path carries everything along (1), its turn acts about its origin. The
-        farthest distance over all configurations: offsets along the chain add up.
+        The base's path carries everything along (1), its turn acts about its origin.
         """
         kinematics = self._kinematics
         rate = np.zeros(kinematics.count)
-        body, reach, from_axis = solid.body, solid.reach_m, solid.axis_reach_m
-        while body != root:
+        reaches = kinematics.reaches(solid.body, solid.reach_m, solid.axis_reach_m)
+        for body, reach in zip(kinematics.chain(solid.body), reaches, strict=True):
+            if body == root:
+                break
             if body == BASE:
                 rate[_BASE_PATH], rate[_BASE_TURN] = 1.0, reach
-                break
-            rate[body] = from_axis
-            parent, offset = kinematics.parent[body], kinematics.offset_m[body]
-            axis = kinematics.axis[parent]
-            from_axis = float(np.linalg.norm(offset - axis * (axis @ offset))) + reach
-            reach += float(np.linalg.norm(offset))
-            body = parent
+            else:
+                rate[body] = reach
         return rate

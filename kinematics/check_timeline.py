@@ -70,6 +70,7 @@ class Timeline:
         self.duration_s = float(trajectory.t_s[-1])
         self._values = np.hstack([self.base_position_m, self.joints_rad])
         self._rates = np.hstack([self.base_velocity, self.joint_velocity])
+        self._course: tuple[Array, Array, Array, Array, Array] | None = None
 
     def at(self, t_s: Array) -> Configurations:
         """Configurations at some times within the trajectory, shape (m,)."""
@@ -105,6 +106,16 @@ class Timeline:
         lengths = np.column_stack([base, turn, joints])
         starts = np.searchsorted(times, knots_s[:-1])
         return np.add.reduceat(lengths, starts, axis=0)
+
+    def course(self) -> tuple[Array, Array, Array, Array, Array]:
+        """The motion as ``check_certificate.Course`` wants it."""
+        if self._course is None:
+            lengths = self.path_lengths(self.t_s)
+            so_far = np.zeros((len(self.t_s), lengths.shape[1]))
+            np.cumsum(lengths, axis=0, out=so_far[1:])
+            arrays = (self.t_s, self._values, self._rates, self.quaternions, so_far)
+            self._course = tuple(np.ascontiguousarray(array, np.float64) for array in arrays)
+        return self._course
 
     def bend(self) -> Array:
         """How far each segment may leave the straight line between its samples, shape (n - 1, 1 + k).
