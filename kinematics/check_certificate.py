@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.kernel.compiler import compiled, inlined
+from kinematics.kernel.pointers import floats1, floats2, floats3, ints1, ints2
 from kinematics.kernel.separation import core_distance, point_distance
 from kinematics.kernel.solids import HULL, Solids
 
@@ -97,6 +98,73 @@ class PairList(NamedTuple):
     first_level: Indices
     second_level: Indices
     clearance: Array
+
+
+# Arrays without a count of their users, see ``kernel.pointers``: whoever calls keeps them alive.
+@inlined
+def _loose1(a: Array) -> Array:
+    return floats1(a.ctypes.data, np.array([0, a.shape[0]]))
+
+
+@inlined
+def _loose2(a: Array) -> Array:
+    return floats2(a.ctypes.data, np.array([0, a.shape[0], a.shape[1]]))
+
+
+@inlined
+def _loose3(a: Array) -> Array:
+    return floats3(a.ctypes.data, np.array([0, a.shape[0], a.shape[1], a.shape[2]]))
+
+
+@inlined
+def _loose_ints1(a: Indices) -> Indices:
+    return ints1(a.ctypes.data, np.array([0, a.shape[0]]))
+
+
+@inlined
+def _loose_ints2(a: Indices) -> Indices:
+    return ints2(a.ctypes.data, np.array([0, a.shape[0], a.shape[1]]))
+
+
+@inlined
+def _loose_course(course: Course) -> Course:
+    return Course(
+        _loose1(course.t_s),
+        _loose2(course.values),
+        _loose2(course.rates),
+        _loose2(course.quaternions),
+        _loose2(course.so_far),
+    )
+
+
+@inlined
+def _loose_links(links: Links) -> Links:
+    return Links(
+        _loose_ints1(links.parent),
+        _loose2(links.offset),
+        _loose2(links.axis),
+        _loose3(links.fixed),
+        _loose3(links.sine),
+        _loose3(links.versine),
+    )
+
+
+@inlined
+def _loose_solids(solids: Solids) -> Solids:
+    return Solids(
+        _loose_ints1(solids.kind),
+        _loose_ints1(solids.body),
+        _loose3(solids.R),
+        _loose2(solids.p),
+        _loose2(solids.size),
+        _loose1(solids.round),
+        _loose_ints2(solids.few),
+        _loose1(solids.pad),
+        _loose_ints2(solids.all),
+        _loose2(solids.points),
+        _loose2(solids.centre),
+        _loose1(solids.radius),
+    )
 
 
 @inlined
@@ -305,11 +373,11 @@ def _relative(
 
 @compiled
 def certify(
-    course: Course,
-    links: Links,
-    limbs: Limbs,
-    solids: Solids,
-    pairs: PairList,
+    own_course: Course,
+    own_links: Links,
+    own_limbs: Limbs,
+    own_solids: Solids,
+    own_pairs: PairList,
     starts: Array,
     jumps: Array,
     collision: float,
@@ -319,23 +387,37 @@ def certify(
     """Prove all pairs apart, or find where each first touches.
 
     Args:
-        course: The motion.
-        links, limbs, solids: Robot, held objects, and what is around.
-        pairs: What may not touch.
+        own_course: The motion.
+        own_links, own_limbs, own_solids: Robot, held objects, and what is around.
+        own_pairs: What may not touch.
         starts: Times at which to cut the motion beforehand, from its start to its end, s.
         jumps: Beginnings and ends of what is looked at but not refined, shape (m, 2), s.
         collision: A pair nearer than this beyond its clearance counts as touching, m.
         contact: Result, first time of contact of each pair, infinite without, shape (p,), s.
-        least: Result, smallest distance of each pair that was computed to the end, shape (p,), m.
+        least: Result, the smallest distance that was met, shape (1,), m.
 
     Returns:
         How many distances were computed.
     """
+    course, links, solids = _loose_course(own_course), _loose_links(own_links), _loose_solids(own_solids)
+    limbs = Limbs(
+        _loose_ints2(own_limbs.body),
+        _loose2(own_limbs.reach),
+        _loose_ints1(own_limbs.count),
+    )
+    pairs = PairList(
+        _loose_ints1(own_pairs.first),
+        _loose_ints1(own_pairs.second),
+        _loose_ints1(own_pairs.first_level),
+        _loose_ints1(own_pairs.second_level),
+        _loose1(own_pairs.clearance),
+    )
     n = pairs.first.shape[0]
     bodies = links.parent.shape[0]
     count = solids.kind.shape[0]
     width = course.values.shape[1]
-    R, p = np.zeros((bodies, 3, 3)), np.zeros((bodies, 3))
+    own_R, own_p = np.zeros((bodies, 3, 3)), np.zeros((bodies, 3))
+    R, p = _loose3(own_R), _loose2(own_p)
     for r in range(3):
         R[0, r, r] = 1.0
     local = np.zeros((bodies, 3, 3))
@@ -357,8 +439,20 @@ def certify(
     early, late = np.empty(width - 1), np.empty(width - 1)
     needed, wanted = np.zeros(bodies, np.int64), np.zeros(count, np.int64)
     centre, moved = np.zeros((count, 3)), np.zeros((count, limbs.body.shape[1] + 1))
-    axis = np.zeros((n, 3))
-    S, v, A, B, a, b = np.empty((4, 3)), np.empty(3), np.empty((3, 3)), np.empty((3, 3)), np.empty(3), np.empty(3)
+    own_axis = np.zeros((n, 3))
+    axis = _loose2(own_axis)
+    scratch = np.empty(39)
+    loose = scratch.ctypes.data
+    S, A, B = (
+        floats2(loose, np.array([0, 4, 3])),
+        floats2(loose, np.array([12, 3, 3])),
+        floats2(loose, np.array([21, 3, 3])),
+    )
+    v, a, b = (
+        floats1(loose, np.array([30, 3])),
+        floats1(loose, np.array([33, 3])),
+        floats1(loose, np.array([36, 3])),
+    )
     open_pairs = np.empty(n * (_DEPTH + 2), np.int64)
     spans = starts.shape[0] - 1
     begins, ends = np.empty(spans + _DEPTH + 2), np.empty(spans + _DEPTH + 2)
@@ -440,19 +534,28 @@ def certify(
             rounding = solids.round[first] + solids.round[second]
             queries += 1
             w = axis[pair]
-            enough = need + rounding
-            if w[0] == 0.0 and w[1] == 0.0 and w[2] == 0.0:
-                enough = math.inf
-            else:
-                padded = enough + solids.pad[first] + solids.pad[second]
-                if core_distance(solids, first, second, 0, B, b, padded, padded, w, S, v) > padded:
-                    continue
-            apart = core_distance(solids, first, second, 1, B, b, enough, -math.inf, w, S, v) - rounding
-            if apart <= need or enough == math.inf:
-                least[pair] = min(least[pair], apart)
-            if apart > need:
+            # nothing beyond this has to be known better: it is proven, and farther than others
+            target = max(need, least[0])
+            touching = pairs.clearance[pair] + collision
+            pad = solids.pad[first] + solids.pad[second]
+            enough = target + rounding + pad
+            low = core_distance(solids, first, second, 0, B, b, enough, -math.inf, w, S, v)
+            if low > enough:
                 continue
-            if apart < pairs.clearance[pair] + collision:
+            high = low
+            low -= rounding + pad
+            # both reduced hulls are parts of the whole ones, which are therefore no farther apart
+            if low <= max(touching, least[0]) or high - rounding > need - 1e-6:
+                enough = target + rounding
+                apart = core_distance(solids, first, second, 1, B, b, enough, -math.inf, w, S, v) - rounding
+                if apart > target:
+                    continue
+                least[0] = min(least[0], apart)
+                if apart > need:
+                    continue
+            else:
+                apart = low
+            if apart < touching:
                 contact[pair] = middle
                 if step <= collision:
                     # all of this interval is as near, and everything before is proven
@@ -467,4 +570,6 @@ def certify(
                 ends[top] = end if half == 0 else middle
                 bounds[top, 0], bounds[top, 1], bounds[top, 2] = last_open, left, depth + 1
                 top += 1
-    return queries
+    # a last use: their owners keep the loose arrays' memory until here
+    owners = own_R.shape[0] + own_p.shape[0] + own_axis.shape[0] + scratch.shape[0]
+    return queries if owners > 0 else 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import coal
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +30,16 @@ _AGREEMENT_M = 1e-5
 class ContactFinder:
     """Finds contacts of one robot; what depends on the robot alone is prepared once."""
 
-    def __init__(self, kinematics: BatchedKinematics, settings: CheckSettings) -> None:
+    def __init__(
+        self, kinematics: BatchedKinematics, robot: Sequence[Solid], settings: CheckSettings
+    ) -> None:
+        """Prepare.
+
+        Args:
+            kinematics: Of the robot.
+            robot: Its solids, with which those of all pairs begin.
+            settings: Tolerances.
+        """
         self._kinematics = kinematics
         self._settings = settings
         self._links = Links(
@@ -39,8 +50,10 @@ class ContactFinder:
             sine=kinematics.sine,
             versine=kinematics.versine,
         )
-        self._hulls: dict[int, tuple[Solid, kernel.Solid]] = {}
-        self._levels: dict[tuple[int, int], tuple[int, int]] = {}
+        self._chains = [kinematics.chain(body) for body in range(kinematics.count)]
+        self._levels = np.array([[_levels(one, other) for other in self._chains] for one in self._chains])
+        self._own = len(robot)
+        self._robot = (self._limbs(robot), self._flat(robot))
         self._last: tuple[Pairs, Limbs, kernel.Solids, PairList] | None = None
 
     def findings(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:
@@ -57,7 +70,7 @@ class ContactFinder:
         """
         limbs, solids, listed = self._arrays(pairs)
         contact = np.full(len(pairs.first), np.inf)
-        least = np.full(len(pairs.first), np.inf)
+        least = np.array([np.inf])
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
         certify(
             Course(*timeline.course()),
@@ -73,7 +86,7 @@ class ContactFinder:
         )
         touching = np.flatnonzero(np.isfinite(contact))
         findings = self._measured(timeline, pairs, touching, contact, jumps_s) if len(touching) else []
-        return findings, float(least.min(initial=np.inf))
+        return findings, float(least[0])
 
     def _measured(
         self, timeline: Timeline, pairs: Pairs, touching: NDArray[np.intp], contact: Array, jumps_s: Array
@@ -129,24 +142,16 @@ class ContactFinder:
 
     def _arrays(self, pairs: Pairs) -> tuple[Limbs, kernel.Solids, PairList]:
         if self._last is None or self._last[0] is not pairs:
-            chains = [self._kinematics.chain(solid.body) for solid in pairs.solids]
-            depth = max(1, max(map(len, chains), default=1))
-            body = np.zeros((len(chains), depth), np.int64)
-            reach = np.zeros((len(chains), depth))
-            for k, chain in enumerate(chains):
-                body[k, : len(chain)] = chain
-                reach[k, : len(chain)] = self._kinematics.reaches(
-                    pairs.solids[k].body, pairs.solids[k].reach_m, pairs.solids[k].axis_reach_m
+            limbs, solids, rest = *self._robot, pairs.solids[self._own :]
+            if rest:
+                more = self._limbs(rest)
+                limbs = Limbs(*(np.concatenate(two) for two in zip(limbs, more, strict=True)))
+                # what follows has no points, so its rows need no shift
+                solids = kernel.Solids(
+                    *(np.concatenate(two) for two in zip(solids, self._flat(rest), strict=True))
                 )
-            limbs = Limbs(body, reach, np.array([len(chain) for chain in chains], np.int64))
-            bodies = np.array([solid.body for solid in pairs.solids], np.int64)
-            levels = np.array(
-                [
-                    self._level(int(i), int(j))
-                    for i, j in zip(bodies[pairs.first], bodies[pairs.second], strict=True)
-                ],
-                np.int64,
-            ).reshape(-1, 2)
+            bodies = solids.body
+            levels = self._levels[bodies[pairs.first], bodies[pairs.second]]
             listed = PairList(
                 pairs.first.astype(np.int64),
                 pairs.second.astype(np.int64),
@@ -154,27 +159,33 @@ class ContactFinder:
                 np.ascontiguousarray(levels[:, 1]),
                 pairs.clearance_m,
             )
-            solids = kernel.flatten([self._solid(solid) for solid in pairs.solids])
             self._last = (pairs, limbs, solids, listed)
         return self._last[1:]
 
-    def _solid(self, solid: Solid) -> kernel.Solid:
-        if solid.shape is not None:
-            return kernel.plain_solid(solid.body, solid.body_T_solid, solid.shape)
-        known = self._hulls.get(id(solid))
-        if known is None:
-            known = (solid, kernel.link_solid(solid.body, solid.body_T_solid, solid.geometry))
-            self._hulls[id(solid)] = known
-        return known[1]
-
-    def _level(self, first: int, second: int) -> tuple[int, int]:
-        """How many bodies are between each of two and the one that carries both."""
-        if (first, second) not in self._levels:
-            one, other = self._kinematics.chain(first), self._kinematics.chain(second)
-            shared = set(one) & set(other)
-            self._levels[first, second] = (
-                len([body for body in one if body not in shared]),
-                len([body for body in other if body not in shared]),
+    def _limbs(self, solids: Sequence[Solid]) -> Limbs:
+        depth = max(len(chain) for chain in self._chains)
+        body, reach = np.zeros((len(solids), depth), np.int64), np.zeros((len(solids), depth))
+        for k, solid in enumerate(solids):
+            chain = self._chains[solid.body]
+            body[k, : len(chain)] = chain
+            reach[k, : len(chain)] = self._kinematics.reaches(
+                solid.body, solid.reach_m, solid.axis_reach_m
             )
-        return self._levels[first, second]
+        return Limbs(body, reach, np.array([len(self._chains[solid.body]) for solid in solids], np.int64))
 
+    @staticmethod
+    def _flat(solids: Sequence[Solid]) -> kernel.Solids:
+        return kernel.flatten(
+            [
+                kernel.plain_solid(solid.body, solid.body_T_solid, solid.shape)
+                if solid.shape is not None
+                else kernel.link_solid(solid.body, solid.body_T_solid, solid.geometry)
+                for solid in solids
+            ]
+        )
+
+
+def _levels(one: list[int], other: list[int]) -> tuple[int, int]:
+    """How many bodies are on each of two chains to the base before they meet."""
+    shared = set(one) & set(other)
+    return len(one) - len(shared), len(other) - len(shared)

@@ -56,6 +56,9 @@ class Pairs:
 class PairBuilder:
     """Makes the pairs of a scene; what depends on the robot alone is prepared once.
 
+    Attributes:
+        robot: The robot's solids; those of all pairs begin with them.
+
     Raises:
         ModelError: A collision geometry of the robot cannot be judged.
     """
@@ -63,22 +66,29 @@ class PairBuilder:
     def __init__(self, model: RobotModel, kinematics: BatchedKinematics) -> None:
         self._model = model
         self._kinematics = kinematics
-        self._robot = robot_solids(model, kinematics)
+        self.robot = robot_solids(model, kinematics)
         geometry = model.geometry()
         self._self_pairs = [
             (int(pair.first), int(pair.second))
             for pair in geometry.collisionPairs
-            if self._robot[pair.first].body != self._robot[pair.second].body
+            if self.robot[pair.first].body != self.robot[pair.second].body
         ]
         self._robot_rates: dict[tuple[int, int], Array] = {}
-        self._self_rate = self._rates(self._robot, self._self_pairs)
-        self._sole_links = {sole.link for sole in model.description.soles}
+        self._meetings: dict[tuple[int, int], int] = {}
+        self._last: tuple[PlanningScene, Pairs] | None = None
+        self._self_rate = self._rates(self.robot, self._self_pairs)
+        self._sole_links = frozenset(sole.link for sole in model.description.soles)
         if model.description.welded:  # what is bolted to the floor stands on it too
-            self._sole_links |= {solid.name for solid in self._robot if solid.body == BASE}
+            self._sole_links |= {solid.name for solid in self.robot if solid.body == BASE}
 
     def pairs(self, scene: PlanningScene) -> Pairs:
         """Pairs that may not touch in a scene: robot, held objects, scene objects and the floor."""
-        robot, kinematics = self._robot, self._kinematics
+        if self._last is None or self._last[0] is not scene:
+            self._last = (scene, self._pairs(scene))
+        return self._last[1]
+
+    def _pairs(self, scene: PlanningScene) -> Pairs:
+        robot, kinematics = self.robot, self._kinematics
         held = []
         for body in scene.attached.values():
             frame = self._model.pin.frames[self._model.frame_id(body.frame)]
@@ -99,9 +109,9 @@ class PairBuilder:
         allowed = scene.allowed
 
         def may_touch(i: int, j: int) -> bool:
-            return frozenset((solids[i].name, solids[j].name)) in allowed
+            return bool(allowed) and frozenset((solids[i].name, solids[j].name)) in allowed
 
-        own = [k for k, (i, j) in enumerate(self._self_pairs) if not (allowed and may_touch(i, j))]
+        own = [k for k, (i, j) in enumerate(self._self_pairs) if not may_touch(i, j)]
         pairs = [self._self_pairs[k] for k in own]
         clearance = [0.0] * len(pairs)
         kinds = [FindingKind.SELF_COLLISION] * len(pairs)
@@ -112,11 +122,13 @@ class PairBuilder:
             others += [(j, i) for j in range(i) if solids[j].name not in touch_links and not may_touch(i, j)]
         clearance += [0.0] * len(others)
         for i in range(first_world, len(solids)):
-            for j in range(first_world):
-                standing = solids[i].name == FLOOR and solids[j].name in self._sole_links
-                if not standing and not may_touch(i, j):
-                    others.append((j, i))
-                    clearance.append(things[i - first_world].margin_m)
+            standing = self._sole_links if solids[i].name == FLOOR else frozenset()
+            margin_m = things[i - first_world].margin_m
+            with_it = [
+                (j, i) for j in range(first_world) if solids[j].name not in standing and not may_touch(i, j)
+            ]
+            others += with_it
+            clearance += [margin_m] * len(with_it)
         for j, i in others:
             by_hand = j >= first_held or first_held <= i < first_world
             kinds.append(FindingKind.HELD_OBJECT_COLLISION if by_hand else FindingKind.SCENE_COLLISION)
@@ -125,21 +137,30 @@ class PairBuilder:
         return Pairs(tuple(solids), index[:, 0], index[:, 1], np.array(clearance), tuple(kinds), rate)
 
     def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
-        rate = np.zeros((self._kinematics.count, len(pairs)))
+        if not pairs:
+            return np.zeros((self._kinematics.count, 0))
+        robot = len(self.robot)
         held_rates: dict[tuple[int, int], Array] = {}
-        for column, (i, j) in enumerate(pairs):
+        columns = []
+        for i, j in pairs:
             meeting = self._meeting(solids[i].body, solids[j].body)
             for k in (i, j):
-                known = self._robot_rates if k < len(self._robot) else held_rates
+                known = self._robot_rates if k < robot else held_rates
                 if (k, meeting) not in known:
                     known[k, meeting] = self._reach(solids[k], meeting)
-                rate[:, column] += known[k, meeting]
-        return rate
+                columns.append(known[k, meeting])
+        both = np.array(columns).reshape(len(pairs), 2, -1)
+        return np.ascontiguousarray((both[:, 0] + both[:, 1]).T)
 
     def _meeting(self, first: int, second: int) -> int:
         """The body nearest to both on the way to the world."""
-        above = set(self._kinematics.chain(first))
-        return next((body for body in self._kinematics.chain(second) if body in above), WORLD)
+        if WORLD in (first, second):
+            return WORLD
+        if (first, second) not in self._meetings:
+            above = set(self._kinematics.chain(first))
+            chain = self._kinematics.chain(second)
+            self._meetings[first, second] = next((body for body in chain if body in above), WORLD)
+        return self._meetings[first, second]
 
     def _reach(self, solid: Solid, root: int) -> Array:
         """How far any point of a solid can be from each axis between it and ``root``, shape (2 + k,).

@@ -54,7 +54,7 @@ class TrajectoryChecker:
             # imported here: it brings the compiler
             from kinematics.check_contacts import ContactFinder
 
-            self._finder = ContactFinder(self._kinematics, settings)
+            self._finder = ContactFinder(self._kinematics, self._pairs.robot, settings)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.
