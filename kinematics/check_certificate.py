@@ -305,6 +305,68 @@ def _place(
 
 
 @compiled
+def place_all(
+    links: Links,
+    base_R: Array,
+    base_p: Array,
+    joints: Array,
+    needed: Indices,
+    mass: Array,
+    lever: Array,
+    R: Array,
+    p: Array,
+    com: Array,
+) -> None:
+    """Poses of the needed bodies at n instants, and the moment of mass of those.
+
+    Args:
+        links: The robot.
+        base_R, base_p: Poses of the base, shapes (n, 3, 3) and (n, 3), m.
+        joints: Joint positions, shape (n, k), rad.
+        needed: 1 for bodies to be placed, with all that they hang on, shape (bodies,).
+        mass, lever: Of each body, shapes (bodies,) and (bodies, 3), kg and m.
+        R, p: Results, shapes (bodies, n, 3, 3) and (bodies, n, 3).
+        com: Result, sum of masses times positions, shape (n, 3), kg m.
+    """
+    local = np.empty((3, 3))
+    for i in range(base_p.shape[0]):
+        for a in range(3):
+            for b in range(3):
+                R[0, i, a, b] = 1.0 if a == b else 0.0
+                R[1, i, a, b] = base_R[i, a, b]
+            p[0, i, a] = 0.0
+            p[1, i, a] = base_p[i, a]
+        for body in range(_FIRST_JOINT, needed.shape[0]):
+            if needed[body] == 0:
+                continue
+            k = links.parent[body]
+            angle = joints[i, body - _FIRST_JOINT]
+            sine = math.sin(angle)
+            versine = 1.0 - math.cos(angle)
+            for a in range(3):
+                for b in range(3):
+                    local[a, b] = (
+                        links.fixed[body, a, b]
+                        + sine * links.sine[body, a, b]
+                        + versine * links.versine[body, a, b]
+                    )
+            for a in range(3):
+                x, y, z = R[k, i, a, 0], R[k, i, a, 1], R[k, i, a, 2]
+                for b in range(3):
+                    R[body, i, a, b] = x * local[0, b] + y * local[1, b] + z * local[2, b]
+                o = links.offset[body]
+                p[body, i, a] = x * o[0] + y * o[1] + z * o[2] + p[k, i, a]
+        for a in range(3):
+            total = 0.0
+            for body in range(needed.shape[0]):
+                if needed[body] == 1:
+                    c = lever[body]
+                    x = R[body, i, a, 0] * c[0] + R[body, i, a, 1] * c[1] + R[body, i, a, 2] * c[2]
+                    total += mass[body] * (x + p[body, i, a])
+            com[i, a] = total
+
+
+@compiled
 def _bound(
     links: Links, limbs: Limbs, solids: Solids, solid: int, length: Array, R: Array, p: Array, c: Array, moved: Array
 ) -> None:

@@ -8,10 +8,10 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_certificate import Course, Limbs, Links, PairList, certify
+from kinematics.check_certificate import Course, Limbs, PairList, certify
 from kinematics.check_collision import CollisionCheck
-from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_pairs import Pairs
+from kinematics.check_poses import CompiledKinematics
 from kinematics.check_settings import CheckSettings
 from kinematics.check_solids import Solid
 from kinematics.check_timeline import Timeline
@@ -31,7 +31,7 @@ class ContactFinder:
     """Finds contacts of one robot; what depends on the robot alone is prepared once."""
 
     def __init__(
-        self, kinematics: BatchedKinematics, robot: Sequence[Solid], settings: CheckSettings
+        self, kinematics: CompiledKinematics, robot: Sequence[Solid], settings: CheckSettings
     ) -> None:
         """Prepare.
 
@@ -42,14 +42,6 @@ class ContactFinder:
         """
         self._kinematics = kinematics
         self._settings = settings
-        self._links = Links(
-            parent=np.array(kinematics.parent, np.int64),
-            offset=np.ascontiguousarray(kinematics.offset_m),
-            axis=np.ascontiguousarray(kinematics.axis),
-            fixed=kinematics.fixed,
-            sine=kinematics.sine,
-            versine=kinematics.versine,
-        )
         self._chains = [kinematics.chain(body) for body in range(kinematics.count)]
         self._levels = np.array([[_levels(one, other) for other in self._chains] for one in self._chains])
         self._own = len(robot)
@@ -74,7 +66,7 @@ class ContactFinder:
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
         certify(
             Course(*timeline.course()),
-            self._links,
+            self._kinematics.links,
             limbs,
             solids,
             listed,

@@ -27,10 +27,12 @@ class BodyPoses:
     Attributes:
         rotation: ``world_R_body``, shape (bodies, n, 3, 3).
         origin_m: Origin of the body's frame in the world, shape (bodies, n, 3).
+        com_m: Centre of mass in the world, shape (n, 3), where it is known.
     """
 
     rotation: Array
     origin_m: Array
+    com_m: Array | None = None
 
 
 class BatchedKinematics:
@@ -42,6 +44,8 @@ class BatchedKinematics:
         axis: Joint axis in the body's own frame, shape (bodies, 3).
         fixed, sine, versine: Rotation of a body in its parent's frame as a sum of these, times 1, the
             sine and one less the cosine of its joint's angle, shape (bodies, 3, 3).
+        mass_kg, lever_m: Mass of each body and its centre in the body's frame, shapes (bodies,) and
+            (bodies, 3).
 
     Raises:
         ModelError: A joint other than the floating base is not a hinge.
@@ -69,8 +73,8 @@ class BatchedKinematics:
             self.fixed[body] = placement
             self.sine[body] = placement @ skew
             self.versine[body] = placement @ skew @ skew
-        self._mass = np.array([float(inertia.mass) for inertia in tree.inertias])
-        self._lever = np.array([np.array(inertia.lever) for inertia in tree.inertias])
+        self.mass_kg = np.array([float(inertia.mass) for inertia in tree.inertias])
+        self.lever_m = np.array([np.array(inertia.lever) for inertia in tree.inertias])
 
     def chain(self, body: int) -> list[int]:
         """Bodies from ``body`` up to the floating base, both included; empty for the world."""
@@ -126,6 +130,8 @@ class BatchedKinematics:
 
     def com(self, poses: BodyPoses) -> Array:
         """Centre of mass in the world, shape (n, 3)."""
-        levers = np.einsum("b,bnij,bj->ni", self._mass, poses.rotation, self._lever, optimize=True)
-        origins = np.einsum("b,bni->ni", self._mass, poses.origin_m)
-        return np.asarray((levers + origins) / self._mass.sum(), dtype=np.float64)
+        if poses.com_m is not None:
+            return poses.com_m
+        levers = np.einsum("b,bnij,bj->ni", self.mass_kg, poses.rotation, self.lever_m, optimize=True)
+        origins = np.einsum("b,bni->ni", self.mass_kg, poses.origin_m)
+        return np.asarray((levers + origins) / self.mass_kg.sum(), dtype=np.float64)

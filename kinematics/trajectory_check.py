@@ -46,15 +46,20 @@ class TrajectoryChecker:
     def __init__(self, model: RobotModel, settings: CheckSettings = DEFAULT_SETTINGS) -> None:
         self._model = model
         self._settings = settings
-        self._kinematics = BatchedKinematics(model)
-        self._pairs = PairBuilder(model, self._kinematics)
-        self._dynamics = DynamicsCheck(model, self._kinematics, settings)
         self._finder = None
         if readiness.ready():
-            # imported here: it brings the compiler
+            # imported here: they bring the compiler
             from kinematics.check_contacts import ContactFinder
+            from kinematics.check_poses import CompiledKinematics
 
-            self._finder = ContactFinder(self._kinematics, self._pairs.robot, settings)
+            compiled = CompiledKinematics(model)
+            self._kinematics: BatchedKinematics = compiled
+            self._pairs = PairBuilder(model, compiled)
+            self._finder = ContactFinder(compiled, self._pairs.robot, settings)
+        else:
+            self._kinematics = BatchedKinematics(model)
+            self._pairs = PairBuilder(model, self._kinematics)
+        self._dynamics = DynamicsCheck(model, self._kinematics, settings)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.
