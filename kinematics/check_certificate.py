@@ -237,6 +237,19 @@ def _add_piece(
 
 
 @compiled
+def running_lengths(t_s: Array, values: Array, rates: Array, quaternions: Array, so_far: Array) -> None:
+    """Lengths of all paths from the start to each sample; arguments as of ``Course``."""
+    so_far[0] = 0.0
+    for i in range(t_s.shape[0] - 1):
+        for r in range(so_far.shape[1]):
+            so_far[i + 1, r] = so_far[i, r]
+        _add_piece(
+            values[i], rates[i], quaternions[i], values[i + 1], rates[i + 1], quaternions[i + 1],
+            t_s[i + 1] - t_s[i], so_far[i + 1],
+        )  # fmt: skip
+
+
+@compiled
 def _add_path(
     course: Course,
     begin: float,

@@ -8,7 +8,7 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_certificate import Course, Limbs, PairList, certify
+from kinematics.check_certificate import Course, Limbs, PairList, certify, running_lengths
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_pairs import Pairs
 from kinematics.check_poses import CompiledKinematics
@@ -65,7 +65,7 @@ class ContactFinder:
         least = np.array([np.inf])
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
         certify(
-            Course(*timeline.course()),
+            _course(timeline),
             self._kinematics.links,
             limbs,
             solids,
@@ -175,6 +175,13 @@ class ContactFinder:
                 for solid in solids
             ]
         )
+
+
+def _course(timeline: Timeline) -> Course:
+    t_s, values, rates, quaternions = (np.ascontiguousarray(array) for array in timeline.arrays())
+    so_far = np.empty((len(t_s), values.shape[1] - 1))
+    running_lengths(t_s, values, rates, quaternions, so_far)
+    return Course(t_s, values, rates, quaternions, so_far)
 
 
 def _levels(one: list[int], other: list[int]) -> tuple[int, int]:

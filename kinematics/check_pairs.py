@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import functools
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,8 +31,7 @@ class Pairs:
         first, second: Indices of the pairs' solids, shape (p,).
         clearance_m: Distance that each pair has to keep, shape (p,).
         kinds: What a pair's contact is called.
-        rate: Displacement of one solid relative to the other for one unit of each path length of
-            ``Timeline.path_lengths``, a bound from above, shape (2 + k, p).
+        rates: Computes ``rate``, which not every check needs.
     """
 
     solids: tuple[Solid, ...]
@@ -39,7 +39,15 @@ class Pairs:
     second: Indices
     clearance_m: Array
     kinds: tuple[FindingKind, ...]
-    rate: Array
+    rates: Callable[[], Array]
+
+    @property
+    def rate(self) -> Array:
+        """Displacement of one solid relative to the other for one unit of each path length.
+
+        Path lengths are those of ``Timeline.path_lengths``; a bound from above, shape (2 + k, p).
+        """
+        return self.rates()
 
     def only(self, some: Indices) -> Pairs:
         """The same for some of the pairs."""
@@ -49,7 +57,7 @@ class Pairs:
             self.second[some],
             self.clearance_m[some],
             tuple(self.kinds[k] for k in some),
-            self.rate[:, some],
+            lambda: self.rate[:, some],
         )
 
 
@@ -133,8 +141,16 @@ class PairBuilder:
             by_hand = j >= first_held or first_held <= i < first_world
             kinds.append(FindingKind.HELD_OBJECT_COLLISION if by_hand else FindingKind.SCENE_COLLISION)
         index = np.array(pairs + others, dtype=np.intp).reshape(-1, 2)
-        rate = np.hstack([self._self_rate[:, own], self._rates(solids, others)])
-        return Pairs(tuple(solids), index[:, 0], index[:, 1], np.array(clearance), tuple(kinds), rate)
+        return Pairs(
+            tuple(solids),
+            index[:, 0],
+            index[:, 1],
+            np.array(clearance),
+            tuple(kinds),
+            functools.cache(
+                lambda: np.hstack([self._self_rate[:, own], self._rates(solids, others)]),
+            ),
+        )
 
     def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
         if not pairs:

@@ -71,7 +71,6 @@ class Timeline:
         self._values = np.hstack([self.base_position_m, self.joints_rad])
         self._rates = np.hstack([self.base_velocity, self.joint_velocity])
         self._accelerations: tuple[Array, Array] | None = None
-        self._course: tuple[Array, Array, Array, Array, Array] | None = None
 
     def at(self, t_s: Array) -> Configurations:
         """Configurations at some times within the trajectory, shape (m,)."""
@@ -108,15 +107,9 @@ class Timeline:
         starts = np.searchsorted(times, knots_s[:-1])
         return np.add.reduceat(lengths, starts, axis=0)
 
-    def course(self) -> tuple[Array, Array, Array, Array, Array]:
-        """The motion as ``check_certificate.Course`` wants it."""
-        if self._course is None:
-            lengths = self.path_lengths(self.t_s)
-            so_far = np.zeros((len(self.t_s), lengths.shape[1]))
-            np.cumsum(lengths, axis=0, out=so_far[1:])
-            arrays = (self.t_s, self._values, self._rates, self.quaternions, so_far)
-            self._course = tuple(np.ascontiguousarray(array, np.float64) for array in arrays)
-        return self._course
+    def arrays(self) -> tuple[Array, Array, Array, Array]:
+        """Times, values (base position, joints), their rates, and base quaternions at the samples."""
+        return self.t_s, self._values, self._rates, self.quaternions
 
     def bend(self) -> Array:
         """How far each segment may leave the straight line between its samples, shape (n - 1, 1 + k).

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.check_pairs import PairBuilder, Pairs
-from kinematics.check_settings import CheckSettings
-from kinematics.check_timeline import Timeline
+from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_pairs import PairBuilder
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball
 from kinematics.trajectory import Unsafe
@@ -77,14 +76,7 @@ def test_a_checker_that_leaves_out_a_link_is_caught(talos, motions, checker, mon
     def without_the_foot(self, scene):
         pairs = build(self, scene)
         keep = np.array([pairs.solids[i].name != foot for i in pairs.first])
-        return Pairs(
-            pairs.solids,
-            pairs.first[keep],
-            pairs.second[keep],
-            pairs.clearance_m[keep],
-            tuple(kind for kind, kept in zip(pairs.kinds, keep, strict=True) if kept),
-            pairs.rate[:, keep],
-        )
+        return pairs.only(np.flatnonzero(keep))
 
     monkeypatch.setattr(PairBuilder, "pairs", without_the_foot)
 
@@ -92,11 +84,11 @@ def test_a_checker_that_leaves_out_a_link_is_caught(talos, motions, checker, mon
 
 
 def test_a_checker_that_trusts_the_instants_it_looks_at_is_caught(talos, collisions, monkeypatch):
-    """Without path lengths the certificate is a plain check at every cell's middle."""
-    coarse = TrajectoryChecker(talos, CheckSettings(cell_s=0.8))
-    assert not missed(coarse, collisions)
+    """Without the reach of the links the certificate is a plain check in the middle of the motion."""
+    assert not missed(TrajectoryChecker(talos), collisions)
 
-    lengths = Timeline.path_lengths
-    monkeypatch.setattr(Timeline, "path_lengths", lambda self, knots: 0.0 * lengths(self, knots))
+    reaches = BatchedKinematics.reaches
+    nothing = lambda self, *solid: [0.0 * reach for reach in reaches(self, *solid)]  # noqa: E731
+    monkeypatch.setattr(BatchedKinematics, "reaches", nothing)
 
-    assert missed(coarse, collisions)
+    assert missed(TrajectoryChecker(talos), collisions)
