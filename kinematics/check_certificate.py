@@ -76,12 +76,12 @@ class Limbs(NamedTuple):
         body: Shape (solids, depth).
         reach: Farthest that a point of the solid can be from that body's axis (from the origin of the
             base), over all configurations, shape (solids, depth), m.
-        count: How many they are, shape (solids,).
+        length: How many they are, shape (solids,).
     """
 
     body: Indices
     reach: Array
-    count: Indices
+    length: Indices
 
 
 class PairList(NamedTuple):
@@ -279,7 +279,14 @@ def _add_path(
 
 @compiled
 def _place(
-    links: Links, value: Array, quaternion: Array, moves: Indices, needed: Indices, local: Array, R: Array, p: Array
+    links: Links,
+    value: Array,
+    quaternion: Array,
+    moves: Indices,
+    needed: Indices,
+    local: Array,
+    R: Array,
+    p: Array,
 ) -> None:
     """Poses of the needed bodies; ``local`` holds the rotations of joints that do not move."""
     x, y, z, w = quaternion[0], quaternion[1], quaternion[2], quaternion[3]
@@ -381,7 +388,15 @@ def place_all(
 
 @compiled
 def _bound(
-    links: Links, limbs: Limbs, solids: Solids, solid: int, length: Array, R: Array, p: Array, c: Array, moved: Array
+    links: Links,
+    limbs: Limbs,
+    solids: Solids,
+    solid: int,
+    length: Array,
+    R: Array,
+    p: Array,
+    c: Array,
+    moved: Array,
 ) -> None:
     """How far a solid's points can move against each body that it hangs on, while joints go some way.
 
@@ -392,7 +407,7 @@ def _bound(
     radius = solids.radius[solid]
     total = 0.0
     moved[solid, 0] = 0.0
-    for level in range(limbs.count[solid]):
+    for level in range(limbs.length[solid]):
         k = limbs.body[solid, level]
         d0 = c[0] - p[k, 0]
         d1 = c[1] - p[k, 1]
@@ -478,7 +493,7 @@ def certify(
     limbs = Limbs(
         _loose_ints2(own_limbs.body),
         _loose2(own_limbs.reach),
-        _loose_ints1(own_limbs.count),
+        _loose_ints1(own_limbs.length),
     )
     pairs = PairList(
         _loose_ints1(own_pairs.first),
@@ -503,12 +518,12 @@ def certify(
             moves[body] = 1
             continue
         angle = course.values[0, body + 1]
-        for a in range(3):
-            for b in range(3):
-                local[body, a, b] = (
-                    links.fixed[body, a, b]
-                    + math.sin(angle) * links.sine[body, a, b]
-                    + (1.0 - math.cos(angle)) * links.versine[body, a, b]
+        for row in range(3):
+            for column in range(3):
+                local[body, row, column] = (
+                    links.fixed[body, row, column]
+                    + math.sin(angle) * links.sine[body, row, column]
+                    + (1.0 - math.cos(angle)) * links.versine[body, row, column]
                 )
     values, rates, quaternions = np.empty((3, width)), np.empty((3, width)), np.empty((3, 4))
     early, late = np.empty(width - 1), np.empty(width - 1)
@@ -582,7 +597,9 @@ def certify(
                 body = solids.body[solid]
                 c = solids.centre[solid]
                 for r in range(3):
-                    centre[solid, r] = p[body, r] + R[body, r, 0] * c[0] + R[body, r, 1] * c[1] + R[body, r, 2] * c[2]
+                    centre[solid, r] = (
+                        p[body, r] + R[body, r, 0] * c[0] + R[body, r, 1] * c[1] + R[body, r, 2] * c[2]
+                    )
                 _bound(links, limbs, solids, solid, early, R, p, centre[solid], moved)
         jumping = False
         for r in range(jumps.shape[0]):

@@ -160,9 +160,7 @@ class ContactFinder:
         for k, solid in enumerate(solids):
             chain = self._chains[solid.body]
             body[k, : len(chain)] = chain
-            reach[k, : len(chain)] = self._kinematics.reaches(
-                solid.body, solid.reach_m, solid.axis_reach_m
-            )
+            reach[k, : len(chain)] = self._kinematics.reaches(solid.body, solid.reach_m, solid.axis_reach_m)
         return Limbs(body, reach, np.array([len(self._chains[solid.body]) for solid in solids], np.int64))
 
     @staticmethod

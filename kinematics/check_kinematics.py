@@ -94,7 +94,8 @@ class BatchedKinematics:
             body: What carries the solid.
             reach_m, axis_reach_m: The farthest that a point is from that body's origin and axis.
         """
-        reaches, reach, from_axis = [], reach_m, axis_reach_m
+        reaches: list[float] = []
+        reach, from_axis = reach_m, axis_reach_m
         for below in self.chain(body):
             if below == BASE:
                 return [*reaches, reach]

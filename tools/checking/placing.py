@@ -20,7 +20,7 @@ _CLOSENESS_M = 0.00005
 
 
 def random_shape(rng: np.random.Generator) -> Shape:
-    """Anything from a rod of 5 mm to a box of half a metre."""
+    """Anything from a rod of 1 mm to a box of half a metre."""
     kind = rng.choice(["box", "plate", "cylinder", "rod", "ball"])
     if kind == "box":
         x, y, z = rng.uniform(0.03, 0.3, 3)
@@ -30,7 +30,8 @@ def random_shape(rng: np.random.Generator) -> Shape:
     if kind == "cylinder":
         return Cylinder(rng.uniform(0.02, 0.1), rng.uniform(0.05, 0.3))
     if kind == "rod":
-        return Cylinder(rng.uniform(0.0025, 0.006), rng.uniform(0.1, 0.6))
+        radius = float(np.exp(rng.uniform(np.log(0.0005), np.log(0.006))))
+        return Cylinder(radius, rng.uniform(0.1, 0.6))
     return Ball(rng.uniform(0.01, 0.12))
 
 
@@ -106,6 +107,13 @@ class Placer:
             else:
                 low = middle
         return at(low if gap_m < 0.0 else high)
+
+    def touches(self, trajectory: Trajectory, scene: PlanningScene, name: str, step_s: float) -> int:
+        """At how many instants, ``step_s`` apart, something touches an object."""
+        world = CollisionWorld(self._model, scene, only=frozenset([name]))
+        instants = np.asarray(np.arange(0.0, trajectory.duration_s, step_s), dtype=np.float64)
+        rows = self._referee.configurations(trajectory, instants)
+        return sum(bool((world.distances(q) <= world.margins).any()) for q in rows)
 
     def _moving_link(self, rng: np.random.Generator, trajectory: Trajectory) -> str:
         moving = np.ptp(trajectory.q[:, 7:], axis=0) > 0.02
