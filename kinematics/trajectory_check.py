@@ -38,24 +38,28 @@ class TrajectoryChecker:
     Args:
         model: The robot.
         settings: Tolerances and fineness.
+        compiled: Whether to use compiled code, which takes half a minute to make when it is not there;
+            when not given, it is used if the kernel is ready. Without it Coal gives the same answers.
 
     Raises:
         ModelError: The robot has joints or collision shapes that cannot be judged.
     """
 
-    def __init__(self, model: RobotModel, settings: CheckSettings = DEFAULT_SETTINGS) -> None:
+    def __init__(
+        self, model: RobotModel, settings: CheckSettings = DEFAULT_SETTINGS, compiled: bool | None = None
+    ) -> None:
         self._model = model
         self._settings = settings
         self._finder = None
-        if readiness.ready():
+        if readiness.ready() if compiled is None else compiled:
             # imported here: they bring the compiler
             from kinematics.check_contacts import ContactFinder
             from kinematics.check_poses import CompiledKinematics
 
-            compiled = CompiledKinematics(model)
-            self._kinematics: BatchedKinematics = compiled
-            self._pairs = PairBuilder(model, compiled)
-            self._finder = ContactFinder(compiled, self._pairs.robot, settings)
+            kinematics = CompiledKinematics(model)
+            self._kinematics: BatchedKinematics = kinematics
+            self._pairs = PairBuilder(model, kinematics)
+            self._finder = ContactFinder(kinematics, self._pairs.robot, settings)
         else:
             self._kinematics = BatchedKinematics(model)
             self._pairs = PairBuilder(model, self._kinematics)
