@@ -290,20 +290,23 @@ class Generator:
         """A fast hand that clips the end or the side of something thin for less than 10 ms."""
         group = str(rng.choice(["left_arm", "right_arm"]))
         trajectory = self._with_use(rng, random_motion(self._model, rng, [group]), 0.97)
-        if self._referee.judge_alone(trajectory).unsafe:
-            return None
         # deeper than some millimetres nothing is for so short a time
-        size = min(size, float(rng.uniform(self._smallest_m, 4.0 * self._smallest_m)))
+        size = min(size, float(np.exp(rng.uniform(np.log(0.0002), np.log(0.003)))))
         shape: Shape = Cylinder(rng.uniform(_THIN_RADIUS_M, 0.003), rng.uniform(0.02, 0.3))
         if rng.random() < 0.3:
             shape = Ball(rng.uniform(0.001, 0.005))
         item = replace(self._random_object(rng, "obstacle", shape), margin_m=0.0)
-        placed = self._placer.place(rng, trajectory, PlanningScene(), item, -size, around_s=0.06)
+        finger = str(rng.choice(self._model.description.grippers[group.removesuffix("_arm")].links))
+        placed = self._placer.place(
+            rng, trajectory, PlanningScene(), item, -size, finger, around_s=0.02, beside=True
+        )
         if placed is None:
             return None
         scene = PlanningScene().with_object(placed)
-        brief = self._placer.touches(trajectory, scene, "obstacle", 0.004) <= 3
-        return (trajectory, scene, size) if brief else None
+        brief = self._placer.is_brief(trajectory, scene, "obstacle", _BRIEF_S)
+        if not brief or self._referee.judge_alone(trajectory).unsafe:
+            return None
+        return trajectory, scene, size
 
     def _held(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         scene = self._holding(rng, PlanningScene(), large=rng.random() < 0.5)
