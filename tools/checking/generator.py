@@ -288,15 +288,15 @@ class Generator:
 
     def _brief(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         """A fast hand that clips the end or the side of something thin for less than 10 ms."""
-        group = str(rng.choice(["left_arm", "right_arm"]))
-        trajectory = self._with_use(rng, random_motion(self._model, rng, [group]), 0.97)
+        hand = HANDS[int(rng.integers(2))]
+        trajectory = self._with_use(rng, random_motion(self._model, rng, [f"{hand}_arm"]), 0.97)
         # deeper than some millimetres nothing is for so short a time
         size = min(size, float(np.exp(rng.uniform(np.log(0.0002), np.log(0.003)))))
         shape: Shape = Cylinder(rng.uniform(_THIN_RADIUS_M, 0.003), rng.uniform(0.02, 0.3))
         if rng.random() < 0.3:
             shape = Ball(rng.uniform(0.001, 0.005))
         item = replace(self._random_object(rng, "obstacle", shape), margin_m=0.0)
-        finger = str(rng.choice(self._model.description.grippers[group.removesuffix("_arm")].links))
+        finger = str(rng.choice(self._model.description.grippers[hand].links))
         placed = self._placer.place(
             rng, trajectory, PlanningScene(), item, -size, finger, around_s=0.02, beside=True
         )
