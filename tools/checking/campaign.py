@@ -61,9 +61,11 @@ class Outcome:
 
 
 @cache
-def _parts(robot: str, smallest_m: float) -> tuple[Generator, TrajectoryChecker]:
+def _parts(robot: str, smallest_m: float, compiled: bool) -> tuple[Generator, TrajectoryChecker]:
     model = RobotModel(load_description(robot))
-    return Generator(model, smallest_m=smallest_m), TrajectoryChecker(RobotModel(load_description(robot)))
+    return Generator(model, smallest_m=smallest_m), TrajectoryChecker(
+        RobotModel(load_description(robot)), compiled=compiled
+    )
 
 
 def kind_of(index: int, defects_only: bool = False) -> Kind:
@@ -74,10 +76,15 @@ def kind_of(index: int, defects_only: bool = False) -> Kind:
 
 
 def trial(
-    seed: int, index: int, robot: str = "talos", smallest_m: float = 0.001, defects_only: bool = False
+    seed: int,
+    index: int,
+    robot: str = "talos",
+    smallest_m: float = 0.001,
+    defects_only: bool = False,
+    compiled: bool = True,
 ) -> Outcome:
     """Make, judge and check one case."""
-    generator, checker = _parts(robot, smallest_m)
+    generator, checker = _parts(robot, smallest_m, compiled)
     kind = kind_of(index, defects_only)
     case = generator.case(kind, np.random.default_rng([seed, index]))
     started = time.process_time()
@@ -111,9 +118,10 @@ def campaign(
     smallest_m: float = 0.001,
     defects_only: bool = False,
     first: int = 0,
+    compiled: bool = True,
 ) -> Iterator[Outcome]:
     """Yield the outcomes of trials ``first`` to ``count`` in order."""
-    run = partial(trial, robot=robot, smallest_m=smallest_m, defects_only=defects_only)
+    run = partial(trial, robot=robot, smallest_m=smallest_m, defects_only=defects_only, compiled=compiled)
     if jobs == 1:
         for index in range(first, count):
             yield run(seed, index)
@@ -154,6 +162,7 @@ def main() -> int:
     parser.add_argument("--robot", default="talos")
     parser.add_argument("--smallest-mm", type=float, default=1.0, help="of the planted defects")
     parser.add_argument("--defects-only", action="store_true", help="no sound trajectories")
+    parser.add_argument("--coal", action="store_true", help="try the checker without compiled code")
     parser.add_argument("--first", type=int, default=0, help="trial to begin with")
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
@@ -166,6 +175,7 @@ def main() -> int:
         1e-3 * arguments.smallest_mm,
         arguments.defects_only,
         arguments.first,
+        not arguments.coal,
     ):
         outcomes.append(outcome)
         if outcome.unsafe != outcome.refused:
