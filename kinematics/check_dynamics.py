@@ -115,7 +115,10 @@ class DynamicsCheck:
         v, early, late = (_interpolate(trajectory, t) for t in (times, before, after))
         a = (late - early) / np.maximum(after - before, 1e-9)[:, None]
         model, data = self._model.pin, self._data
-        return np.array([pin.rnea(model, data, q[i], v[i], a[i]).copy() for i in range(len(times))])
+        forces = np.empty((len(times), model.nv))
+        for i in range(len(times)):
+            forces[i] = pin.rnea(model, data, q[i], v[i], a[i])
+        return forces
 
     @staticmethod
     def _ground_wrench(base: Array, rotation: Array, position: Array) -> tuple[Array, Array]:
@@ -144,12 +147,12 @@ class DynamicsCheck:
         for k, (name, _) in enumerate(stance.soles):
             foot = int(self._model.pin.frames[self._model.frame_id(name)].parentJoint)
             f, n = wrenches[:, 6 * k : 6 * k + 3], wrenches[:, 6 * k + 3 : 6 * k + 6]
-            for body in self._kinematics.chain(foot):
-                if body < _FIRST_JOINT:
-                    continue
-                axis = placed.rotation[body] @ self._kinematics.axis[body]
-                pull = n + np.cross(points[k] - placed.origin_m[body], f)
-                torques[:, body - _FIRST_JOINT] -= np.einsum("ni,ni->n", axis, pull)
+            leg = [body for body in self._kinematics.chain(foot) if body >= _FIRST_JOINT]
+            x, y, z = np.moveaxis(points[k] - placed.origin_m[leg], -1, 0)
+            fx, fy, fz = f.T
+            pull = np.stack([y * fz - z * fy, z * fx - x * fz, x * fy - y * fx], axis=-1) + n
+            axis = np.matmul(placed.rotation[leg], self._kinematics.axis[leg][:, None, :, None])[..., 0]
+            torques[:, [body - _FIRST_JOINT for body in leg]] -= np.einsum("bni,bni->nb", axis, pull)
         return torques
 
     def _effort(self, times: Array, torques: Array) -> list[Finding]:

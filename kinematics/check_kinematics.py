@@ -27,10 +27,12 @@ class BodyPoses:
     Attributes:
         rotation: ``world_R_body``, shape (bodies, n, 3, 3).
         origin_m: Origin of the body's frame in the world, shape (bodies, n, 3).
+        com_m: Centre of mass in the world, shape (n, 3), where it is known.
     """
 
     rotation: Array
     origin_m: Array
+    com_m: Array | None = None
 
 
 class BatchedKinematics:
@@ -40,6 +42,10 @@ class BatchedKinematics:
         parent: Parent body of each body.
         offset_m: Origin of each body in its parent's frame, shape (bodies, 3).
         axis: Joint axis in the body's own frame, shape (bodies, 3).
+        fixed, sine, versine: Rotation of a body in its parent's frame as a sum of these, times 1, the
+            sine and one less the cosine of its joint's angle, shape (bodies, 3, 3).
+        mass_kg, lever_m: Mass of each body and its centre in the body's frame, shapes (bodies,) and
+            (bodies, 3).
 
     Raises:
         ModelError: A joint other than the floating base is not a hinge.
@@ -51,9 +57,9 @@ class BatchedKinematics:
         self.parent = [int(parent) for parent in tree.parents]
         self.offset_m = np.array([np.array(place.translation) for place in tree.jointPlacements])
         self.axis = np.zeros((self.count, 3))
-        self._fixed = np.zeros((self.count, 3, 3))
-        self._sine = np.zeros((self.count, 3, 3))
-        self._versine = np.zeros((self.count, 3, 3))
+        self.fixed = np.zeros((self.count, 3, 3))
+        self.sine = np.zeros((self.count, 3, 3))
+        self.versine = np.zeros((self.count, 3, 3))
         for body in range(_FIRST_JOINT, self.count):
             subspace = np.array(tree.joints[body].createData().S).reshape(6, -1)
             hinge = subspace.shape[1] == 1 and not subspace[:3].any()
@@ -64,11 +70,11 @@ class BatchedKinematics:
             placement = np.array(tree.jointPlacements[body].rotation)
             self.axis[body] = axis
             # Rodrigues' formula with the constant placement multiplied in
-            self._fixed[body] = placement
-            self._sine[body] = placement @ skew
-            self._versine[body] = placement @ skew @ skew
-        self._mass = np.array([float(inertia.mass) for inertia in tree.inertias])
-        self._lever = np.array([np.array(inertia.lever) for inertia in tree.inertias])
+            self.fixed[body] = placement
+            self.sine[body] = placement @ skew
+            self.versine[body] = placement @ skew @ skew
+        self.mass_kg = np.array([float(inertia.mass) for inertia in tree.inertias])
+        self.lever_m = np.array([np.array(inertia.lever) for inertia in tree.inertias])
 
     def chain(self, body: int) -> list[int]:
         """Bodies from ``body`` up to the floating base, both included; empty for the world."""
@@ -77,6 +83,28 @@ class BatchedKinematics:
             chain.append(body)
             body = self.parent[body]
         return chain
+
+    def reaches(self, body: int, reach_m: float, axis_reach_m: float) -> list[float]:
+        """How far any point of a solid can be from the axis of each body of its chain, m.
+
+        The farthest distance over all configurations: offsets along the chain add up. Of the base it
+        is the distance from its origin.
+
+        Args:
+            body: What carries the solid.
+            reach_m, axis_reach_m: The farthest that a point is from that body's origin and axis.
+        """
+        reaches: list[float] = []
+        reach, from_axis = reach_m, axis_reach_m
+        for below in self.chain(body):
+            if below == BASE:
+                return [*reaches, reach]
+            reaches.append(from_axis)
+            parent, offset = self.parent[below], self.offset_m[below]
+            axis = self.axis[parent]
+            from_axis = float(np.linalg.norm(offset - axis * (axis @ offset))) + reach
+            reach += float(np.linalg.norm(offset))
+        return reaches
 
     def poses(self, configurations: Configurations, bodies: frozenset[int] | None = None) -> BodyPoses:
         """Poses of all bodies, or of some and all that they hang on; the rest is left undefined."""
@@ -93,9 +121,9 @@ class BatchedKinematics:
             if body < _FIRST_JOINT:
                 continue
             k, parent = body - _FIRST_JOINT, self.parent[body]
-            turn = sine[k][:, None, None] * self._sine[body]
-            turn += versine[k][:, None, None] * self._versine[body]
-            turn += self._fixed[body]
+            turn = sine[k][:, None, None] * self.sine[body]
+            turn += versine[k][:, None, None] * self.versine[body]
+            turn += self.fixed[body]
             np.matmul(rotation[parent], turn, out=rotation[body])
             np.matmul(rotation[parent], self.offset_m[body], out=origin[body])
             origin[body] += origin[parent]
@@ -103,6 +131,8 @@ class BatchedKinematics:
 
     def com(self, poses: BodyPoses) -> Array:
         """Centre of mass in the world, shape (n, 3)."""
-        levers = np.einsum("b,bnij,bj->ni", self._mass, poses.rotation, self._lever, optimize=True)
-        origins = np.einsum("b,bni->ni", self._mass, poses.origin_m)
-        return np.asarray((levers + origins) / self._mass.sum(), dtype=np.float64)
+        if poses.com_m is not None:
+            return poses.com_m
+        levers = np.einsum("b,bnij,bj->ni", self.mass_kg, poses.rotation, self.lever_m, optimize=True)
+        origins = np.einsum("b,bni->ni", self.mass_kg, poses.origin_m)
+        return np.asarray((levers + origins) / self.mass_kg.sum(), dtype=np.float64)

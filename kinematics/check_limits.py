@@ -22,23 +22,21 @@ Mask = NDArray[np.bool_]
 
 def jump_intervals(model: RobotModel, timeline: Timeline, settings: CheckSettings) -> Array:
     """Beginnings and ends of the segments that no motion within reason joins, shape (n, 2), s."""
-    early, late = _accelerations(timeline)
+    early, late = timeline.accelerations()
     jumps = np.flatnonzero(_jumps(model, early, late, settings).any(axis=1))
     return np.column_stack([timeline.t_s[jumps], timeline.t_s[jumps + 1]])
 
 
 def limit_findings(model: RobotModel, timeline: Timeline, settings: CheckSettings) -> list[Finding]:
     """Judge every joint against its limits; one finding for each joint and kind of limit."""
-    early, late = _accelerations(timeline)
+    early, late = timeline.accelerations()
     strongest = np.maximum(np.abs(early), np.abs(late))
     jumps = _jumps(model, early, late, settings)
     findings = _worst(
         FindingKind.DISCONTINUITY, model, timeline.t_s[:-1], strongest, model.acceleration, jumps
     )
     findings += _position(model, timeline, settings)
-    speed, when = _speed(timeline, early, late)
-    over = speed > model.velocity * (1.0 + settings.velocity_fraction)
-    findings += _worst(FindingKind.VELOCITY_LIMIT, model, when, speed, model.velocity, over)
+    findings += _velocity(model, timeline, settings, early, late)
     over = strongest > model.acceleration * (1.0 + settings.acceleration_fraction)
     late_is_worse = np.abs(late) > np.abs(early)
     when = np.where(late_is_worse, timeline.t_s[1:, None], timeline.t_s[:-1, None])
@@ -46,16 +44,6 @@ def limit_findings(model: RobotModel, timeline: Timeline, settings: CheckSetting
         FindingKind.ACCELERATION_LIMIT, model, when, strongest, model.acceleration, over & ~jumps
     )
     return findings + _jerk(model, timeline, settings, early, late, jumps)
-
-
-def _accelerations(timeline: Timeline) -> tuple[Array, Array]:
-    """Accelerations at the beginning and at the end of each segment, where they are largest."""
-    h = timeline.spacing_s[:, None]
-    q, v = timeline.joints_rad, timeline.joint_velocity
-    slope = np.diff(q, axis=0) / h
-    early = (6.0 * slope - 4.0 * v[:-1] - 2.0 * v[1:]) / h
-    late = (-6.0 * slope + 2.0 * v[:-1] + 4.0 * v[1:]) / h
-    return early, late
 
 
 def _jumps(model: RobotModel, early: Array, late: Array, settings: CheckSettings) -> Mask:
@@ -91,9 +79,12 @@ def _position(model: RobotModel, timeline: Timeline, settings: CheckSettings) ->
     h = timeline.spacing_s[:, None]
     q, v = timeline.joints_rad, timeline.joint_velocity
     lower, upper = model.lower_rad - settings.position_rad, model.upper_rad + settings.position_rad
-    control = np.stack([q[:-1], q[:-1] + v[:-1] * h / 3.0, q[1:] - v[1:] * h / 3.0, q[1:]])
+    third = h / 3.0
+    after, before_next = q[:-1] + v[:-1] * third, q[1:] - v[1:] * third
     # a cubic stays within its control points: only the others need their extremes
-    suspects = np.argwhere((control.min(axis=0) < lower) | (control.max(axis=0) > upper))
+    outside = (q < lower) | (q > upper)
+    suspect = (after < lower) | (after > upper) | (before_next < lower) | (before_next > upper)
+    suspects = np.argwhere(suspect | outside[:-1] | outside[1:])
     findings: dict[int, Finding] = {}
     for i, joint in suspects:
         times, values = _extremes(timeline, int(i), int(joint))
@@ -128,6 +119,19 @@ def _extremes(timeline: Timeline, i: int, joint: int) -> tuple[list[float], list
     return [float(timeline.t_s[i] + u * h) for u in fractions], values
 
 
+def _velocity(
+    model: RobotModel, timeline: Timeline, settings: CheckSettings, early: Array, late: Array
+) -> list[Finding]:
+    limit = model.velocity * (1.0 + settings.velocity_fraction)
+    v = timeline.joint_velocity
+    # a quadratic stays within its control points: mostly they tell that there is nothing to find
+    control = v[:-1] + (0.5 * timeline.spacing_s[:, None]) * early
+    if (np.abs(v) <= limit).all() and (np.abs(control) <= limit).all():
+        return []
+    speed, when = _speed(timeline, early, late)
+    return _worst(FindingKind.VELOCITY_LIMIT, model, when, speed, model.velocity, speed > limit)
+
+
 def _speed(timeline: Timeline, early: Array, late: Array) -> tuple[Array, Array]:
     """Largest speed in each segment and when, shape (n - 1, k) each."""
     h = timeline.spacing_s[:, None]
@@ -156,9 +160,12 @@ def _jerk(
     spread = np.abs(np.diff(middle, axis=0)) / (0.5 * (h[:-1] + h[1:]))[:, None]
     at_sample = np.maximum(step, spread)
     beside_jump = jumps[:-1] | jumps[1:]
+    over_inside, over_at_sample = (inside > limit) & ~jumps, (at_sample > limit) & ~beside_jump
+    if not over_inside.any() and not over_at_sample.any():
+        return []
     values = np.concatenate([inside, at_sample])
     times = np.concatenate([timeline.t_s[:-1], timeline.t_s[1:-1]])
-    over = np.concatenate([(inside > limit) & ~jumps, (at_sample > limit) & ~beside_jump])
+    over = np.concatenate([over_inside, over_at_sample])
     order = np.argsort(times, kind="stable")
     return _worst(FindingKind.JERK_LIMIT, model, times[order], values[order], model.jerk, over[order])
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import functools
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,8 +31,7 @@ class Pairs:
         first, second: Indices of the pairs' solids, shape (p,).
         clearance_m: Distance that each pair has to keep, shape (p,).
         kinds: What a pair's contact is called.
-        rate: Displacement of one solid relative to the other for one unit of each path length of
-            ``Timeline.path_lengths``, a bound from above, shape (2 + k, p).
+        rates: Computes ``rate``, which not every check needs.
     """
 
     solids: tuple[Solid, ...]
@@ -39,11 +39,33 @@ class Pairs:
     second: Indices
     clearance_m: Array
     kinds: tuple[FindingKind, ...]
-    rate: Array
+    rates: Callable[[], Array]
+
+    @property
+    def rate(self) -> Array:
+        """Displacement of one solid relative to the other for one unit of each path length.
+
+        Path lengths are those of ``Timeline.path_lengths``; a bound from above, shape (2 + k, p).
+        """
+        return self.rates()
+
+    def only(self, some: Indices) -> Pairs:
+        """The same for some of the pairs."""
+        return Pairs(
+            self.solids,
+            self.first[some],
+            self.second[some],
+            self.clearance_m[some],
+            tuple(self.kinds[k] for k in some),
+            lambda: self.rate[:, some],
+        )
 
 
 class PairBuilder:
     """Makes the pairs of a scene; what depends on the robot alone is prepared once.
+
+    Attributes:
+        robot: The robot's solids; those of all pairs begin with them.
 
     Raises:
         ModelError: A collision geometry of the robot cannot be judged.
@@ -52,22 +74,29 @@ class PairBuilder:
     def __init__(self, model: RobotModel, kinematics: BatchedKinematics) -> None:
         self._model = model
         self._kinematics = kinematics
-        self._robot = robot_solids(model, kinematics)
+        self.robot = robot_solids(model, kinematics)
         geometry = model.geometry()
         self._self_pairs = [
             (int(pair.first), int(pair.second))
             for pair in geometry.collisionPairs
-            if self._robot[pair.first].body != self._robot[pair.second].body
+            if self.robot[pair.first].body != self.robot[pair.second].body
         ]
         self._robot_rates: dict[tuple[int, int], Array] = {}
-        self._self_rate = self._rates(self._robot, self._self_pairs)
-        self._sole_links = {sole.link for sole in model.description.soles}
+        self._meetings: dict[tuple[int, int], int] = {}
+        self._last: tuple[PlanningScene, Pairs] | None = None
+        self._self_rate = self._rates(self.robot, self._self_pairs)
+        self._sole_links = frozenset(sole.link for sole in model.description.soles)
         if model.description.welded:  # what is bolted to the floor stands on it too
-            self._sole_links |= {solid.name for solid in self._robot if solid.body == BASE}
+            self._sole_links |= {solid.name for solid in self.robot if solid.body == BASE}
 
     def pairs(self, scene: PlanningScene) -> Pairs:
         """Pairs that may not touch in a scene: robot, held objects, scene objects and the floor."""
-        robot, kinematics = self._robot, self._kinematics
+        if self._last is None or self._last[0] is not scene:
+            self._last = (scene, self._pairs(scene))
+        return self._last[1]
+
+    def _pairs(self, scene: PlanningScene) -> Pairs:
+        robot, kinematics = self.robot, self._kinematics
         held = []
         for body in scene.attached.values():
             frame = self._model.pin.frames[self._model.frame_id(body.frame)]
@@ -88,9 +117,9 @@ class PairBuilder:
         allowed = scene.allowed
 
         def may_touch(i: int, j: int) -> bool:
-            return frozenset((solids[i].name, solids[j].name)) in allowed
+            return bool(allowed) and frozenset((solids[i].name, solids[j].name)) in allowed
 
-        own = [k for k, (i, j) in enumerate(self._self_pairs) if not (allowed and may_touch(i, j))]
+        own = [k for k, (i, j) in enumerate(self._self_pairs) if not may_touch(i, j)]
         pairs = [self._self_pairs[k] for k in own]
         clearance = [0.0] * len(pairs)
         kinds = [FindingKind.SELF_COLLISION] * len(pairs)
@@ -101,52 +130,67 @@ class PairBuilder:
             others += [(j, i) for j in range(i) if solids[j].name not in touch_links and not may_touch(i, j)]
         clearance += [0.0] * len(others)
         for i in range(first_world, len(solids)):
-            for j in range(first_world):
-                standing = solids[i].name == FLOOR and solids[j].name in self._sole_links
-                if not standing and not may_touch(i, j):
-                    others.append((j, i))
-                    clearance.append(things[i - first_world].margin_m)
+            standing = self._sole_links if solids[i].name == FLOOR else frozenset()
+            margin_m = things[i - first_world].margin_m
+            with_it = [
+                (j, i) for j in range(first_world) if solids[j].name not in standing and not may_touch(i, j)
+            ]
+            others += with_it
+            clearance += [margin_m] * len(with_it)
         for j, i in others:
             by_hand = j >= first_held or first_held <= i < first_world
             kinds.append(FindingKind.HELD_OBJECT_COLLISION if by_hand else FindingKind.SCENE_COLLISION)
         index = np.array(pairs + others, dtype=np.intp).reshape(-1, 2)
-        rate = np.hstack([self._self_rate[:, own], self._rates(solids, others)])
-        return Pairs(tuple(solids), index[:, 0], index[:, 1], np.array(clearance), tuple(kinds), rate)
+        return Pairs(
+            tuple(solids),
+            index[:, 0],
+            index[:, 1],
+            np.array(clearance),
+            tuple(kinds),
+            functools.cache(
+                lambda: np.hstack([self._self_rate[:, own], self._rates(solids, others)]),
+            ),
+        )
 
     def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
-        rate = np.zeros((self._kinematics.count, len(pairs)))
+        if not pairs:
+            return np.zeros((self._kinematics.count, 0))
+        robot = len(self.robot)
         held_rates: dict[tuple[int, int], Array] = {}
-        for column, (i, j) in enumerate(pairs):
+        columns = []
+        for i, j in pairs:
             meeting = self._meeting(solids[i].body, solids[j].body)
             for k in (i, j):
-                known = self._robot_rates if k < len(self._robot) else held_rates
+                known = self._robot_rates if k < robot else held_rates
                 if (k, meeting) not in known:
                     known[k, meeting] = self._reach(solids[k], meeting)
-                rate[:, column] += known[k, meeting]
-        return rate
+                columns.append(known[k, meeting])
+        both = np.array(columns).reshape(len(pairs), 2, -1)
+        return np.ascontiguousarray((both[:, 0] + both[:, 1]).T)
 
     def _meeting(self, first: int, second: int) -> int:
         """The body nearest to both on the way to the world."""
-        above = set(self._kinematics.chain(first))
-        return next((body for body in self._kinematics.chain(second) if body in above), WORLD)
+        if WORLD in (first, second):
+            return WORLD
+        if (first, second) not in self._meetings:
+            above = set(self._kinematics.chain(first))
+            chain = self._kinematics.chain(second)
+            self._meetings[first, second] = next((body for body in chain if body in above), WORLD)
+        return self._meetings[first, second]
 
     def _reach(self, solid: Solid, root: int) -> Array:
         """How far any point of a solid can be from each axis between it and ``root``, shape (2 + k,).
 
-        The base's path carries everything along (1), its turn acts about its origin. The
-        farthest distance over all configurations: offsets along the chain add up.
+        The base's path carries everything along (1), its turn acts about its origin.
         """
         kinematics = self._kinematics
         rate = np.zeros(kinematics.count)
-        body, reach, from_axis = solid.body, solid.reach_m, solid.axis_reach_m
-        while body != root:
+        reaches = kinematics.reaches(solid.body, solid.reach_m, solid.axis_reach_m)
+        for body, reach in zip(kinematics.chain(solid.body), reaches, strict=True):
+            if body == root:
+                break
             if body == BASE:
                 rate[_BASE_PATH], rate[_BASE_TURN] = 1.0, reach
-                break
-            rate[body] = from_axis
-            parent, offset = kinematics.parent[body], kinematics.offset_m[body]
-            axis = kinematics.axis[parent]
-            from_axis = float(np.linalg.norm(offset - axis * (axis @ offset))) + reach
-            reach += float(np.linalg.norm(offset))
-            body = parent
+            else:
+                rate[body] = reach
         return rate

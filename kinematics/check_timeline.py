@@ -70,6 +70,7 @@ class Timeline:
         self.duration_s = float(trajectory.t_s[-1])
         self._values = np.hstack([self.base_position_m, self.joints_rad])
         self._rates = np.hstack([self.base_velocity, self.joint_velocity])
+        self._accelerations: tuple[Array, Array] | None = None
 
     def at(self, t_s: Array) -> Configurations:
         """Configurations at some times within the trajectory, shape (m,)."""
@@ -106,6 +107,10 @@ class Timeline:
         starts = np.searchsorted(times, knots_s[:-1])
         return np.add.reduceat(lengths, starts, axis=0)
 
+    def arrays(self) -> tuple[Array, Array, Array, Array]:
+        """Times, values (base position, joints), their rates, and base quaternions at the samples."""
+        return self.t_s, self._values, self._rates, self.quaternions
+
     def bend(self) -> Array:
         """How far each segment may leave the straight line between its samples, shape (n - 1, 1 + k).
 
@@ -117,6 +122,17 @@ class Timeline:
         # the Hermite terms u (1-u)^2 and u^2 (1-u) have their maximum of 4/27
         bound = (4.0 / 27.0) * (np.abs(early) + np.abs(late))
         return np.column_stack([np.linalg.norm(bound[:, :3], axis=1), bound[:, 3:]])
+
+    def accelerations(self) -> tuple[Array, Array]:
+        """Of the joints at the beginning and at the end of each segment, shape (n - 1, k) each."""
+        if self._accelerations is None:
+            h = self.spacing_s[:, None]
+            q, v = self.joints_rad, self.joint_velocity
+            slope = np.diff(q, axis=0) / h
+            early = (6.0 * slope - 4.0 * v[:-1] - 2.0 * v[1:]) / h
+            late = (-6.0 * slope + 2.0 * v[:-1] + 4.0 * v[1:]) / h
+            self._accelerations = (early, late)
+        return self._accelerations
 
     def _evaluate(self, t_s: Array) -> tuple[Array, Array, Array]:
         """Values (base position, joints), their rates, and base quaternions."""

@@ -9,19 +9,23 @@ ZMP and efforts densely enough for joints that keep their acceleration limit.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_dynamics import DynamicsCheck
 from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_limits import base_findings, jump_intervals, limit_findings
-from kinematics.check_pairs import PairBuilder
+from kinematics.check_pairs import PairBuilder, Pairs
 from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
 from kinematics.check_stance import stance_findings
 from kinematics.check_timeline import Timeline
 from kinematics.errors import InvalidMotionError
+from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import _SEAL, CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe
+
+Array = NDArray[np.float64]
 
 __all__ = ["CheckSettings", "TrajectoryChecker"]
 
@@ -34,16 +38,31 @@ class TrajectoryChecker:
     Args:
         model: The robot.
         settings: Tolerances and fineness.
+        compiled: Whether to use compiled code, which takes half a minute to make when it is not there;
+            when not given, it is used if the kernel is ready. Without it Coal gives the same answers.
 
     Raises:
         ModelError: The robot has joints or collision shapes that cannot be judged.
     """
 
-    def __init__(self, model: RobotModel, settings: CheckSettings = DEFAULT_SETTINGS) -> None:
+    def __init__(
+        self, model: RobotModel, settings: CheckSettings = DEFAULT_SETTINGS, compiled: bool | None = None
+    ) -> None:
         self._model = model
         self._settings = settings
-        self._kinematics = BatchedKinematics(model)
-        self._pairs = PairBuilder(model, self._kinematics)
+        self._finder = None
+        if readiness.ready() if compiled is None else compiled:
+            # imported here: they bring the compiler
+            from kinematics.check_contacts import ContactFinder
+            from kinematics.check_poses import CompiledKinematics
+
+            kinematics = CompiledKinematics(model)
+            self._kinematics: BatchedKinematics = kinematics
+            self._pairs = PairBuilder(model, kinematics)
+            self._finder = ContactFinder(kinematics, self._pairs.robot, settings)
+        else:
+            self._kinematics = BatchedKinematics(model)
+            self._pairs = PairBuilder(model, self._kinematics)
         self._dynamics = DynamicsCheck(model, self._kinematics, settings)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
@@ -69,17 +88,24 @@ class TrajectoryChecker:
         unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)
         findings += unbalanced
         jumps_s = jump_intervals(model, timeline, settings)
-        collision = CollisionCheck(self._kinematics, timeline, self._pairs.pairs(scene), settings, jumps_s)
-        findings += collision.findings()
+        touching, min_distance_m = self._contacts(timeline, self._pairs.pairs(scene), jumps_s)
+        findings += touching
         if findings:
             return Unsafe(tuple(sorted(findings, key=lambda finding: finding.t_s)))
         return CheckedTrajectory(
             trajectory=trajectory,
             scene_version=scene.version,
-            min_distance_m=collision.min_distance_m,
+            min_distance_m=min_distance_m,
             min_com_margin_m=com_margin_m,
             seal=_SEAL,
         )
+
+    def _contacts(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:
+        """Findings and the smallest distance; by Coal alone while nothing is compiled."""
+        if self._finder is not None:
+            return self._finder.findings(timeline, pairs, jumps_s)
+        check = CollisionCheck(self._kinematics, timeline, pairs, self._settings, jumps_s)
+        return check.findings(), check.min_distance_m
 
 
 def _quaternion_findings(trajectory: Trajectory) -> list[Finding]:

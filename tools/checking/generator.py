@@ -12,7 +12,7 @@ from kinematics import poses
 from kinematics.robot_description import HANDS
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder, Shape
+from kinematics.shapes import Ball, Box, Cylinder, Shape
 from kinematics.trajectory import Trajectory
 from tools.checking.motions import (
     Choreographer,
@@ -27,8 +27,8 @@ from tools.checking.referee import CollisionWorld, Referee, Verdict
 
 Array = NDArray[np.float64]
 
-Kind = Literal["sound", "limit", "self", "scene", "held", "balance", "jump"]
-DEFECTS: tuple[Kind, ...] = ("limit", "self", "scene", "held", "balance", "jump")
+Kind = Literal["sound", "limit", "self", "scene", "held", "balance", "jump", "thin", "brief"]
+DEFECTS: tuple[Kind, ...] = ("limit", "self", "scene", "held", "balance", "jump", "thin", "brief")
 
 _EXPECTED: dict[Kind, set[str]] = {
     "limit": {"position", "velocity", "acceleration", "jerk"},
@@ -37,9 +37,15 @@ _EXPECTED: dict[Kind, set[str]] = {
     "held": {"held"},
     "balance": {"balance", "tipping"},
     "jump": {"position", "velocity", "acceleration", "jerk", "stance"},
+    "thin": {"scene"},
+    "brief": {"scene"},
 }
 _NEEDS_NO_SCENE = ("limit", "balance", "jump")
 _TRIES = 300
+_LARGEST_M = 0.1
+_THIN_RADIUS_M = 0.0005
+_BRIEF_S = 0.01
+"""A brief defect lasts less than this."""
 
 
 @dataclass(frozen=True)
@@ -65,11 +71,13 @@ class Generator:
     Args:
         model: The robot.
         longest_s: Motions that take longer are not used.
+        smallest_m: Defects are log-uniform from this to 0.1 (m, rad; a tenth of it over a limit).
     """
 
-    def __init__(self, model: RobotModel, longest_s: float = 20.0) -> None:
+    def __init__(self, model: RobotModel, longest_s: float = 20.0, smallest_m: float = 0.001) -> None:
         self._model = model
         self._longest_s = longest_s
+        self._smallest_m = smallest_m
         self._choreographer = Choreographer(model)
         self._placer = Placer(model)
         self._referee = Referee(model)
@@ -81,7 +89,7 @@ class Generator:
             RuntimeError: No such case was found in many tries.
         """
         for _ in range(_TRIES):
-            size = float(np.exp(rng.uniform(np.log(0.005), np.log(0.1))))
+            size = float(np.exp(rng.uniform(np.log(self._smallest_m), np.log(_LARGEST_M))))
             try:
                 made = getattr(self, f"_{kind}")(rng, size)
             except UnfitMotionError:
@@ -95,6 +103,8 @@ class Generator:
             wanted = (
                 not verdict.unsafe if kind == "sound" else bool(_EXPECTED[kind] & set(verdict.violations))
             )
+            if kind == "brief":
+                wanted = wanted and verdict.duration_s["scene"] < _BRIEF_S
             if wanted:
                 return Case(kind, size, trajectory, scene, verdict)
         raise RuntimeError(f"no case of kind {kind!r} in {_TRIES} tries")
@@ -265,6 +275,38 @@ class Generator:
         item = self._random_object(rng, "obstacle")
         placed = self._placer.place(rng, trajectory, PlanningScene(), item, -size, around_s=0.06)
         return None if placed is None else (trajectory, PlanningScene().with_object(placed), size)
+
+    def _thin(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
+        """A rod of 1 mm in the way of a fast motion."""
+        trajectory = self._with_use(rng, random_motion(self._model, rng), rng.uniform(0.7, 0.97))
+        if self._referee.judge_alone(trajectory).unsafe:
+            return None
+        rod = Cylinder(_THIN_RADIUS_M, rng.uniform(0.05, 0.6))
+        item = self._random_object(rng, "obstacle", rod)
+        placed = self._placer.place(rng, trajectory, PlanningScene(), item, -size)
+        return None if placed is None else (trajectory, PlanningScene().with_object(placed), size)
+
+    def _brief(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
+        """A fast hand that clips the end or the side of something thin for less than 10 ms."""
+        hand = HANDS[int(rng.integers(2))]
+        trajectory = self._with_use(rng, random_motion(self._model, rng, [f"{hand}_arm"]), 0.97)
+        # deeper than some millimetres nothing is for so short a time
+        size = min(size, float(np.exp(rng.uniform(np.log(0.0002), np.log(0.003)))))
+        shape: Shape = Cylinder(rng.uniform(_THIN_RADIUS_M, 0.003), rng.uniform(0.02, 0.3))
+        if rng.random() < 0.3:
+            shape = Ball(rng.uniform(0.001, 0.005))
+        item = replace(self._random_object(rng, "obstacle", shape), margin_m=0.0)
+        finger = str(rng.choice(self._model.description.grippers[hand].links))
+        placed = self._placer.place(
+            rng, trajectory, PlanningScene(), item, -size, finger, around_s=0.02, beside=True
+        )
+        if placed is None:
+            return None
+        scene = PlanningScene().with_object(placed)
+        brief = self._placer.is_brief(trajectory, scene, "obstacle", _BRIEF_S)
+        if not brief or self._referee.judge_alone(trajectory).unsafe:
+            return None
+        return trajectory, scene, size
 
     def _held(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         scene = self._holding(rng, PlanningScene(), large=rng.random() < 0.5)

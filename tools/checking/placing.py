@@ -20,7 +20,7 @@ _CLOSENESS_M = 0.00005
 
 
 def random_shape(rng: np.random.Generator) -> Shape:
-    """Anything from a rod of 5 mm to a box of half a metre."""
+    """Anything from a rod of 1 mm to a box of half a metre."""
     kind = rng.choice(["box", "plate", "cylinder", "rod", "ball"])
     if kind == "box":
         x, y, z = rng.uniform(0.03, 0.3, 3)
@@ -30,7 +30,8 @@ def random_shape(rng: np.random.Generator) -> Shape:
     if kind == "cylinder":
         return Cylinder(rng.uniform(0.02, 0.1), rng.uniform(0.05, 0.3))
     if kind == "rod":
-        return Cylinder(rng.uniform(0.0025, 0.006), rng.uniform(0.1, 0.6))
+        radius = float(np.exp(rng.uniform(np.log(0.0005), np.log(0.006))))
+        return Cylinder(radius, rng.uniform(0.1, 0.6))
     return Ball(rng.uniform(0.01, 0.12))
 
 
@@ -56,6 +57,7 @@ class Placer:
         gap_m: float,
         link: str | None = None,
         around_s: float | None = None,
+        beside: bool = False,
     ) -> SceneObject | None:
         """Move an object along a ray from the robot until it is ``gap_m`` beyond its margin away.
 
@@ -67,6 +69,7 @@ class Placer:
             gap_m: Smallest distance over the motion, less the margin; negative to collide.
             link: Link or held object at which the ray starts; a moving one when not given.
             around_s: Look at so much time around the drawn instant alone, but every millisecond.
+            beside: Around the instant at which the link is fastest, and across its way.
 
         Returns:
             The object in place, or none when the ray does not get there.
@@ -76,12 +79,20 @@ class Placer:
         when = int(rng.integers(count))
         if around_s is not None:
             middle_s = trajectory.duration_s * rng.uniform(0.2, 0.8)
+            link = link or self._moving_link(rng, trajectory)
+            if beside:
+                way = np.diff([self._centre(row, scene, link) for row in rows], axis=0)
+                middle_s = trajectory.duration_s * int(np.linalg.norm(way, axis=1).argmax()) / (count - 1)
             start, end = max(middle_s - around_s, 0.0), min(middle_s + around_s, trajectory.duration_s)
             instants = np.linspace(start, end, int((end - start) / 0.001) + 1)
             rows = self._referee.configurations(trajectory, instants)
             when = len(rows) // 2
         origin = self._centre(rows[when], scene, link or self._moving_link(rng, trajectory))
         ray = rng.normal(size=3)
+        if beside and 0 < when < len(rows) - 1:
+            after, before = (self._centre(rows[when + k], scene, link or "") for k in (1, -1))
+            ahead = (after - before) / max(float(np.linalg.norm(after - before)), 1e-9)
+            ray -= (ray @ ahead) * ahead
         ray /= np.linalg.norm(ray)
 
         def at(distance: float) -> SceneObject:
@@ -106,6 +117,19 @@ class Placer:
             else:
                 low = middle
         return at(low if gap_m < 0.0 else high)
+
+    def is_brief(self, trajectory: Trajectory, scene: PlanningScene, name: str, most_s: float) -> bool:
+        """Tell whether an object is touched for about ``most_s`` at most in the whole motion."""
+        world = CollisionWorld(self._model, scene, only=frozenset([name]))
+        # a coarse look tells most of the cases that are not, soon
+        for step_s, most in ((0.02, 1), (0.25 * most_s, 4)):
+            instants = np.asarray(np.arange(0.0, trajectory.duration_s, step_s), dtype=np.float64)
+            touched = 0
+            for q in self._referee.configurations(trajectory, instants):
+                touched += bool((world.distances(q) <= world.margins).any())
+                if touched > most:
+                    return False
+        return True
 
     def _moving_link(self, rng: np.random.Generator, trajectory: Trajectory) -> str:
         moving = np.ptp(trajectory.q[:, 7:], axis=0) > 0.02

@@ -39,9 +39,9 @@ def motions(talos, stance):
     return Motions(talos, stance)
 
 
-@pytest.fixture(scope="session")
-def checker(talos):
-    return TrajectoryChecker(talos)
+@pytest.fixture(scope="session", params=[True, False], ids=["compiled", "coal"])
+def checker(talos, request):
+    return TrajectoryChecker(talos, compiled=request.param)
 
 
 def found(answer):

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.check_pairs import PairBuilder, Pairs
+from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_pairs import PairBuilder
 from kinematics.check_settings import CheckSettings
-from kinematics.check_timeline import Timeline
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball
 from kinematics.trajectory import Unsafe
@@ -63,7 +63,8 @@ def collisions(generator):
     return [case(generator, "scene", number) for number in range(2 * CASES_EACH)]
 
 
-def test_a_checker_that_leaves_out_a_link_is_caught(talos, motions, checker, monkeypatch):
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_checker_that_leaves_out_a_link_is_caught(talos, motions, checker, monkeypatch, compiled):
     foot = "leg_right_6_link"
     item = next(item for item in talos.geometry().geometryObjects if talos.link_of(item) == foot)
     points = item.geometry.points() @ item.placement.rotation.T + item.placement.translation
@@ -77,26 +78,42 @@ def test_a_checker_that_leaves_out_a_link_is_caught(talos, motions, checker, mon
     def without_the_foot(self, scene):
         pairs = build(self, scene)
         keep = np.array([pairs.solids[i].name != foot for i in pairs.first])
-        return Pairs(
-            pairs.solids,
-            pairs.first[keep],
-            pairs.second[keep],
-            pairs.clearance_m[keep],
-            tuple(kind for kind, kept in zip(pairs.kinds, keep, strict=True) if kept),
-            pairs.rate[:, keep],
-        )
+        return pairs.only(np.flatnonzero(keep))
 
     monkeypatch.setattr(PairBuilder, "pairs", without_the_foot)
 
-    assert not isinstance(TrajectoryChecker(talos).check(still, scene), Unsafe)
+    assert not isinstance(TrajectoryChecker(talos, compiled=compiled).check(still, scene), Unsafe)
 
 
-def test_a_checker_that_trusts_the_instants_it_looks_at_is_caught(talos, collisions, monkeypatch):
-    """Without path lengths the certificate is a plain check at every cell's middle."""
-    coarse = TrajectoryChecker(talos, CheckSettings(cell_s=0.8))
-    assert not missed(coarse, collisions)
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_checker_that_trusts_the_instants_it_looks_at_is_caught(talos, collisions, monkeypatch, compiled):
+    """Without the reach of the links the certificate is a plain check in the middle of its intervals."""
+    coarse = CheckSettings(cell_s=0.8)
+    assert not missed(TrajectoryChecker(talos, coarse, compiled), collisions)
 
-    lengths = Timeline.path_lengths
-    monkeypatch.setattr(Timeline, "path_lengths", lambda self, knots: 0.0 * lengths(self, knots))
+    reaches = BatchedKinematics.reaches
 
-    assert missed(coarse, collisions)
+    def nothing(self, *solid):
+        return [0.0 * reach for reach in reaches(self, *solid)]
+
+    monkeypatch.setattr(BatchedKinematics, "reaches", nothing)
+
+    assert missed(TrajectoryChecker(talos, coarse, compiled), collisions)
+
+
+@pytest.mark.parametrize("kind", ["self", "scene", "held", "thin", "jump"])
+def test_compiled_code_and_coal_find_the_same(talos, generator, kind):
+    planted = case(generator, kind, 1)
+
+    answers = [
+        TrajectoryChecker(talos, compiled=way).check(planted.trajectory, planted.scene)
+        for way in (True, False)
+    ]
+
+    assert all(isinstance(answer, Unsafe) for answer in answers)
+    found, coals = ({(f.kind, f.subject): f for f in answer.findings} for answer in answers)
+    assert found.keys() == coals.keys()
+    for key, finding in found.items():
+        # Coal's times are the middles of cells of 40 ms or less
+        assert coals[key].t_s - 0.021 <= finding.t_s <= coals[key].t_s + 0.001, key
+        assert finding.limit == coals[key].limit

@@ -9,9 +9,11 @@ import pytest
 
 from kinematics import poses
 from kinematics.check_collision import CollisionCheck
+from kinematics.check_contacts import ContactFinder
 from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_limits import jump_intervals
 from kinematics.check_pairs import PairBuilder
+from kinematics.check_poses import CompiledKinematics
 from kinematics.check_settings import CheckSettings
 from kinematics.check_solids import distance_to_shape
 from kinematics.check_timeline import Timeline
@@ -20,9 +22,9 @@ from kinematics.shapes import Ball, Box, Cylinder
 from kinematics.trajectory import Trajectory
 
 
-@pytest.fixture(scope="module")
-def kinematics(talos):
-    return BatchedKinematics(talos)
+@pytest.fixture(scope="module", params=[BatchedKinematics, CompiledKinematics])
+def kinematics(talos, request):
+    return request.param(talos)
 
 
 def wild_trajectory(talos, stance, seed, samples=12):
@@ -161,3 +163,37 @@ def test_jumps_are_looked_at_but_not_refined(talos, stance, kinematics, scene):
     assert len(jumps_s) >= 1
     assert found[0] <= found[1]
     assert judges[0].queries < 0.5 * judges[1].queries
+
+
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("seed", range(6))
+def test_no_look_of_coals_contradicts_the_compiled_certificate(talos, stance, scene, seed):
+    """Cubics that bow in every way, some of whose pairs touch: nothing touches before it is said to."""
+    kinematics = CompiledKinematics(talos)
+    builder, settings = PairBuilder(talos, kinematics), CheckSettings()
+    pairs = builder.pairs(scene)
+    timeline = Timeline(wild_trajectory(talos, stance, seed, samples=4))
+    findings, _ = ContactFinder(kinematics, builder.robot, settings).findings(
+        timeline, pairs, np.empty((0, 2))
+    )
+    first_s = {finding.subject: finding.t_s for finding in findings}
+    times = np.linspace(0.0, timeline.duration_s, 150)
+    placed = kinematics.poses(timeline.at(times))
+    rng = np.random.default_rng(seed)
+    request = coal.DistanceRequest()
+    request.enable_signed_distance = True
+    assert findings
+    for pair in rng.choice(len(pairs.first), 120, replace=False):
+        two = [pairs.solids[side[pair]] for side in (pairs.first, pairs.second)]
+        until = first_s.get((two[0].name, two[1].name), np.inf)
+        for i in np.flatnonzero(times < until - 1e-9):
+            places = [
+                poses.transform(placed.rotation[solid.body, i], placed.origin_m[solid.body, i])
+                @ solid.body_T_solid
+                for solid in two
+            ]
+            there = [coal.Transform3s(place[:3, :3], place[:3, 3]) for place in places]
+            gap = coal.distance(
+                two[0].geometry, there[0], two[1].geometry, there[1], request, coal.DistanceResult()
+            )
+            assert gap > pairs.clearance_m[pair] - 1e-6, (two[0].name, two[1].name, times[i])

@@ -1,0 +1,188 @@
+"""Collision over the whole of a trajectory, by the compiled certificate; contacts measured by Coal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import coal
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.check_certificate import Course, Limbs, PairList, certify, running_lengths
+from kinematics.check_collision import CollisionCheck
+from kinematics.check_pairs import Pairs
+from kinematics.check_poses import CompiledKinematics
+from kinematics.check_settings import CheckSettings
+from kinematics.check_solids import Solid
+from kinematics.check_timeline import Timeline
+from kinematics.kernel import solids as kernel
+from kinematics.trajectory import Finding
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# A contact's depth is the deepest of this many looks after it, and of as many around the deepest.
+_DEPTH_LOOKS = 16
+# So much may Coal's distance and the kernel's depart from each other where both say touching.
+_AGREEMENT_M = 1e-5
+
+
+class ContactFinder:
+    """Finds contacts of one robot; what depends on the robot alone is prepared once."""
+
+    def __init__(
+        self, kinematics: CompiledKinematics, robot: Sequence[Solid], settings: CheckSettings
+    ) -> None:
+        """Prepare.
+
+        Args:
+            kinematics: Of the robot.
+            robot: Its solids, with which those of all pairs begin.
+            settings: Tolerances.
+        """
+        self._kinematics = kinematics
+        self._settings = settings
+        self._chains = [kinematics.chain(body) for body in range(kinematics.count)]
+        self._levels = np.array([[_levels(one, other) for other in self._chains] for one in self._chains])
+        self._own = len(robot)
+        self._robot = (self._limbs(robot), self._flat(robot))
+        self._last: tuple[Pairs, Limbs, kernel.Solids, PairList] | None = None
+
+    def findings(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:
+        """Every pair that touches, at the first instant at which it does.
+
+        Args:
+            timeline: The motion.
+            pairs: What must not touch.
+            jumps_s: Beginnings and ends of segments that are no motion, shape (n, 2): findings
+                already, they are looked at but not refined.
+
+        Returns:
+            The findings, and the smallest distance that was computed, in m.
+        """
+        limbs, solids, listed = self._arrays(pairs)
+        contact = np.full(len(pairs.first), np.inf)
+        least = np.array([np.inf])
+        inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
+        certify(
+            _course(timeline),
+            self._kinematics.links,
+            limbs,
+            solids,
+            listed,
+            np.unique(np.concatenate([[0.0], inside, [timeline.duration_s]])),
+            np.ascontiguousarray(jumps_s),
+            self._settings.collision_m,
+            contact,
+            least,
+        )
+        touching = np.flatnonzero(np.isfinite(contact))
+        findings = self._measured(timeline, pairs, touching, contact, jumps_s) if len(touching) else []
+        return findings, float(least[0])
+
+    def _measured(
+        self, timeline: Timeline, pairs: Pairs, touching: NDArray[np.intp], contact: Array, jumps_s: Array
+    ) -> list[Finding]:
+        """Coal says how deep contacts are; where it sees none, its own certificate decides."""
+        findings, doubted = [], []
+        looks = np.linspace(contact[touching], timeline.duration_s, _DEPTH_LOOKS + 1, axis=1)
+        coarse = self._distances(timeline, pairs, touching, looks)
+        # between the neighbours of the deepest look
+        deepest = coarse.argmin(axis=1)
+        rows = np.arange(len(touching))
+        before = looks[rows, np.maximum(deepest - 1, 0)]
+        after = looks[rows, np.minimum(deepest + 1, _DEPTH_LOOKS)]
+        fine = self._distances(
+            timeline, pairs, touching, np.linspace(before, after, _DEPTH_LOOKS + 1, axis=1)
+        )
+        value = np.minimum(coarse.min(axis=1), fine.min(axis=1))
+        for row, pair in enumerate(touching):
+            limit = float(pairs.clearance_m[pair])
+            if coarse[row, 0] > limit + 2.0 * self._settings.collision_m + _AGREEMENT_M:
+                doubted.append(pair)
+                continue
+            names = tuple(pairs.solids[int(side[pair])].name for side in (pairs.first, pairs.second))
+            findings.append(Finding(pairs.kinds[pair], float(contact[pair]), names, float(value[row]), limit))
+        if doubted:
+            some = pairs.only(np.array(doubted, np.intp))
+            findings += CollisionCheck(self._kinematics, timeline, some, self._settings, jumps_s).findings()
+        return findings
+
+    def _distances(
+        self, timeline: Timeline, pairs: Pairs, touching: NDArray[np.intp], times_s: Array
+    ) -> Array:
+        """Coal's signed distances of some pairs, each at times of its own, shape of ``times_s``."""
+        placed = self._kinematics.poses(timeline.at(times_s.ravel()))
+        found = np.empty(times_s.shape)
+        request = coal.DistanceRequest()
+        request.enable_signed_distance = True
+        for row, pair in enumerate(touching):
+            two = [pairs.solids[int(side[pair])] for side in (pairs.first, pairs.second)]
+            function = coal.ComputeDistance(two[0].geometry, two[1].geometry)
+            for column in range(times_s.shape[1]):
+                at = row * times_s.shape[1] + column
+                places = [
+                    coal.Transform3s(
+                        rotation @ solid.body_T_solid[:3, :3],
+                        rotation @ solid.body_T_solid[:3, 3] + placed.origin_m[solid.body, at],
+                    )
+                    for solid in two
+                    for rotation in (placed.rotation[solid.body, at],)
+                ]
+                found[row, column] = function(places[0], places[1], request, coal.DistanceResult())
+        return found
+
+    def _arrays(self, pairs: Pairs) -> tuple[Limbs, kernel.Solids, PairList]:
+        if self._last is None or self._last[0] is not pairs:
+            limbs, solids, rest = *self._robot, pairs.solids[self._own :]
+            if rest:
+                more = self._limbs(rest)
+                limbs = Limbs(*(np.concatenate(two) for two in zip(limbs, more, strict=True)))
+                # what follows has no points, so its rows need no shift
+                solids = kernel.Solids(
+                    *(np.concatenate(two) for two in zip(solids, self._flat(rest), strict=True))
+                )
+            bodies = solids.body
+            levels = self._levels[bodies[pairs.first], bodies[pairs.second]]
+            listed = PairList(
+                pairs.first.astype(np.int64),
+                pairs.second.astype(np.int64),
+                np.ascontiguousarray(levels[:, 0]),
+                np.ascontiguousarray(levels[:, 1]),
+                pairs.clearance_m,
+            )
+            self._last = (pairs, limbs, solids, listed)
+        return self._last[1:]
+
+    def _limbs(self, solids: Sequence[Solid]) -> Limbs:
+        depth = max(len(chain) for chain in self._chains)
+        body, reach = np.zeros((len(solids), depth), np.int64), np.zeros((len(solids), depth))
+        for k, solid in enumerate(solids):
+            chain = self._chains[solid.body]
+            body[k, : len(chain)] = chain
+            reach[k, : len(chain)] = self._kinematics.reaches(solid.body, solid.reach_m, solid.axis_reach_m)
+        return Limbs(body, reach, np.array([len(self._chains[solid.body]) for solid in solids], np.int64))
+
+    @staticmethod
+    def _flat(solids: Sequence[Solid]) -> kernel.Solids:
+        return kernel.flatten(
+            [
+                kernel.plain_solid(solid.body, solid.body_T_solid, solid.shape)
+                if solid.shape is not None
+                else kernel.link_solid(solid.body, solid.body_T_solid, solid.geometry)
+                for solid in solids
+            ]
+        )
+
+
+def _course(timeline: Timeline) -> Course:
+    t_s, values, rates, quaternions = (np.ascontiguousarray(array) for array in timeline.arrays())
+    so_far = np.empty((len(t_s), values.shape[1] - 1))
+    running_lengths(t_s, values, rates, quaternions, so_far)
+    return Course(t_s, values, rates, quaternions, so_far)
+
+
+def _levels(one: list[int], other: list[int]) -> tuple[int, int]:
+    """How many bodies are on each of two chains to the base before they meet."""
+    shared = set(one) & set(other)
+    return len(one) - len(shared), len(other) - len(shared)
