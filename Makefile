@@ -22,8 +22,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .PHONY: setup run test check requirements evaluate benchmark lock build clean
 
-setup: $(VENV)/.dev-stamp  ## the environment with everything that development needs, motion kernel compiled
-	$(BIN)/executive doctor --warm
+setup: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## the environment with everything that development needs
 
 $(BIN)/python:
 	@python="$$($(FIND_PYTHON))"; \
@@ -38,6 +37,10 @@ $(BIN)/python:
 $(VENV)/.run-stamp: requirements.lock pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet -r requirements.lock -c requirements-dev.lock setuptools
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	@touch $@
+
+# Compiled before the first run, and before several test processes would all compile the same.
+$(VENV)/.warm-stamp: $(VENV)/.run-stamp $(wildcard kinematics/*.py kinematics/kernel/*.py)
 	$(BIN)/executive doctor --warm
 	@touch $@
 
@@ -45,12 +48,10 @@ $(VENV)/.dev-stamp: requirements-dev.lock $(VENV)/.run-stamp
 	$(BIN)/python -m pip install --quiet -r requirements-dev.lock
 	@touch $@
 
-run: $(VENV)/.run-stamp  ## the main job
+run: $(VENV)/.warm-stamp  ## the main job
 	$(BIN)/executive run "$(SENTENCE)"
 
-# Warm first: several test processes at once would all compile the same.
-test: $(VENV)/.dev-stamp  ## every test
-	$(BIN)/executive doctor --warm
+test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
 
 check: $(VENV)/.dev-stamp  ## style, types, layers, architecture

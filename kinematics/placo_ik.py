@@ -7,9 +7,6 @@ nor balance to keep; its base stays at its mount.
 
 from __future__ import annotations
 
-import functools
-import xml.etree.ElementTree as ElementTree
-
 import numpy as np
 import pinocchio as pin
 import placo
@@ -24,6 +21,7 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
 from kinematics.trajectory import Stance
+from kinematics.urdf_bodies import without_meshes
 
 Array = NDArray[np.float64]
 
@@ -59,7 +57,7 @@ class PlacoIk:
         margin = description.planning_margin_rad
         self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
         self._robot = placo.RobotWrapper(
-            "", int(placo.Flags.ignore_collisions), _without_meshes(description.planning_urdf)
+            "", int(placo.Flags.ignore_collisions), without_meshes(description.planning_urdf)
         )
         for name, lower, upper in zip(model.joints, self._lower, self._upper, strict=True):
             self._robot.set_joint_limits(name, float(lower), float(upper))
@@ -155,17 +153,6 @@ class PlacoIk:
             feet_reached=feet,
             iterations=count,
         )
-
-
-@functools.cache
-def _without_meshes(urdf: str) -> str:
-    """A URDF of bodies and joints alone: PlaCo loads every mesh otherwise, for 0.8 s."""
-    root = ElementTree.fromstring(urdf)
-    for link in root.findall("link"):
-        for tag in ("visual", "collision"):
-            for element in link.findall(tag):
-                link.remove(element)
-    return ElementTree.tostring(root, encoding="unicode")
 
 
 def _trunk(model: RobotModel) -> str:

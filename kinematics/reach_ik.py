@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics import planning_reserve
 from kinematics.errors import MissingPartError, ModelError
 from kinematics.free_coordinates import free_coordinates
 from kinematics.ik import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
@@ -40,7 +41,6 @@ COM_RESERVE_M = 0.01
 STEADY_RESERVE_M = 0.045
 # Soles are where they stand when no entry of their pose differs by more than this.
 _SAME = 1e-9
-_NOISE_RAD = 1e-6
 _COM_ROUNDING_M = 1e-4
 
 
@@ -72,9 +72,8 @@ class ReachIk:
         self._polygon = SupportPolygon(stance, description.soles)
         self._tree = tree_of(model.pin)
         self._coordinates = standing_coordinates(model, stance)
-        limits = standing_limits(model, stance)
-        least = np.sum(limits.inward * self._polygon.vertices_m, axis=1) + description.com_margin_m
-        self._limits, self._least = limits, least
+        self._limits = standing_limits(model, stance)
+        self._least = self._limits.offset - planning_reserve.COM_RESERVE_M
         self._com_margin_m = description.com_margin_m
         self._data = model.pin.createData()
         self._soles = [(model.frame_id(name), pose) for name, pose in stance.soles]
@@ -198,8 +197,8 @@ class ReachIk:
         tcp = pin.updateFramePlacement(model, data, self._tcp_id).homogeneous
         error, turn = errors_between(tcp, world_T_tcp)
         joints = q[7:]
-        inside = (joints >= self._joint_lower - _NOISE_RAD).all() and (
-            joints <= self._joint_upper + _NOISE_RAD
+        inside = (joints >= self._joint_lower - planning_reserve.LIMIT_NOISE_RAD).all() and (
+            joints <= self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
         ).all()
         return IkResult(
             q=q,

@@ -12,9 +12,10 @@ Compiled without fast-math, so that the same input gives the same bits.
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from kinematics.kernel.compiler import compiled
 
 Array = NDArray[np.float64]
 
@@ -24,7 +25,7 @@ FLAT = 1e-9
 STEPS = 100
 
 
-@numba.njit(cache=True)
+@compiled
 def fastest_rates(first: Array, last: Array, bend: Array, share: Array, top: Array, step: Array) -> Array:
     """Squared rates of the parameter that run a curve in the least time, from rest to rest.
 
@@ -85,7 +86,7 @@ def fastest_rates(first: Array, last: Array, bend: Array, share: Array, top: Arr
     return rates
 
 
-@numba.njit(cache=True)
+@compiled
 def grid_times(rates: Array, step: Array) -> Array:
     """When each grid point is passed, from 0, shape (n + 1,)."""
     times = np.zeros(len(rates))
@@ -94,7 +95,7 @@ def grid_times(rates: Array, step: Array) -> Array:
     return times
 
 
-@numba.njit(cache=True)
+@compiled
 def _locate(times: Array, i: int, t: float) -> int:
     """Interval of a time that is not before interval ``i``."""
     while i < len(times) - 2 and times[i + 1] <= t:
@@ -102,7 +103,7 @@ def _locate(times: Array, i: int, t: float) -> int:
     return i
 
 
-@numba.njit(cache=True)
+@compiled
 def running_mean(
     points: Array,
     step: Array,
@@ -185,7 +186,7 @@ def running_mean(
     return x, v, stray
 
 
-@numba.njit(cache=True)
+@compiled
 def _distance(place: Array, points: Array, i: int, weights: Array) -> float:
     """Largest weighted distance in one coordinate to the nearest point of an interval's two chords."""
     least = np.inf
@@ -204,7 +205,7 @@ def _distance(place: Array, points: Array, i: int, weights: Array) -> float:
     return least
 
 
-@numba.njit(cache=True)
+@compiled
 def _powers(step: float, start: float, end: float, t: float, powers: Array) -> float:
     """Share of an interval passed after a time in it; integrals of its powers 1 and 2 over that time."""
     rate = np.sqrt(start) / step
@@ -215,7 +216,7 @@ def _powers(step: float, start: float, end: float, t: float, powers: Array) -> f
     return min(1.0, share)
 
 
-@numba.njit(cache=True)
+@compiled
 def excess(q: Array, v: Array, spacing_s: float, velocity: Array, acceleration: Array, jerk: Array) -> Array:
     """By which factor the time of each segment is too short for the limits: 1 or less is within.
 

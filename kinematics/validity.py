@@ -17,24 +17,19 @@ from kinematics.collision import CollisionWorld, with_floor
 from kinematics.errors import ModelError
 from kinematics.free_coordinates import free_coordinates
 from kinematics.kernel import readiness
+from kinematics.planning_reserve import COM_RESERVE_M, LIMIT_NOISE_RAD
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
-from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
 
 if TYPE_CHECKING:
-    from kinematics.kernel.coordinates import Coordinates, Limits
     from kinematics.kernel.robot_arrays import RobotArrays
 
 Array = NDArray[np.float64]
 
 # Weighted distance (about radians) of two judged points of a line: some 2 cm at the fingertips.
 RESOLUTION = 0.04
-# Kept in reserve against the checker: a robot that leans gives way in its soles and ankles by
-# centimetres, and with a margin of 30 mm on paper it was seen to tip over slowly.
-COM_RESERVE_M = 0.025
-_LIMIT_NOISE_RAD = 1e-6
 
 
 class Validity(Protocol):
@@ -97,25 +92,15 @@ def validity(
         scene = with_floor(model, scene)
         return CollisionKernel.mounted(_arrays(model), model, scene, extra_margin_m, self_margin_m)
     try:
-        space, limits = _standing(model, stance)
+        return CollisionKernel.standing(_arrays(model), model, stance, scene, extra_margin_m, self_margin_m)
     except ModelError:  # legs without a closed form
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
-    return CollisionKernel(_arrays(model), scene, space, limits, extra_margin_m, self_margin_m)
 
 
 @functools.cache
 def _kernel_is_there() -> bool:
     """Asked once, so that one run has one judge: to compile it takes minutes, Coal judges at once."""
     return readiness.ready()
-
-
-def _make_standing(model: RobotModel, stance: Stance) -> tuple[Coordinates, Limits]:
-    from kinematics.kernel.coordinates import standing_coordinates, standing_limits
-
-    return standing_coordinates(model, stance), standing_limits(model, stance)
-
-
-_standing = StanceTable(_make_standing)
 
 
 @functools.lru_cache(maxsize=4)
@@ -132,8 +117,8 @@ class SampledValidity:
         self._model, self._world = model, world
         self._space = free_coordinates(model, stance)
         margin = model.description.planning_margin_rad
-        self._lower = model.lower_rad + margin - _LIMIT_NOISE_RAD
-        self._upper = model.upper_rad - margin + _LIMIT_NOISE_RAD
+        self._lower = model.lower_rad + margin - LIMIT_NOISE_RAD
+        self._upper = model.upper_rad - margin + LIMIT_NOISE_RAD
         self._polygon = SupportPolygon(stance, model.description.soles)
 
     def points_are_free(self, x: Array) -> bool:

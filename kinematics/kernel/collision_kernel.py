@@ -157,10 +157,6 @@ class CollisionKernel:
         """Tell whether every one of many points, shape (n, size), is free."""
         return self._ask(door.AT_POINTS, x)[0] == judge.FREE
 
-    def points_refusal(self, x: Array) -> Refusal | None:
-        """Why points, shape (n, size), are not free, or None."""
-        return self._refusal(self._ask(door.AT_POINTS, x))
-
     def edge_is_free(self, a: Array, b: Array, effort: int = EFFORT) -> bool:
         """Tell whether the whole line between two points, shape (size,) each, is proven to be free."""
         return self.polyline_is_free(np.stack((a, b)), effort)

@@ -7,20 +7,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.free_coordinates import free_coordinates
 from kinematics.kernel.tree import FLOATING, Tree
 from kinematics.leg_ik import LegIk
+from kinematics.planning_reserve import COM_RESERVE_M, LIMIT_NOISE_RAD
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
+from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
-
-# What numerical noise may overstep a limit by, as in the path planner.
-_LIMIT_NOISE_RAD = 1e-6
-# Kept in reserve against the checker, as in the path planner.
-_COM_RESERVE_M = 0.025
 
 
 class Coordinates(NamedTuple):
@@ -62,14 +59,9 @@ class Limits(NamedTuple):
     offset: Array
 
 
-def standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
-    """The coordinates of ``FreeCoordinates``, column by column.
-
-    Raises:
-        ModelError: The robot's legs have no closed form.
-    """
+def _standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
     legs = LegIk(model, stance).geometry
-    space = FreeCoordinates(model, stance)
+    space = free_coordinates(model, stance)
     return Coordinates(
         floating=1,
         columns=(7 + model.indices(space.joints)).astype(np.int64),
@@ -80,6 +72,10 @@ def standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
         foot_R=np.array([leg.foot_R for leg in legs]).reshape(-1, 3, 3),
         ankle=np.array([leg.ankle_m for leg in legs]).reshape(-1, 3),
     )
+
+
+standing_coordinates = StanceTable(_standing_coordinates)
+"""The coordinates of ``FreeCoordinates``, column by column; ``ModelError`` where a leg has no closed form."""
 
 
 def mounted_coordinates(model: RobotModel, tree: Tree) -> Coordinates:
@@ -114,19 +110,22 @@ def joint_limits(lower: Array, upper: Array, floating: bool) -> Limits:
     """Joint limits alone, in the order of ``q``'s joints."""
     free = np.full(7 if floating else 0, np.inf)
     return Limits(
-        lower=np.concatenate([-free, lower - _LIMIT_NOISE_RAD]),
-        upper=np.concatenate([free, upper + _LIMIT_NOISE_RAD]),
+        lower=np.concatenate([-free, lower - LIMIT_NOISE_RAD]),
+        upper=np.concatenate([free, upper + LIMIT_NOISE_RAD]),
         inward=np.zeros((0, 2)),
         offset=np.zeros(0),
     )
 
 
-def standing_limits(model: RobotModel, stance: Stance) -> Limits:
-    """Joint limits shrunk for planning and the CoM's margin, as the path planner judges them."""
+def _standing_limits(model: RobotModel, stance: Stance) -> Limits:
     margin = model.description.planning_margin_rad
     polygon = SupportPolygon(stance, model.description.soles).vertices_m
     edges = np.roll(polygon, -1, axis=0) - polygon
     inward = np.column_stack([-edges[:, 1], edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
-    least = np.sum(inward * polygon, axis=1) + model.description.com_margin_m + _COM_RESERVE_M
+    least = np.sum(inward * polygon, axis=1) + model.description.com_margin_m + COM_RESERVE_M
     plain = joint_limits(model.lower_rad + margin, model.upper_rad - margin, floating=True)
     return plain._replace(inward=np.ascontiguousarray(inward), offset=least)
+
+
+standing_limits = StanceTable(_standing_limits)
+"""Joint limits shrunk for planning and the CoM's margin with its reserve, as the path planner judges them."""

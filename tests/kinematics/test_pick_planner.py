@@ -3,10 +3,12 @@ import itertools
 import numpy as np
 import pytest
 
+from kinematics import poses
 from kinematics.collision import CollisionWorld
-from kinematics.pick_planner import PickPlanner, supports_of
+from kinematics.pick_planner import PLANNING_RESERVE_M, PickPlanner, supports_of
 from kinematics.requests import NoPlan, PickPlan, PickRequest
-from kinematics.scene import PlanningScene
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box, Cylinder
 
 
 def plan(talos, stance, scene, **options):
@@ -53,6 +55,19 @@ def test_the_hand_can_be_prescribed(talos, stance, make):
     scene = PlanningScene().with_objects([make.table(), make.cup(y=-0.05)])
 
     assert plan(talos, stance, scene, hands=("left",)).grasp.hand == "left"
+
+
+def test_a_low_cup_is_grasped_with_less_room_before_it_is_given_up(talos, stance, monkeypatch):
+    top = SceneObject(
+        "table", Box((0.64, 1.17, 0.04)), poses.translation(0.63, -0.13, 0.881), margin_m=0.015, movable=False
+    )
+    low = SceneObject("cup", Cylinder(0.029, 0.07), poses.translation(0.55, -0.04, 0.936), margin_m=0.01)
+    scene = PlanningScene().with_objects([top, low])
+
+    assert isinstance(plan(talos, stance, scene), PickPlan)
+    monkeypatch.setattr("kinematics.pick_planner.LEAST_RESERVE_M", PLANNING_RESERVE_M)
+    monkeypatch.setattr("kinematics.pick_planner.OTHER_HEIGHTS", ())
+    assert isinstance(plan(talos, stance, scene), NoPlan)
 
 
 def test_a_grasp_that_was_excluded_is_not_chosen_again(talos, stance, tabletop):

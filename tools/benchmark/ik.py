@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import importlib.metadata
 import time
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
@@ -14,6 +13,7 @@ import numpy as np
 
 from executive.config import APPLICATION
 from kinematics.ik import IkTolerance, inverse_kinematics
+from kinematics.urdf_bodies import without_meshes
 from tools.benchmark.contest import Result, standings
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
@@ -71,7 +71,7 @@ def robot_question(body: ReachingBody, folder: Path) -> dict[str, Any]:
     """What a peer needs to know: the robot, where it stands, and when a pose counts as reached."""
     folder.mkdir(parents=True, exist_ok=True)
     urdf = folder / "talos_bodies.urdf"
-    urdf.write_text(_without_meshes(body.model.description.planning_urdf), "utf-8")
+    urdf.write_text(without_meshes(body.model.description.planning_urdf), "utf-8")
     vertices = body.polygon.vertices_m
     edges = np.roll(vertices, -1, axis=0) - vertices
     outward = np.column_stack([edges[:, 1], -edges[:, 0]]) / np.linalg.norm(edges, axis=1, keepdims=True)
@@ -116,15 +116,6 @@ def ik(quick: bool, cache: Path, samples: int | None = None, peers: Sequence[str
     found = standings(results)
     notes = [f"{name}: its environment is not there (python -m tools.benchmark.peers)" for name in missing]
     return Report("ik", quick, contest_figures("whole-body reach, ms", found), found, notes)
-
-
-def _without_meshes(urdf: str) -> str:
-    """A URDF of bodies and joints alone: nobody needs shapes here, and MuJoCo would look for them."""
-    root = ElementTree.fromstring(urdf)
-    for link in root.findall("link"):
-        for element in (*link.findall("visual"), *link.findall("collision")):
-            link.remove(element)
-    return ElementTree.tostring(root, encoding="unicode")
 
 
 def _judged(

@@ -300,6 +300,20 @@ def test_a_motion_that_the_gate_refuses_is_told_with_the_reason(stage):
     assert "velocity of arm_right_3" in refused[0].message
 
 
+@pytest.mark.requirement("M4")
+def test_after_a_refused_reach_the_next_attempt_is_planned_from_home(stage):
+    """What stopped the arm may still be under it: from there every next motion would push, too."""
+    motion = stage.fake.motion
+    stage.when("stream reach", lambda: setattr(motion, "refuse_midway", "unexpected contact"))
+    stage.when("release", lambda: setattr(motion, "refuse_midway", ""))
+
+    stage.play(stage.pick())
+
+    first, second = [r for r in stage.fake.planning.requests if isinstance(r, PickRequest)][:2]
+    arm = 7 + stage.toolbox.model.group("right_arm")
+    np.testing.assert_allclose(second.q_start[arm], first.q_start[arm], atol=0.01)
+
+
 @pytest.mark.requirement("S9")
 def test_every_node_that_ran_was_told(stage):
     stage.play(stage.pick())
