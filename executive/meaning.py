@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Literal
 
-from trees.tasks import GoHomeTask, PickTask, Task
+from trees.tasks import GoHomeTask, ObjectDescription, ObjectOf, PickTask, Relation, Task
 
 ECHO_LENGTH = 200
 """Longer input is shortened where it is repeated to the user."""
@@ -79,13 +78,32 @@ class Parsed:
         }
 
 
+_SLOT_NAMES = {"source": "from", "words": "text"}
+"""Slots whose name in JSON is not that of the task's field."""
+
+
 def command_json(command: Command) -> dict[str, Any]:
-    """One command's slots; absent ones are left out."""
+    """One command's slots; absent ones are left out, and so is a count of one."""
     slots: dict[str, Any] = {"action": command.action}
-    if isinstance(command, PickTask):
-        slots["object"] = _present({"kind": command.object.kind, "color": command.object.color})
-        slots |= _present({"from": command.source, "hand": command.hand})
+    for field in fields(command):
+        value = getattr(command, field.name)
+        if field.name == "text" or value is None or (field.name == "count" and value == 1):
+            continue
+        slots[_SLOT_NAMES.get(field.name, field.name)] = _slot(value)
     return slots
+
+
+def _slot(value: Any) -> Any:
+    match value:
+        case ObjectOf():
+            return {"ref": value.task}
+        case Relation():
+            return {"is": value.kind, "to": _slot(value.to)}
+        case ObjectDescription():
+            present = {field.name: getattr(value, field.name) for field in fields(value)}
+            return {key: _slot(item) for key, item in present.items() if item is not None}
+        case _:
+            return value
 
 
 def wording(command: Command) -> str:
@@ -94,7 +112,7 @@ def wording(command: Command) -> str:
         case PickTask():
             parts = ["pick up the", str(command.object)]
             if command.source:
-                parts += ["from the", command.source]
+                parts += ["from the", str(command.source)]
             if command.hand:
                 parts += ["with the", command.hand, "hand"]
             return " ".join(parts)
@@ -102,12 +120,10 @@ def wording(command: Command) -> str:
             return "go home"
         case StopCommand():
             return "stop"
+        case _:
+            return command.text
 
 
 def shortened(text: str) -> str:
     """The text, or its beginning when it is too long to repeat."""
     return text if len(text) <= ECHO_LENGTH else text[:ECHO_LENGTH] + "…"
-
-
-def _present(slots: Mapping[str, str | None]) -> dict[str, str]:
-    return {key: value for key, value in slots.items() if value is not None}

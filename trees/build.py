@@ -1,6 +1,9 @@
-"""From a task to the tree that does it."""
+"""From a task to the tree that does it; what has no entry here is no skill of the robot yet."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
@@ -10,17 +13,33 @@ from trees.task_tree import TaskTree
 from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Toolbox
 
-__all__ = ["TaskTree", "build_tree"]
+__all__ = ["SKILLS", "NoSkillError", "TaskTree", "build_tree", "has_skill"]
+
+SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
+    {PickTask: pick, GoHomeTask: go_home}
+)
+"""What makes the root of each task's tree."""
+
+
+class NoSkillError(ValueError):
+    """A task is understood, but nothing here can carry it out."""
+
+    def __init__(self, task: Task) -> None:
+        known = ", ".join(sorted(kind.action for kind in SKILLS))
+        super().__init__(f"{task.action!r} is no skill of this robot yet; it has {known}")
+
+
+def has_skill(task: Task) -> bool:
+    """Tell whether there is a tree for such a task."""
+    return type(task) in SKILLS
 
 
 def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
-    """Build the tree of a task; nothing moves before its first tick."""
-    return TaskTree(task, _root(task, toolbox), toolbox)
+    """Build the tree of a task; nothing moves before its first tick.
 
-
-def _root(task: Task, toolbox: Toolbox) -> Behaviour:
-    if isinstance(task, PickTask):
-        return pick(toolbox)
-    if isinstance(task, GoHomeTask):
-        return go_home(toolbox)
-    raise TypeError(f"no tree for a {type(task).__name__}")
+    Raises:
+        NoSkillError: There is no tree for such a task.
+    """
+    if not has_skill(task):
+        raise NoSkillError(task)
+    return TaskTree(task, SKILLS[type(task)](toolbox), toolbox)

@@ -15,7 +15,7 @@ from trees.leaf import Leaf, from_exception
 from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
-from trees.tasks import GoHomeTask, PickTask, Task
+from trees.tasks import PickTask, Task
 from trees.toolbox import Toolbox
 
 
@@ -145,8 +145,6 @@ class TaskTree:
 
 
 def _verb(task: Task) -> str:
-    if isinstance(task, PickTask):
-        return f"pick up the {task.object}"
-    if isinstance(task, GoHomeTask):
-        return "go home"
-    raise TypeError(f"no words for a {type(task).__name__}")
+    verb = "pick up" if isinstance(task, PickTask) else task.action.replace("_", " ")
+    thing = getattr(task, "object", None)
+    return verb if thing is None else f"{verb} the {thing}"

@@ -1,25 +1,84 @@
 """What a person can ask for, as frozen values; the slots are those of the command-line contract.
 
-Later skills add their own task types and join the ``Task`` union.
+Every slot but ``text`` and ``action`` says nothing when it is absent. Which of these tasks a robot can
+carry out is known by ``trees.build``.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from kinematics.robot_description import Hand
+
+RelationKind = Literal[
+    "left_of", "right_of", "in_front_of", "behind", "next_to", "on", "in", "under", "nearest"
+]
+Count = int | Literal["both", "all"]
 
 
 @dataclass(frozen=True, slots=True)
 class ObjectDescription:
-    """Which object is meant: absent slots say nothing."""
+    """Which object is meant: absent slots say nothing.
+
+    Attributes:
+        kind: Canonical kind, "cup".
+        color: Canonical colour, "red".
+        name: A name of its own, "Ana's cup".
+        size: "small", "big", "smallest", "biggest", ...
+        material: "glass", "metal", ...
+        ordinal: "leftmost", "rightmost", "first", "second", "other", ...
+        relation: Where it is, seen from the robot.
+    """
 
     kind: str | None = None
     color: str | None = None
+    name: str | None = None
+    size: str | None = None
+    material: str | None = None
+    ordinal: str | None = None
+    relation: Relation | None = None
 
     def __str__(self) -> str:
-        words = [word for word in (self.color, self.kind or "thing") if word]
-        return " ".join(words)
+        noun = self.name or self.kind or "thing"
+        words = [word for word in (self.ordinal, self.size, self.color, self.material, noun) if word]
+        return " ".join(words) + (f" {self.relation}" if self.relation else "")
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectOf:
+    """The object of an earlier task of the same command: "it", "them".
+
+    Attributes:
+        task: Index of that task in the command, from 0.
+    """
+
+    task: int
+
+    def __str__(self) -> str:
+        return "it"
+
+
+Thing = ObjectDescription | ObjectOf
+Destination = Thing | str
+"""An object, or the name of a place, a piece of furniture or a person; "me" is who speaks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """Where something is, relative to something else; left and right are the robot's.
+
+    Attributes:
+        kind: How it lies.
+        to: What it is compared with; for "nearest" it may be "me".
+    """
+
+    kind: RelationKind
+    to: Destination
+
+    def __str__(self) -> str:
+        to = self.to if isinstance(self.to, str) else f"the {self.to}"
+        return f"{self.kind.replace('_', ' ')} {to}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,14 +90,215 @@ class PickTask:
         object: What to pick.
         source: Where it is said to be ("table"), or None.
         hand: The hand to use, or None for the better one.
+        count: How many.
     """
 
     text: str
-    object: ObjectDescription
-    source: str | None = None
+    object: Thing
+    source: Destination | None = None
     hand: Hand | None = None
+    count: Count = 1
 
     action = "pick"
+
+
+@dataclass(frozen=True, slots=True)
+class PlaceTask:
+    """Put a held object down; an object that is not held is picked first.
+
+    Attributes:
+        text: The sentence that it came from.
+        object: What to put down; None is what is held.
+        on: The surface.
+        to: Where else: next to something, to its left.
+        hand: The hand that holds it, or None.
+        count: How many.
+    """
+
+    text: str
+    object: Thing | None = None
+    on: Destination | None = None
+    to: Destination | None = None
+    hand: Hand | None = None
+    count: Count = 1
+
+    action = "place"
+
+
+@dataclass(frozen=True, slots=True)
+class PutInTask:
+    """Put an object into something: a box, a bowl, a drawer, the fridge."""
+
+    text: str
+    object: Thing | None = None
+    to: Destination | None = None
+    hand: Hand | None = None
+    count: Count = 1
+
+    action = "put_in"
+
+
+@dataclass(frozen=True, slots=True)
+class HandOverTask:
+    """Offer an object to a person, and let go when the person pulls."""
+
+    text: str
+    object: Thing | None = None
+    to: Destination = "me"
+    hand: Hand | None = None
+    count: Count = 1
+
+    action = "hand_over"
+
+
+@dataclass(frozen=True, slots=True)
+class OpenTask:
+    """Open a door or drawer."""
+
+    text: str
+    object: Thing
+    hand: Hand | None = None
+
+    action = "open"
+
+
+@dataclass(frozen=True, slots=True)
+class CloseTask:
+    """Close a door or drawer."""
+
+    text: str
+    object: Thing
+    hand: Hand | None = None
+
+    action = "close"
+
+
+@dataclass(frozen=True, slots=True)
+class WalkToTask:
+    """Walk to a place, a piece of furniture, an object or a person."""
+
+    text: str
+    to: Destination
+
+    action = "walk_to"
+
+
+@dataclass(frozen=True, slots=True)
+class MoveTask:
+    """Move the base at a velocity.
+
+    Attributes:
+        text: The sentence that it came from.
+        linear_m_s: Forward speed.
+        angular_rad_s: Turning speed, to the left.
+        duration_s: For how long; None until stopped.
+        distance_m: How far; None for no bound.
+    """
+
+    text: str
+    linear_m_s: float = 0.0
+    angular_rad_s: float = 0.0
+    duration_s: float | None = None
+    distance_m: float | None = None
+
+    action = "move"
+
+
+@dataclass(frozen=True, slots=True)
+class WaveTask:
+    """Wave at a person: a name, "me", "in_front", or a description."""
+
+    text: str
+    person: Destination | None = None
+    hand: Hand | None = None
+
+    action = "wave"
+
+
+@dataclass(frozen=True, slots=True)
+class PointAtTask:
+    """Point at an object, a place or a person."""
+
+    text: str
+    object: Thing | None = None
+    to: Destination | None = None
+    person: Destination | None = None
+    hand: Hand | None = None
+
+    action = "point_at"
+
+
+@dataclass(frozen=True, slots=True)
+class LookAtTask:
+    """Turn the head to an object, a place or a person."""
+
+    text: str
+    object: Thing | None = None
+    to: Destination | None = None
+    person: Destination | None = None
+
+    action = "look_at"
+
+
+@dataclass(frozen=True, slots=True)
+class FindTask:
+    """Look for an object or a person, from several points of view."""
+
+    text: str
+    object: Thing | None = None
+    person: Destination | None = None
+    source: Destination | None = None
+
+    action = "find"
+
+
+@dataclass(frozen=True, slots=True)
+class CountTask:
+    """Tell how many there are."""
+
+    text: str
+    object: ObjectDescription
+    source: Destination | None = None
+
+    action = "count"
+
+
+@dataclass(frozen=True, slots=True)
+class DescribeTask:
+    """Tell what is seen: everything, a surface, or one object."""
+
+    text: str
+    object: Thing | None = None
+    source: Destination | None = None
+
+    action = "describe"
+
+
+@dataclass(frozen=True, slots=True)
+class SayTask:
+    """Say something.
+
+    Attributes:
+        text: The sentence that it came from.
+        words: What to say.
+        person: To whom.
+    """
+
+    text: str
+    words: str
+    person: Destination | None = None
+
+    action = "say"
+
+
+@dataclass(frozen=True, slots=True)
+class WaitTask:
+    """Wait."""
+
+    text: str
+    duration_s: float
+
+    action = "wait"
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,4 +310,22 @@ class GoHomeTask:
     action = "go_home"
 
 
-Task = PickTask | GoHomeTask
+Task = (
+    PickTask
+    | PlaceTask
+    | PutInTask
+    | HandOverTask
+    | OpenTask
+    | CloseTask
+    | WalkToTask
+    | MoveTask
+    | WaveTask
+    | PointAtTask
+    | LookAtTask
+    | FindTask
+    | CountTask
+    | DescribeTask
+    | SayTask
+    | WaitTask
+    | GoHomeTask
+)

@@ -18,7 +18,7 @@ from trees.ports import ports
 from trees.scene_update import kind_of, support_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
-from trees.tasks import PickTask
+from trees.tasks import ObjectOf, PickTask
 
 
 class Detect(LookLeaf):
@@ -77,6 +77,8 @@ class Detect(LookLeaf):
     def _choose(self, seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
         task: PickTask = self.get_input("task")
         scene, wanted = self.toolbox.world.scene, task.object
+        if isinstance(wanted, ObjectOf):
+            raise TypeError("the object of an earlier task was not filled in")
         fitting = {
             name: estimate
             for name, estimate in seen.items()
