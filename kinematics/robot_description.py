@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from kinematics.errors import MissingPartError
+from kinematics.walking.settings import WalkingSettings
 
 Hand = Literal["left", "right"]
 HANDS: tuple[Hand, Hand] = ("left", "right")
@@ -167,6 +168,7 @@ class RobotDescription:
         mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
             roll, pitch, yaw about fixed axes.
         cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
+        walking: How it walks; None for a robot that does not, or of which it is not known.
         planning_margin_rad: Limits are shrunk by this for planning.
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
@@ -197,6 +199,7 @@ class RobotDescription:
     mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cannot_grasp: str = ""
+    walking: WalkingSettings | None = None
 
     @property
     def actuated(self) -> tuple[str, ...]:

@@ -27,6 +27,7 @@ from robots.control.proposal import Proposal
 from robots.control.refusal import Refusal
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
+from robots.control.walking.walker import Walker
 from robots.interface import JointSetpoint, Robot
 from robots.sensed_state import SensedState
 
@@ -58,6 +59,7 @@ class ControlLoop:
 
     Attributes:
         motion: Starts and cancels motions.
+        walking: Starts and cancels walks.
         sensing: What the robot knows about itself.
         grippers: One control for each hand.
     """
@@ -106,7 +108,9 @@ class ControlLoop:
         self._refused_online = 0
         self._stuck = False
         self._limp = False
+        self._walker = Walker(model, self._streamer, authority, clock, sink, period_s)
         self.motion = self._streamer
+        self.walking = self._walker
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
             {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}
@@ -155,6 +159,7 @@ class ControlLoop:
             raise ValueError(f"no stop category {category}; there are 0, 1 and 2")
         self._note_stop(category, reason)
         self._streamer.stop(reason, along_path=category == 1)
+        self._walker.stop(reason)
         if category == 0:
             self._limp = True
             self._streamer.close(reason)
@@ -171,9 +176,13 @@ class ControlLoop:
             self._note_stop(2, str(contact))
             self._streamer.interrupt(str(contact))
         proposal = self._streamer.propose(state)
+        if self._walker.active:
+            self._gate.expect_steps(True)
+            proposal = self._walker.propose(proposal)
         refusal = self._submit(proposal)
         if refusal is None:
             self._streamer.commit()
+            self._end_walk()
             self._stuck = False
             return
         self._tell(proposal.owner, refusal)
@@ -188,6 +197,17 @@ class ControlLoop:
         self._streamer.halt()
         self._stuck = True
 
+    def _end_walk(self) -> None:
+        """Stand where a walk has ended: nothing moves, but feet and base are elsewhere."""
+        ended = self._walker.commit()
+        if ended is None:
+            return
+        stance, q = ended
+        self._gate.expect_steps(False)
+        self._streamer.stand(stance, q)
+        self._balance = Balance(self._model, stance)
+        self._estimator = BaseEstimator(self._model, stance)
+
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""
         self._note_stop(2, reason)
@@ -200,7 +220,8 @@ class ControlLoop:
             self._refused_online += 1
             return proposal.refusal
         tau = self._tau.copy()
-        tau[: self._bodies] = self._balance.efforts(proposal.body)
+        efforts = proposal.efforts
+        tau[: self._bodies] = self._balance.efforts(proposal.body) if efforts is None else efforts
         sequence = self._gate.last.sequence + 1
         now_s = self._clock.now_s()
         return self._gate.submit(JointSetpoint(now_s, sequence, proposal.owner, proposal.q, proposal.v, tau))
@@ -228,6 +249,9 @@ class ControlLoop:
 
     def _sense(self) -> SensedState:
         readings, estimator = self._robot.read(), self._estimator
+        if self._walker.active:
+            return self._walker.sense(readings)
+        self._walker.stand_by(readings)
         joints_rad, foot_wrench = readings.q[: self._bodies], readings.foot_wrench
         estimator.update(readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench)
         return SensedState(

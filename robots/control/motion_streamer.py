@@ -127,6 +127,16 @@ class MotionStreamer:
         """Where the feet stand."""
         return self._stance
 
+    def stand(self, stance: Stance, q: Array) -> None:
+        """Hold a configuration on feet that stand elsewhere now: the robot has walked there.
+
+        Args:
+            stance: Where they stand.
+            q: What is commanded, base in the odometry frame, shape (nq,); nothing moves.
+        """
+        self._stance = stance
+        self._track = BodyTrack(self._model, stance, q, self._period_s)
+
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
         return self._keepers[hand]

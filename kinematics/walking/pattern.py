@@ -1,0 +1,298 @@
+"""The walk itself, in its own plan: phases, landings, and what CoM, DCM and ZMP do meanwhile.
+
+From standing the ZMP goes over to the foot that stands first; then feet swing and land in turn; at the
+end they stand side by side and the CoM comes to rest above them. Each phase steers the DCM so that it
+arrives where the landings that follow need it, beginning where it is: nothing jumps when plans change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+
+from kinematics.robot_description import Hand, SoleDescription
+from kinematics.walking.com_motion import ComMotion, ComSample, SettlingCom, SteeredCom
+from kinematics.walking.dcm import Point, ZmpStretch, bent_zmp, constant_zmp, dcm_before
+from kinematics.walking.footsteps import OTHER, Footstep, FootstepPlanner
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.steering import Halt, Steering
+from kinematics.walking.swing import Swing
+
+_HORIZON = 4
+"""Landings ahead: what comes later moves the DCM now by less than 0.1 mm."""
+_REDIRECT_S = 0.25
+"""A foot that lands sooner than this goes where it was going."""
+
+
+class Phase(Enum):
+    """What the feet do."""
+
+    SHIFT = "shift"
+    SWING = "swing"
+    LAND = "land"
+    CLOSE = "close"
+    SETTLE = "settle"
+    REST = "rest"
+
+
+@dataclass(frozen=True, slots=True)
+class PatternSample:
+    """One instant, in the plan's frame.
+
+    Attributes:
+        com: CoM, DCM and ZMP.
+        feet: Each sole's place.
+        lift_m: Height of each sole.
+        carrying: The feet that carry.
+        phase: What they do.
+    """
+
+    com: ComSample
+    feet: Mapping[Hand, PlanarPose]
+    lift_m: Mapping[Hand, float]
+    carrying: tuple[Hand, ...]
+    phase: Phase
+
+
+class WalkingPattern:
+    """A walk that goes on until it is told to finish, or its steering has arrived.
+
+    Attributes:
+        phase: What the feet do now.
+        feet: Where both stand, or stood last.
+        odom_T_plan: Where the plan is believed to be; whoever measures may correct it.
+        steps: Landings so far.
+    """
+
+    def __init__(
+        self,
+        settings: WalkingSettings,
+        soles: Mapping[Hand, SoleDescription],
+        feet: Mapping[Hand, PlanarPose],
+        com: Point,
+        rest_m: Point,
+        rest_spacing_m: float,
+        omega: float,
+    ) -> None:
+        """Stand at rest.
+
+        Args:
+            settings: The robot's.
+            soles: Its soles.
+            feet: Where they stand, in the plan's frame.
+            com: Where the CoM is above the floor.
+            rest_m: Where it rests, seen from the middle between the feet.
+            rest_spacing_m: Between the feet at rest.
+            omega: Natural frequency of the pendulum, 1/s.
+        """
+        self.feet: dict[Hand, PlanarPose] = dict(feet)
+        self.phase = Phase.REST
+        self.odom_T_plan = PlanarPose()
+        self.steps = 0
+        self._settings, self._soles, self._omega = settings, soles, omega
+        self._planner = FootstepPlanner(settings, rest_spacing_m)
+        self._rest_m = rest_m
+        self._steering: Steering = Halt()
+        self._before = PlanarPose()
+        self._standing: Hand = "left"
+        self._swing: Swing | None = None
+        self._advance = PlanarPose()
+        self._queue: list[ComMotion] = []
+        self._since_s = 0.0
+        self._now = ComSample(com, com, com)
+        self._motion: ComMotion = SettlingCom(self._now, com, 1.0, omega)
+
+    def steer(self, steering: Steering) -> None:
+        """Go somewhere else, from the next landing on; from rest: start."""
+        self._steering = steering
+        if self.phase is Phase.REST:
+            self._begin()
+
+    def finish(self) -> None:
+        """Stop as soon as the feet can be brought side by side; nothing more happens at rest."""
+        self._steering = Halt()
+        if self.phase is Phase.SHIFT:
+            self._close()
+        elif self.phase is Phase.SWING:
+            self._land_beside()
+
+    @property
+    def goal(self) -> PlanarPose | None:
+        """Where the foot in the air is going to land."""
+        return self._swing.goal if self._swing is not None else None
+
+    def advance(self, period_s: float) -> PatternSample:
+        """Go on by a control period."""
+        self._since_s += period_s
+        while self.phase is not Phase.REST and self._since_s >= self._motion.duration_s - 1e-9:
+            self._now = self._motion.at(self._motion.duration_s)
+            self._since_s -= self._motion.duration_s
+            if self._queue:
+                self._motion = self._queue.pop(0)
+            else:
+                self._next_phase()
+        sample = self._motion.at(self._since_s)
+        self._now = sample
+        feet, lift_m = dict(self.feet), {"left": 0.0, "right": 0.0}
+        carrying: tuple[Hand, ...] = ("left", "right")
+        if self.phase is Phase.SWING and self._swing is not None:
+            side = OTHER[self._standing]
+            feet[side], lift_m[side] = self._swing.at(self._swing_s)
+            carrying = (self._standing,)
+        return PatternSample(sample, feet, lift_m, carrying, self.phase)  # type: ignore[arg-type]
+
+    # ---------------------------------------------------------------- phases
+
+    def _next_phase(self) -> None:
+        if self.phase is Phase.SWING and self._swing is not None:
+            side = OTHER[self._standing]
+            self.feet[side] = self._swing.goal
+            self._before, self._standing, self._swing = self._advance, side, None
+            self.steps += 1
+            if self._plan():
+                self._land()
+            else:
+                self._close()
+        elif self.phase in (Phase.SHIFT, Phase.LAND):
+            self._lift()
+        elif self.phase is Phase.CLOSE:
+            self._settle()
+        else:
+            rest = self._motion.at(self._motion.duration_s)
+            self._motion, self._since_s = SettlingCom(rest, rest.com, 1.0, self._omega), 0.0
+            self.phase = Phase.REST
+            self._before = PlanarPose()
+            self._begin()
+
+    def _begin(self) -> None:
+        first = self._planner.first_side(self._steering, self.feet, self.odom_T_plan)
+        self._standing = OTHER[first]
+        steps = self._plan()
+        if not steps:
+            return
+        zmp = self._over(self._standing, self.feet[self._standing])
+        swing_s = self._settings.single_support_s
+        goal = dcm_before([ZmpStretch(swing_s, zmp, zmp), *self._after_swing(steps)], self._end(steps), self._omega)
+        self.phase = Phase.SHIFT
+        self._bend(goal, zmp, self._settings.first_shift_s)
+
+    def _lift(self) -> None:
+        steps = self._plan()
+        if not steps:
+            self._close()
+            return
+        side = OTHER[self._standing]
+        self._advance = steps[0].advance
+        swing_s = self._settings.single_support_s
+        self._swing = Swing(self.feet[side], steps[0].pose, self._settings.lift_m, swing_s)
+        self.phase = Phase.SWING
+        self._balance_on_one(steps, swing_s)
+
+    def _land(self) -> None:
+        zmp = self._over(self._standing, self.feet[self._standing])
+        self.phase = Phase.LAND
+        self._go(ZmpStretch(self._settings.double_support_s, self._now.zmp, zmp))
+
+    def _close(self) -> None:
+        rest = self._resting_com()
+        self.phase = Phase.CLOSE
+        self._swing = None
+        self._bend(rest, rest, self._settings.closing_s)
+
+    def _settle(self) -> None:
+        self.phase, self._since_s = Phase.SETTLE, 0.0
+        self._motion = SettlingCom(self._now, self._resting_com(), self._settings.settle_s, self._omega)
+
+    def _land_beside(self) -> None:
+        """Bring the foot in the air beside the other one, if the DCM can be held meanwhile."""
+        swing, left_s = self._swing, self._settings.single_support_s - self._swing_s
+        if swing is None or left_s < _REDIRECT_S:
+            return
+        side = OTHER[self._standing]
+        beside = self._planner.beside(side, self.feet[self._standing])
+        after = [Footstep(side, beside)]
+        goal = dcm_before(self._after_swing(after), self._end(after), self._omega)
+        zmp = constant_zmp(self._now.dcm, goal, left_s, self._omega)
+        if self._on_sole(zmp) != zmp:
+            return
+        swing.redirect(beside, self._swing_s)
+        self._advance = PlanarPose()
+        self._balance_on_one(after, left_s)
+
+    # ---------------------------------------------------------------- the DCM's way
+
+    def _balance_on_one(self, steps: list[Footstep], left_s: float) -> None:
+        goal = dcm_before(self._after_swing(steps), self._end(steps), self._omega)
+        zmp = self._on_sole(constant_zmp(self._now.dcm, goal, left_s, self._omega))
+        self._go(ZmpStretch(left_s, zmp, zmp))
+
+    def _go(self, stretch: ZmpStretch) -> None:
+        self._queue.clear()
+        self._since_s = 0.0
+        self._motion = SteeredCom(stretch, self._now.com, self._now.dcm, self._omega)
+
+    def _bend(self, goal: Point, zmp: Point, duration_s: float) -> None:
+        first, second = bent_zmp(self._now.dcm, goal, self._now.zmp, zmp, duration_s, self._omega)
+        self._go(first)
+        middle = self._motion.at(first.duration_s)
+        self._queue.append(SteeredCom(second, middle.com, middle.dcm, self._omega))
+
+    def _after_swing(self, steps: list[Footstep]) -> list[ZmpStretch]:
+        """What the ZMP does after the swing that is under way or next."""
+        s = self._settings
+        feet = dict(self.feet)
+        stretches: list[ZmpStretch] = []
+        for k, step in enumerate(steps):
+            feet[step.side] = step.pose
+            old = self._over(OTHER[step.side], feet[OTHER[step.side]])
+            new = self._over(step.side, step.pose)
+            if k == len(steps) - 1:
+                stretches.append(ZmpStretch(s.closing_s, old, self._resting_over(feet)))
+            else:
+                stretches.append(ZmpStretch(s.double_support_s, old, new))
+                stretches.append(ZmpStretch(s.single_support_s, new, new))
+        return stretches
+
+    def _end(self, steps: list[Footstep]) -> Point:
+        feet = dict(self.feet)
+        for step in steps:
+            feet[step.side] = step.pose
+        return self._resting_over(feet)
+
+    def _plan(self) -> list[Footstep]:
+        return self._planner.plan(
+            self._standing, self.feet, self._steering, self._before, self.odom_T_plan, _HORIZON
+        )
+
+    # ---------------------------------------------------------------- places
+
+    @property
+    def _swing_s(self) -> float:
+        return self._settings.single_support_s - self._motion.duration_s + self._since_s
+
+    def _resting_com(self) -> Point:
+        return self._resting_over(self.feet)
+
+    def _resting_over(self, feet: Mapping[Hand, PlanarPose]) -> Point:
+        pose = PlanarPose.between(feet["left"], feet["right"]) @ PlanarPose(*self._rest_m)
+        return pose.x_m, pose.y_m
+
+    def _over(self, side: Hand, foot: PlanarPose) -> Point:
+        """Where the ZMP is when a foot stands alone: the middle of its sole."""
+        sole = self._soles[side]
+        pose = foot @ PlanarPose(0.5 * sum(sole.x_m), 0.5 * sum(sole.y_m))
+        return pose.x_m, pose.y_m
+
+    def _on_sole(self, zmp: Point) -> Point:
+        """The point of the standing foot's sole, less its inset, nearest to a ZMP."""
+        foot, sole = self.feet[self._standing], self._soles[self._standing]
+        inset = self._settings.zmp_inset_m
+        seen = foot.to(PlanarPose(*zmp))
+        x = min(max(seen.x_m, sole.x_m[0] + inset), sole.x_m[1] - inset)
+        y = min(max(seen.y_m, sole.y_m[0] + inset), sole.y_m[1] - inset)
+        if x == seen.x_m and y == seen.y_m:
+            return zmp
+        pose = foot @ PlanarPose(x, y)
+        return pose.x_m, pose.y_m
