@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Protocol
 
-from kinematics.walking.dcm import Point, ZmpStretch
+from kinematics.walking.dcm import Cubic, Point, ZmpStretch, particular, polynomial
 from kinematics.walking.quintic import Quintic
 
 
@@ -15,11 +15,14 @@ class ComSample:
     """One instant.
 
     Attributes:
-        com, dcm, zmp: On the floor, m.
+        com, dcm: On the floor, m.
+        pivot: What the CoM is accelerated away from: ``c'' = w^2 (c - pivot)``.
+        zmp: Where the floor presses; the swinging leg is the difference (``kinematics.walking.dcm``).
     """
 
     com: Point
     dcm: Point
+    pivot: Point
     zmp: Point
 
 
@@ -38,35 +41,34 @@ class ComMotion(Protocol):
 
 
 class SteeredCom:
-    """The CoM while the ZMP moves in a straight line.
-
-    ``c = z + a e^(w t) + b e^(-w t)``, which gives ``xi = z + z'/w + 2 a e^(w t)``.
-    """
+    """The CoM along one stretch: ``c = c_p + a e^(w t) + b e^(-w t)`` gives ``xi = xi_p + 2 a e^(w t)``."""
 
     def __init__(self, stretch: ZmpStretch, com: Point, dcm: Point, omega: float) -> None:
         """Begin at a CoM and a DCM."""
         self.duration_s = stretch.duration_s
-        self._omega = omega
-        duration_s = max(stretch.duration_s, 1e-9)
-        (x0, y0), (x1, y1) = stretch.start, stretch.end
-        vx, vy = (x1 - x0) / duration_s, (y1 - y0) / duration_s
-        ax, ay = 0.5 * (dcm[0] - x0 - vx / omega), 0.5 * (dcm[1] - y0 - vy / omega)
-        self._x = (x0, vx, ax, com[0] - x0 - ax)
-        self._y = (y0, vy, ay, com[1] - y0 - ay)
+        self._omega, self._sway = omega, stretch.sway
+        axes = []
+        for k in (0, 1):
+            pivot = stretch.pivot(k)
+            com_p, dcm_p = particular(pivot, 0.0, omega)
+            a = 0.5 * (dcm[k] - dcm_p)
+            axes.append((pivot, a, com[k] - com_p - a))
+        self._x, self._y = axes
 
     def at(self, t_s: float) -> ComSample:
         """Instant of it."""
         growth = math.exp(self._omega * t_s)
-        cx, ex, zx = self._along(self._x, t_s, growth)
-        cy, ey, zy = self._along(self._y, t_s, growth)
-        return ComSample((cx, cy), (ex, ey), (zx, zy))
+        cx, ex, px, zx = self._along(self._x, self._sway[0], t_s, growth)
+        cy, ey, py, zy = self._along(self._y, self._sway[1], t_s, growth)
+        return ComSample((cx, cy), (ex, ey), (px, py), (zx, zy))
 
     def _along(
-        self, axis: tuple[float, float, float, float], t_s: float, growth: float
-    ) -> tuple[float, float, float]:
-        start, slope, a, b = axis
-        zmp = start + slope * t_s
-        return zmp + a * growth + b / growth, zmp + slope / self._omega + 2.0 * a * growth, zmp
+        self, axis: tuple[Cubic, float, float], sway: Cubic, t_s: float, growth: float
+    ) -> tuple[float, float, float, float]:
+        pivot, a, b = axis
+        com_p, dcm_p = particular(pivot, t_s, self._omega)
+        at = polynomial(pivot, t_s)
+        return com_p + a * growth + b / growth, dcm_p + 2.0 * a * growth, at, at - polynomial(sway, t_s)
 
 
 class SettlingCom:
@@ -80,7 +82,7 @@ class SettlingCom:
             Quintic.to_rest(
                 now.com[k],
                 omega * (now.dcm[k] - now.com[k]),
-                omega * omega * (now.com[k] - now.zmp[k]),
+                omega * omega * (now.com[k] - now.pivot[k]),
                 rest[k],
                 duration_s,
             )
@@ -91,4 +93,5 @@ class SettlingCom:
         """Instant of it; at rest after its end."""
         (cx, vx, ax), (cy, vy, ay) = (axis.at(t_s) for axis in self._axes)
         w = self._omega
-        return ComSample((cx, cy), (cx + vx / w, cy + vy / w), (cx - ax / (w * w), cy - ay / (w * w)))
+        zmp = cx - ax / (w * w), cy - ay / (w * w)
+        return ComSample((cx, cy), (cx + vx / w, cy + vy / w), zmp, zmp)

@@ -66,7 +66,7 @@ class WrenchDistribution:
         self,
         zmp_ref: Point,
         error: Point,
-        com: Point,
+        pull: Point,
         feet: Mapping[Hand, PlanarPose],
         carrying: Sequence[Hand],
         righting_nm: Array,
@@ -76,7 +76,7 @@ class WrenchDistribution:
         Args:
             zmp_ref: Where the plan has the ZMP.
             error: Measured DCM less the plan's, m.
-            com: Measured CoM above the floor.
+            pull: How far the CoM is, as measured, from what the plan has it accelerated away from, m.
             feet: Where the soles are.
             carrying: The feet that carry.
             righting_nm: Moment on the trunk, shape (3,).
@@ -93,7 +93,8 @@ class WrenchDistribution:
             sum(share * pressed[side][1] for side, share in shares.items()),
         )
         stiffness = self._mass_kg * self._omega**2
-        fx, fy = stiffness * (com[0] - zmp[0]), stiffness * (com[1] - zmp[1])
+        fx = stiffness * (pull[0] - zmp[0] + zmp_ref[0])
+        fy = stiffness * (pull[1] - zmp[1] + zmp_ref[1])
         fz = self._mass_kg * _GRAVITY_M_S2
         soles = {}
         for side, share in shares.items():

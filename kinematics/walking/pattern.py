@@ -13,7 +13,7 @@ from enum import Enum
 
 from kinematics.robot_description import Hand, SoleDescription
 from kinematics.walking.com_motion import ComMotion, ComSample, SettlingCom, SteeredCom
-from kinematics.walking.dcm import Point, ZmpStretch, bent_zmp, constant_zmp, dcm_before
+from kinematics.walking.dcm import Cubic, Point, ZmpStretch, dcm_before, zmp_that_leads
 from kinematics.walking.footsteps import OTHER, Footstep, FootstepPlanner
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
@@ -75,6 +75,7 @@ class WalkingPattern:
         rest_m: Point,
         rest_spacing_m: float,
         omega: float,
+        sway_s2: float,
     ) -> None:
         """Stand at rest.
 
@@ -86,6 +87,7 @@ class WalkingPattern:
             rest_m: Where it rests, seen from the middle between the feet.
             rest_spacing_m: Between the feet at rest.
             omega: Natural frequency of the pendulum, 1/s.
+            sway_s2: How far a swinging foot moves the ZMP for each m/s^2 of its acceleration.
         """
         self.feet: dict[Hand, PlanarPose] = dict(feet)
         self.phase = Phase.REST
@@ -93,7 +95,7 @@ class WalkingPattern:
         self.steps = 0
         self._settings, self._soles, self._omega = settings, soles, omega
         self._planner = FootstepPlanner(settings, rest_spacing_m)
-        self._rest_m = rest_m
+        self._rest_m, self._sway_s2 = rest_m, sway_s2
         self._steering: Steering = Halt()
         self._before = PlanarPose()
         self._standing: Hand = "left"
@@ -101,7 +103,8 @@ class WalkingPattern:
         self._advance = PlanarPose()
         self._queue: list[ComMotion] = []
         self._since_s = 0.0
-        self._now = ComSample(com, com, com)
+        self._swing_s = 0.0
+        self._now = ComSample(com, com, com, com)
         self._motion: ComMotion = SettlingCom(self._now, com, 1.0, omega)
 
     def steer(self, steering: Steering) -> None:
@@ -126,6 +129,7 @@ class WalkingPattern:
     def advance(self, period_s: float) -> PatternSample:
         """Go on by a control period."""
         self._since_s += period_s
+        self._swing_s += period_s
         while self.phase is not Phase.REST and self._since_s >= self._motion.duration_s - 1e-9:
             self._now = self._motion.at(self._motion.duration_s)
             self._since_s -= self._motion.duration_s
@@ -173,8 +177,8 @@ class WalkingPattern:
         if not steps:
             return
         zmp = self._over(self._standing, self.feet[self._standing])
-        swing_s = self._settings.single_support_s
-        goal = dcm_before([ZmpStretch(swing_s, zmp, zmp), *self._after_swing(steps)], self._end(steps), self._omega)
+        first = self._on_one(zmp, self.feet[steps[0].side], steps[0].pose)
+        goal = dcm_before([*first, *self._after_swing(steps)], self._end(steps), self._omega)
         self.phase = Phase.SHIFT
         self._bend(goal, zmp, self._settings.first_shift_s)
 
@@ -187,8 +191,8 @@ class WalkingPattern:
         self._advance = steps[0].advance
         swing_s = self._settings.single_support_s
         self._swing = Swing(self.feet[side], steps[0].pose, self._settings.lift_m, swing_s)
-        self.phase = Phase.SWING
-        self._balance_on_one(steps, swing_s)
+        self.phase, self._swing_s = Phase.SWING, 0.0
+        self._balance_on_one(steps)
 
     def _land(self) -> None:
         zmp = self._over(self._standing, self.feet[self._standing])
@@ -213,31 +217,66 @@ class WalkingPattern:
         side = OTHER[self._standing]
         beside = self._planner.beside(side, self.feet[self._standing])
         after = [Footstep(side, beside)]
-        goal = dcm_before(self._after_swing(after), self._end(after), self._omega)
-        zmp = constant_zmp(self._now.dcm, goal, left_s, self._omega)
-        if self._on_sole(zmp) != zmp:
-            return
+        before = swing.goal
         swing.redirect(beside, self._swing_s)
+        zmp = self._steering_zmp(after)
+        if self._on_sole(zmp) != zmp:
+            swing.redirect(before, self._swing_s)
+            return
         self._advance = PlanarPose()
-        self._balance_on_one(after, left_s)
+        self._balance_on_one(after)
 
     # ---------------------------------------------------------------- the DCM's way
 
-    def _balance_on_one(self, steps: list[Footstep], left_s: float) -> None:
-        goal = dcm_before(self._after_swing(steps), self._end(steps), self._omega)
-        zmp = self._on_sole(constant_zmp(self._now.dcm, goal, left_s, self._omega))
-        self._go(ZmpStretch(left_s, zmp, zmp))
+    def _balance_on_one(self, steps: list[Footstep]) -> None:
+        self._go(*self._on_one_now(self._on_sole(self._steering_zmp(steps))))
 
-    def _go(self, stretch: ZmpStretch) -> None:
-        self._queue.clear()
+    def _steering_zmp(self, steps: list[Footstep]) -> Point:
+        """Where the ZMP must stay during the rest of the swing for what follows."""
+        goal = dcm_before(self._after_swing(steps), self._end(steps), self._omega)
+        return zmp_that_leads(self._on_one_now, self._now.dcm, goal, self._omega)
+
+    def _on_one_now(self, zmp: Point) -> list[ZmpStretch]:
+        """The rest of the swing that is under way."""
+        if self._swing is None:
+            return []
+        moving_s, acceleration = self._swing.acceleration_from(self._swing_s)
+        still_s = self._settings.single_support_s - self._swing_s - moving_s
+        return self._swaying(zmp, moving_s, acceleration, still_s)
+
+    def _on_one(self, zmp: Point, start: PlanarPose, goal: PlanarPose) -> list[ZmpStretch]:
+        """A whole swing."""
+        s = self._settings
+        moving_s, acceleration = Swing(start, goal, s.lift_m, s.single_support_s).acceleration_from(0.0)
+        return self._swaying(zmp, moving_s, acceleration, s.single_support_s - moving_s)
+
+    def _swaying(
+        self, zmp: Point, moving_s: float, acceleration: tuple[Cubic, Cubic], still_s: float
+    ) -> list[ZmpStretch]:
+        k = self._sway_s2
+        (a, b, c, d), (e, f, g, h) = acceleration
+        sway = ((k * a, k * b, k * c, k * d), (k * e, k * f, k * g, k * h))
+        return [ZmpStretch(moving_s, zmp, zmp, sway), ZmpStretch(still_s, zmp, zmp)]
+
+    def _go(self, *stretches: ZmpStretch) -> None:
         self._since_s = 0.0
-        self._motion = SteeredCom(stretch, self._now.com, self._now.dcm, self._omega)
+        com, dcm = self._now.com, self._now.dcm
+        motions = []
+        for stretch in stretches:
+            motion = SteeredCom(stretch, com, dcm, self._omega)
+            end = motion.at(stretch.duration_s)
+            com, dcm = end.com, end.dcm
+            motions.append(motion)
+        self._motion, self._queue = motions[0], list(motions[1:])
 
     def _bend(self, goal: Point, zmp: Point, duration_s: float) -> None:
-        first, second = bent_zmp(self._now.dcm, goal, self._now.zmp, zmp, duration_s, self._omega)
-        self._go(first)
-        middle = self._motion.at(first.duration_s)
-        self._queue.append(SteeredCom(second, middle.com, middle.dcm, self._omega))
+        """Take the ZMP somewhere, bent half-way so that the DCM arrives where it is wanted."""
+        start, half_s = self._now.zmp, 0.5 * duration_s
+
+        def through(knot: Point) -> list[ZmpStretch]:
+            return [ZmpStretch(half_s, start, knot), ZmpStretch(half_s, knot, zmp)]
+
+        self._go(*through(zmp_that_leads(through, self._now.dcm, goal, self._omega)))
 
     def _after_swing(self, steps: list[Footstep]) -> list[ZmpStretch]:
         """What the ZMP does after the swing that is under way or next."""
@@ -245,6 +284,9 @@ class WalkingPattern:
         feet = dict(self.feet)
         stretches: list[ZmpStretch] = []
         for k, step in enumerate(steps):
+            start = feet[step.side]
+            if k > 0:
+                stretches += self._on_one(self._over(OTHER[step.side], feet[OTHER[step.side]]), start, step.pose)
             feet[step.side] = step.pose
             old = self._over(OTHER[step.side], feet[OTHER[step.side]])
             new = self._over(step.side, step.pose)
@@ -252,7 +294,6 @@ class WalkingPattern:
                 stretches.append(ZmpStretch(s.closing_s, old, self._resting_over(feet)))
             else:
                 stretches.append(ZmpStretch(s.double_support_s, old, new))
-                stretches.append(ZmpStretch(s.single_support_s, new, new))
         return stretches
 
     def _end(self, steps: list[Footstep]) -> Point:
@@ -267,10 +308,6 @@ class WalkingPattern:
         )
 
     # ---------------------------------------------------------------- places
-
-    @property
-    def _swing_s(self) -> float:
-        return self._settings.single_support_s - self._motion.duration_s + self._since_s
 
     def _resting_com(self) -> Point:
         return self._resting_over(self.feet)

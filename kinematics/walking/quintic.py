@@ -38,6 +38,17 @@ class Quintic:
             ),
         )
 
+    def acceleration_from(self, t_s: float) -> tuple[float, float, float, float]:
+        """Coefficients of the acceleration's powers of time, counted from an instant before its end."""
+        _, _, c2, c3, c4, c5 = self.coefficients
+        t = t_s
+        return (
+            2.0 * c2 + t * (6.0 * c3 + t * (12.0 * c4 + t * 20.0 * c5)),
+            6.0 * c3 + t * (24.0 * c4 + t * 60.0 * c5),
+            12.0 * c4 + t * 60.0 * c5,
+            20.0 * c5,
+        )
+
     def at(self, t_s: float) -> tuple[float, float, float]:
         """Value and the first two derivatives."""
         if t_s >= self.duration_s:

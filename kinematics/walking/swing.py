@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from kinematics.walking.dcm import NO_SWAY, Cubic
 from kinematics.walking.planar import PlanarPose, wrapped
 from kinematics.walking.quintic import Quintic
 
-_DOWN_EARLY_S = 0.02
+DOWN_EARLY_S = 0.02
 """It is above its place this long before it carries."""
 
 
@@ -25,7 +26,7 @@ class Swing:
         self._since_s = 0.0
         goal = _near(start, goal)
         self._axes = tuple(
-            Quintic.to_rest(a, 0.0, 0.0, b, duration_s - _DOWN_EARLY_S)
+            Quintic.to_rest(a, 0.0, 0.0, b, duration_s - DOWN_EARLY_S)
             for a, b in zip(_numbers(start), _numbers(goal), strict=True)
         )
         self.goal = goal
@@ -37,7 +38,7 @@ class Swing:
             goal: Where.
             now_s: Time since the lift-off; from where the foot is then it goes on smoothly.
         """
-        left_s = max(self._duration_s - _DOWN_EARLY_S - now_s, 0.05)
+        left_s = max(self._duration_s - DOWN_EARLY_S - now_s, 0.05)
         states = [axis.at(now_s - self._since_s) for axis in self._axes]
         self.goal = _near(PlanarPose(*(state[0] for state in states)), goal)
         self._axes = tuple(
@@ -45,6 +46,15 @@ class Swing:
             for (x, v, a), b in zip(states, _numbers(self.goal), strict=True)
         )
         self._since_s = now_s
+
+    def acceleration_from(self, now_s: float) -> tuple[float, tuple[Cubic, Cubic]]:
+        """How long the foot still moves over the floor, and its acceleration meanwhile, m/s^2."""
+        since_s = now_s - self._since_s
+        x, y, _ = self._axes
+        left_s = x.duration_s - since_s
+        if left_s <= 0.0:
+            return 0.0, NO_SWAY
+        return left_s, (x.acceleration_from(since_s), y.acceleration_from(since_s))
 
     def at(self, t_s: float) -> tuple[PlanarPose, float]:
         """Place and height at a time since the lift-off."""

@@ -42,6 +42,7 @@ class WholeBody:
     Attributes:
         omega: Natural frequency of the pendulum that the robot is, 1/s.
         rest_m: Where the CoM rests, seen from the middle between the feet, with this upper body.
+        sway_s2: How far a swinging foot moves the ZMP for each m/s^2 of its acceleration.
     """
 
     def __init__(
@@ -69,6 +70,7 @@ class WholeBody:
         self._columns = np.array(
             [[int(model.pin.joints[j].idx_q) for j in leg.joints] for leg in geometry], dtype=np.intp
         )
+        self._leg_joints = [leg.joints for leg in geometry]
         self._hip = np.array([leg.hip_m for leg in geometry])
         self._bones = np.array([[leg.thigh_m, leg.shin_m] for leg in geometry])
         self._sole_R_ankle = np.array([leg.foot_R for leg in geometry])
@@ -86,6 +88,7 @@ class WholeBody:
         rest = self._at_rest(q)
         self.omega = math.sqrt(9.81 / float(model.com(rest)[2]))
         self.rest_m = (float(model.com(rest)[0]), float(model.com(rest)[1]))
+        self.sway_s2 = self._sway(rest)
         first = np.concatenate([q[:3], [heading], q[7:]])
         self._rows = [first, first.copy(), first.copy()]
 
@@ -96,6 +99,29 @@ class WholeBody:
         others = [k for k in range(7, len(q)) if k not in legs]
         rest[others] = q[others]
         return rest
+
+    def _sway(self, rest: Array) -> float:
+        """Moment about the CoM that a foot's acceleration forwards takes, over the weight, s^2.
+
+        The foot is accelerated by 1 m/s^2 at rest, by the leg alone, while the CoM stays: what turns then is
+        the rate of the angular momentum.
+        """
+        model, data = self._pin, self._data
+        pin.computeJointJacobians(model, data, rest)
+        pin.updateFramePlacements(model, data)
+        A = pin.computeCentroidalMap(model, data, rest)
+        legs = []
+        for sole, joints in zip(self._model.description.soles, self._leg_joints, strict=True):
+            frame = self._model.frame_id(sole.frame)
+            J = pin.getFrameJacobian(model, data, frame, pin.LOCAL_WORLD_ALIGNED)
+            legs.append((np.array(J), np.array([int(model.joints[j].idx_v) for j in joints])))
+        v = np.zeros(model.nv)
+        for _ in range(30):  # the base yields so that the CoM stays, and the other foot does too
+            for k, (J, columns) in enumerate(legs):
+                wanted = np.array([1.0 if k == 0 else 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+                v[columns] = np.linalg.solve(J[:, columns], wanted - J[:, :3] @ v[:3])
+            v[:3] -= (A[:3] @ v) / self._model.mass_kg
+        return float(A[4] @ v) / (self._model.mass_kg * 9.81)
 
     def follow(self, sample: PatternSample) -> MotionSample:
         """Take the pattern's next instant in; gives the reference of the instant before it.

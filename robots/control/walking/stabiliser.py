@@ -62,7 +62,7 @@ class Stabiliser:
         wanted = self._distribution.wrenches(
             pattern.com.zmp,
             self.error,
-            (x, y),
+            (x - pattern.com.pivot[0], y - pattern.com.pivot[1]),
             pattern.feet,
             pattern.carrying,
             self._righting(pattern, motion, measured, max(shares, key=lambda side: shares[side])),

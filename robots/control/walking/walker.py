@@ -210,6 +210,7 @@ class _Walk:
             self._body.rest_m,
             home["left"].distance_m(home["right"]),
             self._body.omega,
+            self._body.sway_s2,
         )
         self._stabiliser = Stabiliser(model, settings, self._body.omega)
         anchors = {side: placed[sole.frame] for side, sole in soles.items()}
