@@ -115,6 +115,8 @@ def assemble(
         events=sink,
         rng=for_trees,
         policy=policy or TreePolicy(),
+        walking=loop.walking,
+        ranging=world.ranging,
     )
     session = Session(
         toolbox,

@@ -57,6 +57,8 @@ class TreePolicy:
         in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
+        fastest_m_s, fastest_rad_s: Speed limits of a walk; the robot's own may be lower.
+        move_s: How long a move takes that is asked for without an end.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -91,4 +93,7 @@ class TreePolicy:
     slip_max_m: float = 0.008
     in_hand_tolerance_m: float = 0.04
     unseen_hold_factor: float = 2.0
+    fastest_m_s: float = 0.5
+    fastest_rad_s: float = 1.0
+    move_s: float = 3.0
     task_timeout_s: float = 120.0

@@ -19,6 +19,8 @@ class WalkingSettings:
         spacing_m: Between the feet's centres while walking.
         forward_m, backward_m, sideways_m, turn_rad: Most that the body advances in one step.
         narrowest_m, widest_m: Between the feet's centres, across.
+        front_m, back_m, half_width_m: Room that the robot takes ahead of its base, behind it, and to
+            each side.
         acceleration_m_s2, turn_acceleration_rad_s2: Of the body's velocity from step to step.
         dcm_gain: Share of the DCM's error that is added to the ZMP, less 1.
         zmp_inset_m: The ZMP stays this far inside the sole's edge.
@@ -41,6 +43,9 @@ class WalkingSettings:
     turn_rad: float
     narrowest_m: float
     widest_m: float
+    front_m: float
+    back_m: float
+    half_width_m: float
     acceleration_m_s2: float
     turn_acceleration_rad_s2: float
     dcm_gain: float

@@ -19,6 +19,8 @@ _AHEAD_M = 0.4
 """The body heads for the point of the path so far ahead."""
 _PACE = 0.75
 """Share of the longest step that a path is walked with."""
+_TURN_PACE = 0.5
+"""Share of the widest turn: soles slip in wider ones."""
 _LAST_PACE = 0.5
 """The same for the last steps, which may go in any direction."""
 
@@ -91,7 +93,8 @@ class PathSteering:
         s = self._settings
         seen = body.to(carrot)
         heading = math.atan2(seen.y_m, seen.x_m)
-        yaw = min(max(heading, -s.turn_rad), s.turn_rad)
+        widest = _TURN_PACE * s.turn_rad
+        yaw = min(max(heading, -widest), widest)
         if abs(heading) > 0.6:  # turn first, go then
             return PlanarPose(0.0, 0.0, yaw)
         longest_m = min(_PACE * s.forward_m, before.x_m + s.acceleration_m_s2 * s.step_s**2)
@@ -105,7 +108,7 @@ class PathSteering:
         steps = max(
             abs(left.x_m) / most_x,
             abs(left.y_m) / (_LAST_PACE * s.sideways_m),
-            abs(left.yaw_rad) / (0.8 * s.turn_rad),
+            abs(left.yaw_rad) / (_TURN_PACE * s.turn_rad),
             1.0,
         )
         share = 1.0 / math.ceil(steps)

@@ -10,6 +10,7 @@ from kinematics.robot_description import RobotDescription
 from robots.scene_description import SceneDescription
 from robots.simulated.faults import FaultInjector
 from robots.simulated.physics import Physics
+from robots.simulated.range_sensor import SimulatedRangeSensor
 from robots.simulated.simulated_robot import SimulatedRobot
 from robots.simulated.truth import SimulatorTruth
 
@@ -22,6 +23,7 @@ class SimulatedWorld:
         robot: The body, as the control loop knows it.
         truth: What really is the case; for the perception stub, evaluation and tests only.
         faults: Things that go wrong on purpose.
+        ranging: The range sensor.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
@@ -29,6 +31,7 @@ class SimulatedWorld:
     truth: SimulatorTruth
     faults: FaultInjector
     physics: Physics
+    ranging: SimulatedRangeSensor
 
 
 def build_world(
@@ -48,4 +51,5 @@ def build_world(
     physics = Physics(description, scene)
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
-    return SimulatedWorld(SimulatedRobot(physics, rng, faults.tick), truth, faults, physics)
+    ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])
+    return SimulatedWorld(SimulatedRobot(physics, rng, faults.tick), truth, faults, physics, ranging)

@@ -95,6 +95,11 @@ class Walker:
         if self._walk is not None and handle is self._handle:
             self._walk.pattern.steer(steering)
 
+    def finish(self, handle: MotionHandle) -> None:
+        """Bring a walk to its end within its last steps; its handle is done when the robot stands."""
+        if self._walk is not None and handle is self._handle:
+            self._walk.pattern.finish()
+
     def cancel(self, handle: MotionHandle, reason: str) -> None:
         """Stop a walk within its last steps; one that has ended is left alone."""
         if handle is self._handle:
