@@ -183,6 +183,7 @@ class PerceptionStub:
                 camera_T_object=pose,
                 shape=_resized(solid.shape, self._episode(solid).scale),
                 confidence=self._confidence(pose, share, float(row[6])),
+                name=solid.name if solid.category == "person" else None,
             )
             for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
         ]
@@ -228,8 +229,8 @@ class PerceptionStub:
 
 
 def _piece(solid: TrueObject) -> str:
-    """An object's own name, or that of the piece of furniture that a solid belongs to."""
-    return solid.name if solid.category == "object" else solid.name.split("/", 1)[0]
+    """An object's or a person's own name, or that of the piece of furniture that a solid belongs to."""
+    return solid.name if solid.category != "furniture" else solid.name.split("/", 1)[0]
 
 
 def _area(solid: TrueObject) -> float:

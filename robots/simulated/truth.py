@@ -13,7 +13,7 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.shapes import Ball, Box, Cylinder
-from robots import furniture
+from robots import furniture, scene_solids
 from robots.perception.truth_view import TrueObject
 from robots.scene_description import SceneItem
 from robots.simulated.geom_roles import (
@@ -83,6 +83,10 @@ class SimulatorTruth:
             for piece in physics.scene.furniture
             for solid in furniture.solids(piece)
         )
+        self._people = tuple(
+            TrueObject(person.name, "person", "person", None, *scene_solids.person_solid(person))
+            for person in physics.scene.people
+        )
         self._camera_body = physics.body_id(physics.description.camera.frame)
         self._tcp_body = {
             hand: physics.body_id(item.tcp_frame) for hand, item in physics.description.grippers.items()
@@ -97,8 +101,8 @@ class SimulatorTruth:
     # --- what a perception stub may look at -------------------------------------------------
 
     def solids(self) -> tuple[TrueObject, ...]:
-        """Everything that could be seen: furniture first, then objects, in the scene's order."""
-        return self._fixed + tuple(
+        """Everything that could be seen: furniture, people, then objects, in the scene's order."""
+        return self._fixed + self._people + tuple(
             TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
             for item in self._items.values()
             if item.name not in self._removed
@@ -115,6 +119,7 @@ class SimulatorTruth:
         physics = self._physics
         physics.refresh()
         start = physics.data.xpos[self._camera_body].copy()
+        geom = -2 if any(person.name == name for person in self._people) else physics.geom_id(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]
         hit = np.full(count, -1, dtype=np.int32)
@@ -125,7 +130,7 @@ class SimulatorTruth:
         )  # fmt: skip
         length = np.linalg.norm(rays, axis=1)
         reached = (share < 0.0) | (share * length >= length - RAY_SLACK_M)
-        return np.asarray((hit == physics.geom_id(name)) | reached, dtype=np.bool_)
+        return np.asarray((hit == geom) | reached, dtype=np.bool_)
 
     # --- where things are -------------------------------------------------------------------
 
