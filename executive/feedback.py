@@ -15,7 +15,7 @@ from executive.events import (
 )
 from executive.task_result import TaskResult, chain
 from robots.control.events import MotionEnded, MotionStarted, SetpointRefused, StopStarted
-from trees.events import LeafFailed, Measured, NodeChanged
+from trees.events import LeafFailed, Measured, NodeChanged, Said
 from trees.failures import Failure, Number
 
 _UNITS = (
@@ -44,6 +44,8 @@ def line_for(event: Event) -> str | None:
             return f"EXECUTING: {event.where}"
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"
+        case Said():
+            return f"says{' to ' + event.to if event.to else ''}: {event.text}"
         case SetpointRefused():
             numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"

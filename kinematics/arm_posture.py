@@ -18,7 +18,10 @@ Array = NDArray[np.float64]
 Residual = Callable[[Array], Array]
 """Maps a configuration, shape (nq,), to what should be zero; metres and radians alike."""
 
-ITERATIONS = 60
+ITERATIONS = 40
+# A step that gains less than this share of the cost ends the search; so does a cost like this.
+SETTLED = 0.01
+ENOUGH = 1e-5
 STEP_RAD = 1e-5
 # How strongly a posture is drawn to the preferred one, against the conditions.
 PULL = 0.01
@@ -76,8 +79,9 @@ def arm_posture(
         trial[columns] = np.clip(q[columns] + step, lower, upper)
         trial_cost, trial_r = _cost(trial, columns, residual, preferred, pull)
         if trial_cost < cost:
-            q, cost, r, damping = trial, trial_cost, trial_r, max(damping * 0.3, 1e-7)
-            if longest < 1e-5:
+            settled = cost - trial_cost < SETTLED * cost
+            q, cost, r, damping = trial, trial_cost, trial_r, max(damping * 0.2, 1e-7)
+            if settled or cost < ENOUGH:
                 break
         else:
             damping *= 10.0

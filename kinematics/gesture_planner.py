@@ -28,6 +28,7 @@ from kinematics.gesture_requests import (
 )
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
+from kinematics.pointing import beside_ray_m
 from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -52,11 +53,14 @@ OFFER_ROOM_M = 0.55
 STRETCHED = 0.85
 # A pointing hand stays this far from what it points at.
 POINT_ROOM_M = 0.15
+STARTS = 12
+# Ways to point, tried with each hand in turn: the hand so far above the line from the shoulder, and the
+# number of starts. Above a table there is more room for an arm that is held high.
+POINT_WAYS = ((0.0, 1), (0.12, 2), (0.24, 2), (0.0, STARTS))
 # Residual that a posture may keep: a centimetre, or half a degree.
 ENOUGH = 0.02
 # A posture that turns the trunk less than this past its target is facing it.
 FACING_RAD = 0.2
-STARTS = 12
 _SPREAD_RAD = 0.6
 _UP = np.array([0.0, 0.0, 1.0])
 
@@ -120,12 +124,15 @@ class GesturePlanner:
 
     def _point(self, request: PointRequest) -> MovePlan | NoPlan:
         target = np.array(request.target_m)
-        tasks = [_Gesture(self._model, request.q_start, request, hand, request.seed) for hand in request.hands]
+        tasks = [
+            _Gesture(self._model, request.q_start, request, hand, request.seed) for hand in request.hands
+        ]
         tasks.sort(key=lambda task: float(np.linalg.norm(task.shoulder(request.q_start) - target)))
         answer: MovePlan | NoPlan = NoPlan("no hand may be used", {})
-        for task in tasks:
+        # the other hand before many postures of the first
+        for task, above_m, starts in [(task, *way) for way in POINT_WAYS for task in tasks]:
 
-            def residual(q: Array, task: _Gesture = task) -> Array:
+            def residual(q: Array, task: _Gesture = task, above_m: float = above_m) -> Array:
                 tcp, elbow, shoulder = task.tcp(q), task.elbow(q), task.shoulder(q)
                 towards = target - shoulder
                 far = float(np.linalg.norm(towards))
@@ -134,14 +141,14 @@ class GesturePlanner:
                     [
                         _unlike(tcp[:3, 3] - elbow, target - elbow),
                         0.5 * _unlike(tcp[:3, 0], target - tcp[:3, 3]),
-                        0.05 * (tcp[:3, 3] - shoulder - reach * towards / far),
+                        0.15 * (tcp[:3, 3] - shoulder - reach * towards / far - above_m * _UP),
                     ]
                 )
 
             def meets(q: Array, task: _Gesture = task) -> bool:
-                return _beside_line_m(task.elbow(q), task.tcp(q)[:3, 3], target) <= 2.0 * ENOUGH
+                return beside_ray_m(task.elbow(q), task.tcp(q)[:3, 3], target) <= 2.0 * ENOUGH
 
-            answer = task.reach("point", residual, target, meets, "pointing at it", enough=0.1)
+            answer = task.reach("point", residual, target, meets, "pointing at it", 0.1, starts)
             if isinstance(answer, MovePlan):
                 break
         return answer
@@ -189,7 +196,7 @@ class _Gesture:
         self._model, self._hand, self._q_start = model, hand, q_start
         self._stance = request.stance
         self._rng = np.random.default_rng(seed)
-        self._data = model.pin.createData()
+        self._data, self._placed_at = model.pin.createData(), b""
         self.arm = groups[f"{hand}_arm"]
         self.outwards = 1.0 if hand == "left" else -1.0
         self._turning = tuple(joint for joint in groups["torso"] if _is_vertical(model, joint))
@@ -241,7 +248,9 @@ class _Gesture:
         return float(np.linalg.norm(elbow - shoulder) + np.linalg.norm(tcp - elbow))
 
     def _placed(self, q: Array) -> pin.Data:
-        pin.forwardKinematics(self._model.pin, self._data, q)
+        if q.tobytes() != self._placed_at:
+            pin.forwardKinematics(self._model.pin, self._data, q)
+            self._placed_at = q.tobytes()
         return self._data
 
     # planning
@@ -254,12 +263,13 @@ class _Gesture:
         good: Callable[[Array], bool],
         goodness: str,
         enough: float = ENOUGH,
+        starts: int = STARTS,
     ) -> MovePlan | NoPlan:
         """Plan to a posture with a small residual that is ``good`` and free, looking at a point."""
         reasons: Counter[str] = Counter()
         joints = (*self.arm, *self._turning)
         columns = 7 + self._model.indices(joints)
-        for q_seed in self._starts(columns, look_m):
+        for q_seed in self._starts(columns, look_m, starts):
             found = arm_posture(self._model, q_seed, joints, residual, self._home[columns])
             if found.error > enough:
                 reasons["out of reach"] += 1
@@ -289,15 +299,15 @@ class _Gesture:
         trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)
         return MovePlan(PlannedStep(name, trajectory, self.scene))
 
-    def _starts(self, columns: NDArray[np.intp], look_m: Array) -> Iterator[Array]:
-        """From home with the trunk turned, from where it is, then from random postures about home."""
-        q = self._q_start.copy()
-        q[columns] = self._home[columns]
+    def _starts(self, columns: NDArray[np.intp], look_m: Array, count: int) -> Iterator[Array]:
+        """From home with the trunk turned, the other arm where it is, then random ones about that."""
+        q = self._home.copy()
+        other_arm = self._model.group("left_arm" if self._hand == "right" else "right_arm")
+        q[7 + other_arm] = self._q_start[7 + other_arm]
         turning = 7 + self._model.indices(self._turning)
         q[turning] -= self.turned_past(q, look_m) / max(len(turning), 1)
         yield q
-        yield self._q_start
-        for _ in range(STARTS):
+        for _ in range(count):
             other = q.copy()
             other[columns] += self._rng.uniform(-_SPREAD_RAD, _SPREAD_RAD, len(columns))
             yield other
@@ -320,10 +330,3 @@ def _unlike(a: Array, b: Array) -> Array:
     """Difference of two directions as unit vectors, shape (3,)."""
     a, b = a / np.linalg.norm(a), b / np.linalg.norm(b)
     return np.asarray(b - a)
-
-
-def _beside_line_m(start: Array, through: Array, point: Array) -> float:
-    """Distance of a point from the ray that begins at ``start``; infinite behind it."""
-    way = (through - start) / np.linalg.norm(through - start)
-    along = float((point - start) @ way)
-    return float(np.linalg.norm(point - start - along * way)) if along > 0.0 else np.inf

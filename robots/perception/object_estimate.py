@@ -179,7 +179,7 @@ def _mean_rotation(rotations: Array) -> Array:
 
 
 def _upright(rotation: Array, shape: Shape, category: Category) -> Array:
-    """Vertical when it stands (heading kept for boxes and people, none for what is round); else as it lies."""
+    """Vertical when it stands (heading kept, but for round things); else as it lies."""
     if isinstance(shape, Ball):
         return np.eye(3)
     if math.acos(float(np.clip(rotation[2, 2], -1.0, 1.0))) > _STANDING_TILT_RAD:

@@ -102,10 +102,16 @@ class SimulatorTruth:
 
     def solids(self) -> tuple[TrueObject, ...]:
         """Everything that could be seen: furniture, people, then objects, in the scene's order."""
-        return self._fixed + self._people + tuple(
-            TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
-            for item in self._items.values()
-            if item.name not in self._removed
+        return (
+            self._fixed
+            + self._people
+            + tuple(
+                TrueObject(
+                    item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name)
+                )
+                for item in self._items.values()
+                if item.name not in self._removed
+            )
         )
 
     def world_T_camera(self) -> Transform:
