@@ -13,6 +13,7 @@ from executive.events import (
     TaskEnded,
     TaskRefused,
 )
+from executive.lifecycle import LifecycleChanged
 from executive.task_result import TaskResult, chain
 from robots.control.events import (
     EmergencyReset,
@@ -57,6 +58,8 @@ def line_for(event: Event) -> str | None:
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
+        case LifecycleChanged():
+            return f"state {event.before} → {event.after}: {event.reason}"
         case EmergencyStopped():
             return f"emergency stop: {event.reason}; a person's reset is needed"
         case EmergencyReset():

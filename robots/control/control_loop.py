@@ -177,6 +177,16 @@ class ControlLoop:
         """The emergency stop that is engaged, or None."""
         return self._latch.engaged
 
+    @property
+    def still(self) -> bool:
+        """Whether nothing is commanded to move, fingers included."""
+        return self._streamer.still
+
+    @property
+    def defects(self) -> tuple[str, ...]:
+        """What is wrong with the robot now, for people."""
+        return ()
+
     def emergency_stop(self, reason: str, category: int = 1) -> None:
         """Stop, and refuse every motion with the reason until a person's ``reset``.
 
@@ -203,7 +213,7 @@ class ControlLoop:
         Returns:
             None when motions are taken again; else what stands against it.
         """
-        reason = self._latch.why_not_open(self._streamer.still, ())
+        reason = self._latch.why_not_open(self.still, self.defects)
         if reason is not None:
             self._sink(ResetRefused(self._clock.now_s(), request.person, reason))
             return reason
