@@ -162,7 +162,9 @@ def test_the_table_holds_exactly_what_is_allowed():
 def test_an_illegal_transition_is_refused_with_what_there_is():
     lifecycle = Lifecycle(lambda event: None, lambda: 0.0)
 
-    with pytest.raises(IllegalTransitionError, match="RESET leads nowhere from NORMAL; there are DEFECT, STOP"):
+    with pytest.raises(
+        IllegalTransitionError, match="RESET leads nowhere from NORMAL; there are DEFECT, STOP"
+    ):
         lifecycle.take(Trigger.RESET, "why not")
     assert lifecycle.state is LifecycleState.NORMAL
 
