@@ -13,8 +13,17 @@ from executive.events import (
     TaskEnded,
     TaskRefused,
 )
+from executive.lifecycle import LifecycleChanged
 from executive.task_result import TaskResult, chain
-from robots.control.events import MotionEnded, MotionStarted, SetpointRefused, StopStarted
+from robots.control.events import (
+    EmergencyReset,
+    EmergencyStopped,
+    MotionEnded,
+    MotionStarted,
+    ResetRefused,
+    SetpointRefused,
+    StopStarted,
+)
 from trees.events import LeafFailed, Measured, NodeChanged
 from trees.failures import Failure, Number
 
@@ -49,6 +58,14 @@ def line_for(event: Event) -> str | None:
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
+        case LifecycleChanged():
+            return f"state {event.before} → {event.after}: {event.reason}"
+        case EmergencyStopped():
+            return f"emergency stop: {event.reason}; a person's reset is needed"
+        case EmergencyReset():
+            return f"emergency stop left by {event.person}"
+        case ResetRefused():
+            return f"reset refused: {event.reason}"
         case MotionEnded(reason=reason) if reason:
             return f"motion {event.motion} {event.status}: {reason}"
         case NodeChanged() | Measured() | MotionStarted() | MotionEnded():

@@ -171,6 +171,10 @@ class SimulatorTruth:
         """Joint positions without noise, shape (n,), order of ``RobotDescription.actuated``."""
         return np.array(self._physics.data.qpos[self._physics.joint_qpos])
 
+    def joint_velocities(self) -> Array:
+        """Joint velocities without noise, rad/s, shape (n,), same order."""
+        return np.array(self._physics.data.qvel[self._physics.joint_qvel])
+
     def lowest_m(self, name: str) -> float:
         """Height of an object's lowest point above the floor."""
         world_T_object = self.world_T_object(name)

@@ -19,9 +19,10 @@ from tools.evaluate.faults import FAULTS
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
+from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import run_all
 
-SUITES = ("pick",)
+SUITES = ("pick", "stop", "cancel")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -35,6 +36,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except RobotsError as wrong:
         messages.print(f"error: {wrong}", style="bold", markup=False)
         return 2
+    if options.suite in ("stop", "cancel"):
+        return run_stop_suite(options, messages)
     orders = [
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
