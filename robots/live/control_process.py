@@ -44,6 +44,8 @@ PUBLISH_EVERY = 5
 _END_WITHIN_S = 3.0
 """Control time after which a shutdown does not wait for rest any longer."""
 _PRIORITY = 20
+_FIRST_PERIODS = 50
+"""Periods before anybody may connect."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +102,8 @@ class ControlProcess:
         self._scheduling = _real_time_scheduling() if options.realtime else "ordinary, as asked"
         self._defects, self._periods = 0, 0
         self._terminated = False
+        for _ in range(_FIRST_PERIODS):  # compiled code is loaded when it is first called
+            self._step()
         self._publish()
         about = {
             "robot": options.robot,
@@ -167,7 +171,7 @@ class ControlProcess:
             self._loop.step()
         except Exception as defect:  # the loop has told the robot to stay where it is, and it must go on
             self._defects += 1
-            print(f"executive: a defect of the control loop: {defect!r}", file=sys.stderr, flush=True)
+            _say(f"a defect of the control loop: {defect!r}")
         self._perception.tick()
         self._periods += 1
         if self._periods % PUBLISH_EVERY == 0:
@@ -213,6 +217,11 @@ def _real_time_scheduling() -> str:
     return "real-time (SCHED_FIFO)"
 
 
+def _say(line: str) -> None:
+    sys.stderr.write(f"executive: {line}\n")
+    sys.stderr.flush()
+
+
 def main() -> int:
     """Serve until the end; 2 when robot, scene or folder are no good."""
     parser = argparse.ArgumentParser(prog="python -m robots.live.control_process")
@@ -238,7 +247,7 @@ def main() -> int:
             )
         )
     except (RobotsError, KinematicsError, OSError) as wrong:
-        print(f"executive: {' '.join(str(wrong).split())}", file=sys.stderr)
+        _say(" ".join(str(wrong).split()))
         return 2
     signal.signal(signal.SIGTERM, lambda _number, _frame: process.terminate())
     try:

@@ -100,6 +100,7 @@ class ControlServer:
         self._busy = self._looking = False
         self._frame, self._polls = -1, 0
         self.latch = Emergency(loop)
+        self._told_emergency = ""
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
@@ -122,6 +123,7 @@ class ControlServer:
             self._loop.stop(1, reason)
             self._commander.send(write_message("error", reason=reason))
             self._commander.close(reason)
+        self._tell_emergency()
         self._tell_events()
         self._tell_motions()
         self._show_frame()
@@ -308,6 +310,14 @@ class ControlServer:
             case reason:
                 told = write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])
         self._commander.send(told)
+
+    def _tell_emergency(self) -> None:
+        if self.latch.engaged == self._told_emergency:
+            return
+        self._told_emergency = self.latch.engaged
+        told = write_message("emergency", engaged=self.latch.engaged)
+        for listener in self._listeners:
+            listener.send(told)
 
     def _tell_events(self) -> None:
         events, self._events = self._events, []

@@ -6,6 +6,7 @@ import os
 import select
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from robots.live.connection import Connection
 from robots.live.errors import ProtocolError
@@ -43,7 +44,8 @@ class SocketServer:
 
     def poll(self) -> None:
         """Accept, read, hand on, and send what waits."""
-        readable, _, _ = select.select([self._listening, *self.connections], [], [], 0.0)
+        waiting: list[Any] = [self._listening, *self.connections]
+        readable, _, _ = select.select(waiting, [], [], 0.0)
         for connection in list(self.connections):
             if connection in readable or connection.more:
                 self._read(connection)
