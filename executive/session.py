@@ -8,7 +8,6 @@ from typing import Protocol
 
 from executive.events import EventSink, SensorsNoted, TaskAccepted, TaskEnded
 from executive.meaning import Command, StopCommand, command_json
-from executive.planning_jobs import PlanningJobs
 from executive.supervisor import Supervisor
 from executive.task_result import Outcome, TaskResult, TaskTimes
 from robots.clock import Clock, WallClock
@@ -53,6 +52,12 @@ class Steps(Protocol):
         ...
 
 
+class PlanningTimes(Protocol):
+    """What is asked of the planning service for the report."""
+
+    wall_s: float
+
+
 class Session:
     """Runs commands one after another.
 
@@ -72,7 +77,7 @@ class Session:
         self,
         toolbox: Toolbox,
         loop: Steps,
-        planning: PlanningJobs,
+        planning: PlanningTimes,
         sink: EventSink,
         *,
         tick_sensors: Callable[[], None] | None = None,
