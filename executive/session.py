@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
-from typing import Protocol
+from collections.abc import Callable, Generator
+from typing import Protocol, TypeVar
 
-from executive.events import EventSink, SensorsNoted, TaskAccepted, TaskEnded
+from executive.events import Event, EventSink, InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.meaning import Command, StopCommand, command_json
 from executive.supervisor import Supervisor
 from executive.task_result import Outcome, TaskResult, TaskTimes
@@ -37,6 +37,18 @@ TASK_TIMEOUT_S = 180.0
 
 
 TreeBuilder = Callable[[Task, Toolbox], TaskTree]
+
+R = TypeVar("R")
+
+
+def ended(steps: Generator[object, None, R]) -> R:
+    """Let steps go on to their end, and return what they return."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            result: R = end.value
+            return result
 
 
 class Steps(Protocol):
@@ -101,6 +113,15 @@ class Session:
         """Simulated time."""
         return self._clock.now_s()
 
+    @property
+    def toolbox(self) -> Toolbox:
+        """What the trees' leaves may call; holds what the robot believes."""
+        return self._toolbox
+
+    def tell(self, event: Event) -> None:
+        """Put an event among the session's own."""
+        self._sink(event)
+
     def cancel(self, reason: str) -> None:
         """Ask for the running task to be halted; safe to call from a signal handler."""
         self._cancel_reason = reason
@@ -135,6 +156,12 @@ class Session:
 
         Whatever happens, the robot is left standing, and holding still or at rest.
         """
+        return ended(self.task_steps(command, timeout_s))
+
+    def task_steps(
+        self, command: Command, timeout_s: float = TASK_TIMEOUT_S
+    ) -> Generator[None, None, TaskResult]:
+        """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
         wall = WallClock()
         self._settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
@@ -148,19 +175,32 @@ class Session:
             outcome = "refused", refusal
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
-            outcome = self._run_guarded(tree, began_s + timeout_s)
+            outcome = yield from self._run_guarded(tree, began_s + timeout_s)
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
         self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
         times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
         subject = str(command.object) if isinstance(command, PickTask) else ""
-        return TaskResult(command.text, command.action, status, attempts, failure, evidence, times, subject)
+        return TaskResult(
+            command.text,
+            command.action,
+            status,
+            attempts,
+            failure,
+            evidence,
+            times,
+            subject,
+            acted_on=None if tree is None else tree.acted_on,
+            others=() if tree is None else tree.others,
+        )
 
-    def _run_guarded(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+    def _run_guarded(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         """Run, and draw the conclusions: a defect anywhere below fails the task and leads to ERROR."""
         try:
-            outcome, failure = self._run(tree, deadline_s)
+            outcome, failure = yield from self._run(tree, deadline_s)
         except Exception as defect:
             if self._supervisor is None:
                 raise
@@ -174,14 +214,18 @@ class Session:
             self._supervisor.note_defect(root.message)
         return outcome, failure
 
-    def _run(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+    def _run(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         self._show(tree)
         while True:
+            yield
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
                 self._cancel_reason = None
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, stopped)
             if self._cancel_reason is not None:
                 reason, self._cancel_reason = self._cancel_reason, None
+                self._sink(InputTaken(self.now_s, "cancel", reason))
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
             if self.now_s >= deadline_s:
                 return "failed", self._halt(tree, FailureKind.TIMEOUT, "the task took longer than allowed")
