@@ -8,15 +8,16 @@ from types import MappingProxyType
 from py_trees.behaviour import Behaviour
 
 from trees.subtrees.go_home import go_home
+from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.task_tree import TaskTree
-from trees.tasks import GoHomeTask, PickTask, Task
+from trees.tasks import CloseTask, GoHomeTask, OpenTask, PickTask, Task
 from trees.toolbox import Toolbox
 
 __all__ = ["SKILLS", "NoSkillError", "TaskTree", "build_tree", "has_skill"]
 
 SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
-    {PickTask: pick, GoHomeTask: go_home}
+    {PickTask: pick, GoHomeTask: go_home, OpenTask: open_or_close, CloseTask: open_or_close}
 )
 """What makes the root of each task's tree."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -13,9 +13,10 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.shapes import Ball, Box, Cylinder
-from robots import furniture
+from robots import articulated, furniture
 from robots.perception.truth_view import TrueObject
 from robots.scene_description import SceneItem
+from robots.simulated.furniture_model import part_body
 from robots.simulated.geom_roles import (
     FINGER_DRAWN_GROUP,
     HULL_GROUP,
@@ -83,6 +84,14 @@ class SimulatorTruth:
             for piece in physics.scene.furniture
             for solid in furniture.solids(piece)
         )
+        self._parts = tuple(
+            (TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, solid.part_T_solid), body)
+            for piece in physics.scene.furniture
+            if piece.opens is not None
+            for body in (physics.body_id(part_body(piece)),)
+            for solid in articulated.moving_solids(piece)
+            if solid.kind
+        )
         self._camera_body = physics.body_id(physics.description.camera.frame)
         self._tcp_body = {
             hand: physics.body_id(item.tcp_frame) for hand, item in physics.description.grippers.items()
@@ -98,11 +107,26 @@ class SimulatorTruth:
 
     def solids(self) -> tuple[TrueObject, ...]:
         """Everything that could be seen: furniture first, then objects, in the scene's order."""
-        return self._fixed + tuple(
+        return self._fixed + self._moving() + tuple(
             TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
             for item in self._items.values()
             if item.name not in self._removed
         )
+
+    def _moving(self) -> tuple[TrueObject, ...]:
+        """Doors, drawers and their handles where they are now."""
+        return tuple(
+            replace(solid, world_T_object=self._pose(body) @ solid.world_T_object)
+            for solid, body in self._parts
+        )
+
+    def opening(self, furniture_name: str) -> float:
+        """How far a door, rad, or a drawer, m, is open.
+
+        Raises:
+            KeyError: The scene has no such furniture, or it does not open.
+        """
+        return float(self._physics.data.qpos[self._physics.furniture.qpos[furniture_name]])
 
     def world_T_camera(self) -> Transform:
         """Pose of the camera's optical frame, shape (4, 4)."""
