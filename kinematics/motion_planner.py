@@ -12,6 +12,7 @@ from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gesture_planner import GesturePlanner
+from kinematics.handle_planner import HandlePlanner
 from kinematics.ik import along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
@@ -23,6 +24,8 @@ from kinematics.pick_planner import (
 )
 from kinematics.requests import (
     CheckRequest,
+    HandlePlan,
+    HandleRequest,
     MovePlan,
     MoveRequest,
     NoPlan,
@@ -38,7 +41,7 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
 
-Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = PickPlan | MovePlan | HandlePlan | NoPlan | CheckedTrajectory | Unsafe
 
 
 class MotionPlanner:
@@ -48,6 +51,7 @@ class MotionPlanner:
         self._model = model
         self._pick = PickPlanner(model)
         self._gestures = GesturePlanner(model)
+        self._handle = HandlePlanner(model)
         self._checker = TrajectoryChecker(model)
 
     def answer(self, request: PlanRequest) -> Answer:
@@ -58,6 +62,8 @@ class MotionPlanner:
             return self._move(request)
         if isinstance(request, RetreatRequest):
             return self._retreat(request)
+        if isinstance(request, HandleRequest):
+            return self._handle.plan(request)
         if isinstance(request, CheckRequest):
             return self._checker.check(request.trajectory, request.scene)
         return self._gestures.plan(request)

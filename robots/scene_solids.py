@@ -6,7 +6,7 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Cylinder
-from robots import furniture
+from robots import articulated, furniture
 from robots.scene_description import Person, SceneDescription
 from robots.scene_rules import PERSON_HEIGHT_M
 
@@ -26,6 +26,18 @@ def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningSc
         SceneObject(solid.name, solid.shape, solid.world_T_solid, margin_m, movable=False)
         for piece in scene.furniture
         for solid in furniture.solids(piece)
+    ]
+    solids += [
+        SceneObject(
+            part.name,
+            part.shape,
+            articulated.world_T_solid(piece, furniture.floor_pose(piece), part),
+            margin_m,
+            movable=False,
+        )
+        for piece in scene.furniture
+        if piece.opens is not None
+        for part in articulated.moving_solids(piece)
     ]
     solids += [SceneObject(item.name, item.shape, item.world_T_object, margin_m) for item in scene.objects]
     for person in scene.people:

@@ -9,12 +9,15 @@ from py_trees.behaviour import Behaviour
 
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
+from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.subtrees.talk import say, wait
 from trees.task_tree import TaskTree
 from trees.tasks import (
+    CloseTask,
     GoHomeTask,
     LookAtTask,
+    OpenTask,
     PickTask,
     PointAtTask,
     SayTask,
@@ -30,6 +33,8 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
     {
         PickTask: pick,
         GoHomeTask: go_home,
+        OpenTask: open_or_close,
+        CloseTask: open_or_close,
         WaveTask: wave,
         PointAtTask: point_at,
         LookAtTask: look_at,

@@ -23,9 +23,10 @@ from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.skills.episode import run_skill_episode
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.summary import SkillSummary
+from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", *SKILL_SUITES)
+SUITES = ("pick", "stop", "cancel", *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -39,6 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except RobotsError as wrong:
         messages.print(f"error: {wrong}", style="bold", markup=False)
         return 2
+    if options.suite in ("stop", "cancel"):
+        return run_stop_suite(options, messages)
     orders = [
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)

@@ -1,0 +1,226 @@
+"""The commands of one statement, carried out in order: references, several objects, questions.
+
+An errand goes on tick by tick, and hands an open question to whoever drives it; the answer continues the
+same task. What comes after a task that was not done is not begun.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator, Sequence
+from dataclasses import fields, replace
+from functools import partial
+from typing import Any, Literal
+
+from executive.clarification import (
+    MAX_TRIES,
+    Ask,
+    Chosen,
+    OpenQuestion,
+    Unclear,
+    Withdrawn,
+    understood_answer,
+)
+from executive.events import InputTaken, QuestionAsked, TaskRefused
+from executive.meaning import Command, StopCommand
+from executive.session import TASK_TIMEOUT_S, Session
+from executive.task_result import Provenance, TaskResult, TaskTimes
+from kinematics import poses
+from trees.believed_thing import Surroundings, surroundings
+from trees.build import NoSkillError, has_skill
+from trees.failures import Failure, FailureKind
+from trees.grounding import exactly, ground
+from trees.tasks import ObjectDescription, ObjectOf, Relation
+
+OnQuestion = Literal["ask", "fail", "first"]
+"""What becomes of a question: it is put, it ends the task, or the first choice is taken."""
+
+Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
+"""None after each tick, a question where one is open; takes its answer, or None when there is none."""
+
+
+class Errand:
+    """One statement's commands on their way.
+
+    Args:
+        session: Carries out single tasks.
+        commands: What to do, in order.
+        timeout_s: Simulated time that each task may take.
+        on_question: What becomes of questions.
+        provenance: Where each command comes from, when a model asked for it.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        commands: Sequence[Command],
+        *,
+        timeout_s: float = TASK_TIMEOUT_S,
+        on_question: OnQuestion = "ask",
+        provenance: Sequence[Provenance | None] = (),
+    ) -> None:
+        self._session = session
+        self._commands = tuple(commands)
+        self._timeout_s = timeout_s
+        self._on_question = on_question
+        self._provenance = tuple(provenance) or (None,) * len(self._commands)
+        self._acted_on: list[tuple[str, ...]] = []
+
+    def steps(self) -> Steps:
+        """Carry everything out; returns the results of the tasks that were begun."""
+        refused = self._refused()
+        if refused is not None:
+            return (refused,)
+        results: list[TaskResult] = []
+        for command, provenance in zip(self._commands, self._provenance, strict=True):
+            names: list[str] = []
+            waiting = list(self._filled(command))
+            while waiting:
+                result = yield from self._task(waiting.pop(0))
+                results.append(replace(result, provenance=provenance))
+                if result.outcome != "done":
+                    return tuple(results)
+                names += [] if result.acted_on is None else [result.acted_on]
+                waiting[:0] = [_of_one(command, name) for name in result.others]
+            self._acted_on.append(tuple(names))
+        return tuple(results)
+
+    # --- one task, with its questions -----------------------------------------------------------
+
+    def _task(self, command: Command | Failure) -> Generator[OpenQuestion | None, str | None, TaskResult]:
+        if isinstance(command, Failure):
+            return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
+        times, attempts = TaskTimes(), 0
+        while True:
+            result = yield from _silent(self._session.task_steps(command, self._timeout_s))
+            times, attempts = _sum(times, result.times), attempts + result.attempts
+            result = replace(result, times=times, attempts=attempts)
+            if result.outcome != "question" or result.failure is None:
+                return result
+            answered = yield from self._asked(command, result.failure)
+            if answered is None:
+                return result
+            if isinstance(answered, Failure):
+                return replace(result, outcome="cancelled", failure=answered)
+            command = answered
+
+    def _asked(
+        self, command: Command, failure: Failure
+    ) -> Generator[OpenQuestion | None, str | None, Command | Failure | None]:
+        """The command with the choice that was made; why it was withdrawn; None when nobody answered."""
+        session, choices, names = self._session, failure.choices, failure.choice_names
+        question = failure.root.message
+        session.tell(QuestionAsked(session.now_s, command.text, question, choices))
+        if self._on_question == "fail" or not names:
+            return None
+        if self._on_question == "first":
+            session.tell(InputTaken(session.now_s, "answer", choices[0]))
+            return _of_one(command, names[0])
+        tried = ""
+        for _ in range(MAX_TRIES):
+            text = yield OpenQuestion(question, choices, tried)
+            session.tell(InputTaken(session.now_s, "answer", text or ""))
+            if text is None:
+                return None
+            meant = partial(ground, around=self._around().only(names))
+            match understood_answer(text, choices, meant, names):
+                case Chosen(index):
+                    return _of_one(command, names[index])
+                case Withdrawn():
+                    return Failure(FailureKind.CANCELED, "withdrawn by the answer")
+                case Unclear(message):
+                    tried = message
+        return None
+
+    def _around(self) -> Surroundings:
+        toolbox = self._session.toolbox
+        q = toolbox.sensing.state().q
+        base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
+        world = toolbox.world
+        return surroundings(world.scene, base, toolbox.policy.support_gap_m, world.last_acted_on)
+
+    # --- before anything moves ------------------------------------------------------------------
+
+    def _refused(self) -> TaskResult | None:
+        """What is no skill is found out before the first task begins: nothing is half done."""
+        for command in self._commands:
+            if isinstance(command, StopCommand) or has_skill(command):
+                continue
+            message = str(NoSkillError(command))
+            self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
+            failure = Failure(FailureKind.REFUSED, message)
+            return TaskResult(command.text, command.action, "refused", failure=failure)
+        return None
+
+    # --- references -----------------------------------------------------------------------------
+
+    def _filled(self, command: Command) -> Iterator[Command | Failure]:
+        """The command with its references to earlier tasks filled in; once for each of several objects."""
+        referred = sorted({ref.task for ref in _references(command)})
+        for index in referred:
+            if index >= len(self._acted_on) or not self._acted_on[index]:
+                yield Failure.infeasible(f"what {command.text!r} refers to is not known")
+                return
+        own = getattr(command, "object", None)
+        several = self._acted_on[own.task] if isinstance(own, ObjectOf) else (None,)
+        for name in several:
+            chosen = {index: self._acted_on[index][0] for index in referred}
+            if isinstance(own, ObjectOf) and name is not None:
+                chosen[own.task] = name
+            yield _with_references(command, chosen)
+
+
+def drive(steps: Steps, ask: Ask) -> tuple[TaskResult, ...]:
+    """Let an errand go on to its end, putting its questions to ``ask``."""
+    answer: str | None = None
+    while True:
+        try:
+            question = steps.send(answer)
+        except StopIteration as end:
+            results: tuple[TaskResult, ...] = end.value
+            return results
+        answer = None if question is None else ask(question)
+
+
+def _silent(
+    steps: Generator[None, None, TaskResult],
+) -> Generator[OpenQuestion | None, str | None, TaskResult]:
+    """Pass ticks on; what is sent in between is for nobody."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            result: TaskResult = end.value
+            return result
+        yield None
+
+
+def _of_one(command: Command, name: str) -> Command:
+    """The command for one named object."""
+    changes: dict[str, Any] = {"object": exactly(name)}
+    if hasattr(command, "count"):
+        changes["count"] = 1
+    return replace(command, **changes)
+
+
+def _references(value: Any) -> Iterator[ObjectOf]:
+    if isinstance(value, ObjectOf):
+        yield value
+    elif hasattr(value, "__dataclass_fields__"):
+        for field in fields(value):
+            yield from _references(getattr(value, field.name))
+
+
+def _with_references(value: Any, names: dict[int, str]) -> Any:
+    """The same value with every reference replaced by the description of what it refers to."""
+    if isinstance(value, ObjectOf):
+        return exactly(names[value.task])
+    if isinstance(value, ObjectDescription | Relation) or hasattr(value, "action"):
+        filled = {field.name: getattr(value, field.name) for field in fields(value)}
+        return replace(value, **{key: _with_references(item, names) for key, item in filled.items()})
+    return value
+
+
+def _sum(a: TaskTimes, b: TaskTimes) -> TaskTimes:
+    return TaskTimes(
+        a.planning_wall_s + b.planning_wall_s, a.simulated_s + b.simulated_s, a.wall_s + b.wall_s
+    )
