@@ -169,6 +169,7 @@ class RobotDescription:
             roll, pitch, yaw about fixed axes.
         cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
         walking: How it walks; None for a robot that does not, or of which it is not known.
+        joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
         planning_margin_rad: Limits are shrunk by this for planning.
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
@@ -200,6 +201,7 @@ class RobotDescription:
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cannot_grasp: str = ""
     walking: WalkingSettings | None = None
+    joint_viscosity_nms_rad: float = 0.0
 
     @property
     def actuated(self) -> tuple[str, ...]:

@@ -141,9 +141,7 @@ class LeggedEstimator:
         for side, frame in zip(self._sides, self._frames, strict=True):
             placement = pin.updateFramePlacement(model, data, frame)
             self._base_T_soles[side] = (placement.rotation, placement.translation)
-            self._velocities[side] = pin.getFrameVelocity(
-                model, data, frame, pin.LOCAL_WORLD_ALIGNED
-            ).linear
+            self._velocities[side] = pin.getFrameVelocity(model, data, frame, pin.LOCAL_WORLD_ALIGNED).linear
         base_R_imu = pin.updateFramePlacement(model, data, self._imu).rotation
         self.turn_rad_s = base_R_imu.dot(gyro_rad_s - self.gyro_bias_rad_s)
         least = self._settings.carrying_force_n

@@ -286,7 +286,9 @@ class WalkingPattern:
         for k, step in enumerate(steps):
             start = feet[step.side]
             if k > 0:
-                stretches += self._on_one(self._over(OTHER[step.side], feet[OTHER[step.side]]), start, step.pose)
+                stretches += self._on_one(
+                    self._over(OTHER[step.side], feet[OTHER[step.side]]), start, step.pose
+                )
             feet[step.side] = step.pose
             old = self._over(OTHER[step.side], feet[OTHER[step.side]])
             new = self._over(step.side, step.pose)

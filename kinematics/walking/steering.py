@@ -72,6 +72,36 @@ class VelocitySteering:
         return PlanarPose(x * math.cos(0.5 * yaw), x * math.sin(0.5 * yaw), yaw)
 
 
+@dataclass(frozen=True, slots=True)
+class StretchSteering:
+    """Go a distance straight on, or back, and stop there.
+
+    Attributes:
+        settings: The robot's.
+        start: Where it begins, in the odometry frame.
+        linear_m_s: The speed, negative to go back.
+        distance_m: How far.
+    """
+
+    settings: WalkingSettings
+    start: PlanarPose
+    linear_m_s: float
+    distance_m: float
+
+    def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:
+        """A step of that speed, or what is left."""
+        seen = self.start.to(body)
+        ahead = math.copysign(1.0, self.linear_m_s)
+        left_m = self.distance_m - ahead * seen.x_m
+        if left_m < _ARRIVED_M:
+            return None
+        step = VelocitySteering(self.settings, self.linear_m_s, 0.0).advance(body, before)
+        if step is None:
+            return None
+        turn = min(max(-seen.yaw_rad, -0.1), 0.1)  # keep to the line
+        return PlanarPose(ahead * min(abs(step.x_m), left_m), 0.0, turn)
+
+
 class PathSteering:
     """Follow a path and stop at its end, with the heading that is wanted there."""
 

@@ -63,9 +63,7 @@ class WholeBody:
         self._model, self._pin, self._data = model, model.pin, model.pin.createData()
         self._period_s, self._blend_s = period_s, blend_s
         flat = tuple((sole.frame, np.eye(4)) for sole in model.description.soles)
-        self._sides = tuple(
-            side for side in HANDS for sole in model.description.soles if sole.side == side
-        )
+        self._sides = tuple(side for side in HANDS for sole in model.description.soles if sole.side == side)
         geometry = LegIk(model, Stance(flat)).geometry
         self._columns = np.array(
             [[int(model.pin.joints[j].idx_q) for j in leg.joints] for leg in geometry], dtype=np.intp
@@ -151,7 +149,14 @@ class WholeBody:
             foot = sample.feet[side]
             self._feet[k] = (foot.x_m, foot.y_m, sample.lift_m[side], foot.yaw_rad)
         if not fill_legs(
-            q, base_R, self._feet, self._hip, self._bones, self._sole_R_ankle, self._sole_p_ankle, self._columns
+            q,
+            base_R,
+            self._feet,
+            self._hip,
+            self._bones,
+            self._sole_R_ankle,
+            self._sole_p_ankle,
+            self._columns,
         ):
             raise OutOfReachError("a step is out of the legs' reach")
         com = pin.centerOfMass(self._pin, self._data, q, False)

@@ -68,7 +68,9 @@ class SetpointGate:
         room[3] += DEFAULT_SETTINGS.acceleration_fraction * upper[3]
         self._most, self._least = upper + room, lower - room
         walking = description.walking.joint_acceleration if description.walking is not None else {}
-        steps = np.array([walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)])
+        steps = np.array(
+            [walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)]
+        )
         self._accelerations = {False: upper[3].copy(), True: steps}
         self._acceleration_room = room[3]
         self._judged = np.empty((5, n))
@@ -101,6 +103,10 @@ class SetpointGate:
             last, stamp_s=self._clock.now_s(), sequence=last.sequence + 1, owner=HOLD, v=np.zeros(len(last.v))
         )
         self._robot.command(self.last)
+
+    def go_on(self, period_s: float) -> None:
+        """The robot followed the last setpoint for longer than a period: judge the next one from now on."""
+        self.last = dataclasses.replace(self.last, stamp_s=self._clock.now_s() - period_s)
 
     def go_limp(self, measured_rad: Array, measured_rad_s: Array) -> None:
         """Command where the joints are anyway, without feed-forward, so that the servos push nothing.

@@ -35,15 +35,15 @@ class SimulatedRangeSensor:
         physics = self._physics
         physics.refresh()
         base = physics.body_pose(physics.base_body)
-        turned = self._directions @ poses.rotation_z(poses.yaw_of(base[:3, :3])).T
+        turned = np.ascontiguousarray(self._directions @ poses.rotation_z(poses.yaw_of(base[:3, :3])).T).ravel()
         found = []
         for height_m in _HEIGHTS_M:
             start = np.array((base[0, 3], base[1, 3], height_m))
             hit = np.full(_RAYS, -1, dtype=np.int32)
             range_m = np.zeros(_RAYS)
             mujoco.mj_multiRay(
-                physics.model, physics.data, start, np.ascontiguousarray(turned).ravel(), self._groups, True, -1,
-                hit, range_m, None, _RAYS, _RANGE_M,
+                physics.model, physics.data, start, turned, self._groups, True, -1, hit, range_m, None,
+                _RAYS, _RANGE_M,
             )  # fmt: skip
             noisy = range_m + self._rng.normal(0.0, _NOISE_M, _RAYS)
             seen = (hit >= 0) & (range_m >= 0.0)

@@ -52,4 +52,9 @@ def build_world(
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
     ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])
-    return SimulatedWorld(SimulatedRobot(physics, rng, faults.tick), truth, faults, physics, ranging)
+
+    def before_period() -> None:
+        faults.tick()
+        physics.furniture.apply()
+
+    return SimulatedWorld(SimulatedRobot(physics, rng, before_period), truth, faults, physics, ranging)

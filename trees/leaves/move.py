@@ -9,7 +9,7 @@ from py_trees.common import Status
 from kinematics.walking.corridor import free_way_m, stopping_distance_m
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
-from kinematics.walking.steering import VelocitySteering
+from kinematics.walking.steering import Steering, StretchSteering, VelocitySteering
 from robots.control.motion_handle import MotionHandle
 from trees.contract import Contract
 from trees.failures import Failure
@@ -62,9 +62,8 @@ class Move(Leaf):
                 return refused
             if task.linear_m_s == 0.0 and task.angular_rad_s == 0.0:
                 return DONE
-            steering = VelocitySteering(settings, task.linear_m_s, task.angular_rad_s)
-            self._handle = toolbox.walking.walk(steering, "walk")
             self._last = body_pose(toolbox)
+            self._handle = toolbox.walking.walk(self._steering(settings), "walk")
         if (ended := motion_failure(self._handle)) is not None:
             return ended
         self._measure()
@@ -72,7 +71,7 @@ class Move(Leaf):
             return self._stood()
         if blocked is not None and not self._stopping:
             return blocked
-        if not self._stopping and self._far_enough(settings):
+        if not self._stopping and self.elapsed_s >= self._duration_s:
             toolbox.walking.finish(self._handle)
             self._stopping = True
         self.feedback_message = f"{self._gone_m:+.2f} m, {math.degrees(self._turned_rad):+.0f} degrees"
@@ -100,7 +99,7 @@ class Move(Leaf):
         if task.duration_s is not None:
             return task.duration_s
         if task.distance_m is not None and task.linear_m_s != 0.0:
-            return abs(task.distance_m / task.linear_m_s) + 5.0
+            return 2.0 * abs(task.distance_m / task.linear_m_s) + 10.0
         return self.toolbox.policy.move_s
 
     def _beyond_limits(self, settings: WalkingSettings) -> Failure | None:
@@ -148,13 +147,11 @@ class Move(Leaf):
         self._turned_rad += gone.yaw_rad
         self._last = now
 
-    def _far_enough(self, settings: WalkingSettings) -> bool:
+    def _steering(self, settings: WalkingSettings) -> Steering:
         task = self._task
-        if task.distance_m is not None and task.linear_m_s != 0.0:
-            # what the last steps still bring
-            rest_m = abs(task.linear_m_s) * settings.step_s
-            return abs(self._gone_m) >= task.distance_m - rest_m
-        return self.elapsed_s >= self._duration_s
+        if task.distance_m is not None and task.linear_m_s != 0.0 and task.angular_rad_s == 0.0:
+            return StretchSteering(settings, self._last, task.linear_m_s, task.distance_m)
+        return VelocitySteering(settings, task.linear_m_s, task.angular_rad_s)
 
     def _stood(self) -> Status:
         took_s = self.elapsed_s

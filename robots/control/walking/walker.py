@@ -22,6 +22,7 @@ from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
+from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.stabiliser import Stabiliser
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
@@ -124,6 +125,16 @@ class Walker:
             self._authority.claim(_STOPPING, self._model.joints)
             self._owner = _STOPPING
 
+    def abandon(self) -> None:
+        """Forget the walk: the power is gone, and there are no last steps."""
+        self._walk = None
+        self._authority.release(self._owner)
+
+    def rejoin(self, told_rad: Array) -> None:
+        """Go on from where the joints were told to stay for a period, shape (actuated,)."""
+        if self._walk is not None:
+            self._walk.rejoin(told_rad[: self._bodies])
+
     def stand_by(self, readings: RobotState) -> None:
         """Take in what the sensors say while nobody walks: where the gyro's zero is, above all."""
         self._readings = readings
@@ -146,7 +157,7 @@ class Walker:
             raise RuntimeError("nobody walks")
         body, efforts = self._walk.next()
         q, v = standing.q.copy(), standing.v.copy()
-        q[: self._bodies], v[: self._bodies] = body.q[7:], body.v[6:]
+        q[: self._bodies], v[: self._bodies] = self._walk.joints(body)
         owners = [self._owner] if standing.owner == HOLD else [self._owner, standing.owner]
         return dataclasses.replace(standing, owner=together(owners), q=q, v=v, body=body, efforts=efforts)
 
@@ -175,6 +186,8 @@ class Walker:
             return f"{self._model.description.name} is not known to walk"
         if self._walk is not None:
             return "it walks already"
+        if (closed := self._streamer.why_closed) is not None:
+            return closed
         if not self._streamer.resting:
             return "the body is moving"
         lean = poses.rotation_from_quaternion(self._streamer.reference()[3:7])[2, 2]
@@ -206,7 +219,9 @@ class _Walk:
         feet = {side: PlanarPose.of(placed[sole.frame]) for side, sole in soles.items()}
         self._body = WholeBody(model, q, feet, period_s, settings.first_shift_s)
         com = model.com(q)
-        home = {side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()}
+        home = {
+            side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
+        }
         self.pattern = WalkingPattern(
             settings,
             soles,
@@ -224,6 +239,7 @@ class _Walk:
         self._sample: PatternSample | None = None
         self._motion: MotionSample | None = None
         self._phase = Phase.REST
+        self._rejoin: Rejoin | None = None
         self._resting = 0
 
     @property
@@ -257,6 +273,21 @@ class _Walk:
         self._motion = motion
         return motion, self._stabiliser.efforts(before, motion, self._estimator)
 
+    def joints(self, motion: MotionSample) -> tuple[Array, Array]:
+        """Positions and velocities to command, on the way back to the motion if they are off it."""
+        q, v = motion.q[7:], motion.v[6:]
+        if self._rejoin is None:
+            return q, v
+        left, speed = self._rejoin.advance(self._period_s)
+        if self._rejoin.over:
+            self._rejoin = None
+        return q + left, v + speed
+
+    def rejoin(self, told_rad: Array) -> None:
+        """Come back to the motion from where the joints rest for a period."""
+        if self._motion is not None:
+            self._rejoin = Rejoin(told_rad - self._motion.q[7:], -self._motion.v[6:])
+
     def standing(self) -> tuple[Stance, Array]:
         """Stance and configuration at its end, in the odometry frame."""
         if self._motion is None:
@@ -265,7 +296,8 @@ class _Walk:
         found = PlanarPose.between(self._estimator.sole("left"), self._estimator.sole("right"))
         odom_T_plan = found @ PlanarPose.between(feet["left"], feet["right"]).inverse()
         soles = tuple(
-            (sole.frame, (odom_T_plan @ feet[sole.side]).transform()) for sole in self._model.description.soles
+            (sole.frame, (odom_T_plan @ feet[sole.side]).transform())
+            for sole in self._model.description.soles
         )
         q = self._motion.q.copy()
         base = odom_T_plan.transform() @ poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
