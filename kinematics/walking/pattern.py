@@ -139,13 +139,14 @@ class WalkingPattern:
                 self._next_phase()
         sample = self._motion.at(self._since_s)
         self._now = sample
-        feet, lift_m = dict(self.feet), {"left": 0.0, "right": 0.0}
+        feet = dict(self.feet)
+        lift_m: dict[Hand, float] = {"left": 0.0, "right": 0.0}
         carrying: tuple[Hand, ...] = ("left", "right")
         if self.phase is Phase.SWING and self._swing is not None:
             side = OTHER[self._standing]
             feet[side], lift_m[side] = self._swing.at(self._swing_s)
             carrying = (self._standing,)
-        return PatternSample(sample, feet, lift_m, carrying, self.phase)  # type: ignore[arg-type]
+        return PatternSample(sample, feet, lift_m, carrying, self.phase)
 
     # ---------------------------------------------------------------- phases
 
