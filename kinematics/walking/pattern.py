@@ -25,6 +25,10 @@ _HORIZON = 4
 _REDIRECT_S = 0.25
 """A foot that lands sooner than this goes where it was going."""
 
+_QUICK_STOP_INSET_M = 0.045
+"""A landing is brought nearer only if the ZMP stays this far inside the sole: what is left is needed to
+correct errors. With 0.01 a quick stop from 0.45 m/s backwards rocked the robot onto its edges."""
+
 
 class Phase(Enum):
     """What the feet do."""
@@ -172,8 +176,8 @@ class WalkingPattern:
             self._begin()
 
     def _begin(self) -> None:
-        first = self._planner.first_side(self._steering, self.feet, self.odom_T_plan)
-        self._standing = OTHER[first]
+        side = self._planner.first_side(self._steering, self.feet, self.odom_T_plan)
+        self._standing = OTHER[side]
         steps = self._plan()
         if not steps:
             return
@@ -221,7 +225,7 @@ class WalkingPattern:
         before = swing.goal
         swing.redirect(beside, self._swing_s)
         zmp = self._steering_zmp(after)
-        if self._on_sole(zmp) != zmp:
+        if self._on_sole(zmp, _QUICK_STOP_INSET_M) != zmp:
             swing.redirect(before, self._swing_s)
             return
         self._advance = PlanarPose()
@@ -230,7 +234,7 @@ class WalkingPattern:
     # ---------------------------------------------------------------- the DCM's way
 
     def _balance_on_one(self, steps: list[Footstep]) -> None:
-        self._go(*self._on_one_now(self._on_sole(self._steering_zmp(steps))))
+        self._go(*self._on_one_now(self._on_sole(self._steering_zmp(steps), self._settings.zmp_inset_m)))
 
     def _steering_zmp(self, steps: list[Footstep]) -> Point:
         """Where the ZMP must stay during the rest of the swing for what follows."""
@@ -325,10 +329,9 @@ class WalkingPattern:
         pose = foot @ PlanarPose(0.5 * sum(sole.x_m), 0.5 * sum(sole.y_m))
         return pose.x_m, pose.y_m
 
-    def _on_sole(self, zmp: Point) -> Point:
-        """The point of the standing foot's sole, less its inset, nearest to a ZMP."""
+    def _on_sole(self, zmp: Point, inset: float) -> Point:
+        """The point of the standing foot's sole, less an inset, nearest to a ZMP."""
         foot, sole = self.feet[self._standing], self._soles[self._standing]
-        inset = self._settings.zmp_inset_m
         seen = foot.to(PlanarPose(*zmp))
         x = min(max(seen.x_m, sole.x_m[0] + inset), sole.x_m[1] - inset)
         y = min(max(seen.y_m, sole.y_m[0] + inset), sole.y_m[1] - inset)
