@@ -44,6 +44,7 @@ class SocketServer:
 
     def poll(self) -> None:
         """Accept, read, hand on, and send what waits."""
+        self._forget_closed()
         waiting: list[Any] = [self._listening, *self.connections]
         readable, _, _ = select.select(waiting, [], [], 0.0)
         for connection in list(self.connections):
