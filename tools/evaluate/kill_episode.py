@@ -1,4 +1,4 @@
-"""One episode of suite ``kill``: a served robot whose executive is killed, or hangs, in the middle of a task."""
+"""One episode of suite ``kill``: a served robot whose executive is killed, or hangs, during a task."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import traceback
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -213,7 +213,7 @@ class _Episode:
         self._wall.sleep(0.1)
         if not self._folder.executive_socket.exists():
             return False
-        return self._status()["commander"] == self._service.executive.pid
+        return bool(self._status()["commander"] == self._service.executive.pid)
 
     def _evaluate(self, message: bytes) -> dict[str, Any]:
         caller = Caller(self._folder.evaluation_socket)
@@ -250,8 +250,6 @@ class _Episode:
 
 
 def _judged(record: KillRecord) -> KillRecord:
-    from dataclasses import replace
-
     if record.fallen:
         return replace(record, outcome="fell")
     if not record.in_time or record.refused:
