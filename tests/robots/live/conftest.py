@@ -49,6 +49,11 @@ def swing(model, q, amount=0.3, duration_s=1.0):
     return CheckedTrajectory(Trajectory(model.joints, stance_at(model, q), t, qs, vs), 0, 0.1, 0.1, _SEAL)
 
 
+@pytest.fixture(scope="session", name="swing")
+def swing_fixture(talos):
+    return lambda amount=0.2: swing(talos, talos.q_home, amount)
+
+
 class Checker:
     """Answers what it was told to, at once or when asked to."""
 

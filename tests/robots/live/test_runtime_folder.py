@@ -14,12 +14,12 @@ def test_it_is_made_for_its_owner_alone(tmp_path):
     folder = RuntimeFolder(tmp_path / "robot")
     folder.make()
 
-    assert stat.S_IMODE(os.stat(folder.path).st_mode) == 0o700
+    assert stat.S_IMODE(folder.path.stat().st_mode) == 0o700
 
 
 def test_one_that_others_may_enter_is_refused(tmp_path):
     (tmp_path / "robot").mkdir(mode=0o755)
-    os.chmod(tmp_path / "robot", 0o755)
+    (tmp_path / "robot").chmod(0o755)
 
     with pytest.raises(RuntimeFolderError, match="0700"):
         RuntimeFolder(tmp_path / "robot").make()
@@ -49,7 +49,7 @@ def test_a_second_control_process_is_refused_until_the_first_has_ended(folder):
 
 
 def test_the_socket_is_the_owners_alone(live):
-    assert stat.S_IMODE(os.stat(live.folder.control_socket).st_mode) == 0o600
+    assert stat.S_IMODE(live.folder.control_socket.stat().st_mode) == 0o600
 
 
 def test_nobody_there_is_told_as_such(folder):

@@ -1,6 +1,5 @@
 """The slot holds what is newest, whole, however slowly anybody reads."""
 
-import os
 import stat
 
 import numpy as np
@@ -43,7 +42,7 @@ def test_values_that_are_being_written_are_not_taken(path):
 
 def test_it_is_the_owners_alone_and_goes_with_its_writer(path):
     writer = StateSlotWriter(path, 2)
-    assert stat.S_IMODE(os.stat(path).st_mode) == 0o600
+    assert stat.S_IMODE(path.stat().st_mode) == 0o600
 
     writer.close()
 
