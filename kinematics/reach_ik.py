@@ -21,7 +21,7 @@ from kinematics.trajectory import Stance
 
 if TYPE_CHECKING:
     from kinematics.kernel.coordinates import Limits
-    from kinematics.kernel.reach import ReachSpace
+    from kinematics.kernel.reach_problem import ReachSpace
 
 Array = NDArray[np.float64]
 
@@ -59,14 +59,14 @@ class ReachIk:
 
     def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
         # imported here: they bring the compiler
-        from kinematics.kernel import reach
+        from kinematics.kernel import reach, reach_problem
         from kinematics.kernel.coordinates import standing_coordinates, standing_limits
         from kinematics.kernel.tree import tree_of
 
         description = model.description
         if description.welded:
             raise ModelError("the free coordinates of a welded robot have no base")
-        self._reach = reach
+        self._reach, self._problem = reach.reach, reach_problem
         self._model = model
         self._space = free_coordinates(model, stance)
         self._polygon = SupportPolygon(stance, description.soles)
@@ -104,7 +104,7 @@ class ReachIk:
         column = np.full(len(self._tree.parent), -1, np.int64)
         column[[model.pin.getJointId(joint) for joint in self._space.joints]] = 6 + np.arange(len(columns))
         self._column = column
-        self._memory = reach.scratch(self._tree, model.nq, self._space.size)
+        self._memory = reach_problem.scratch(self._tree, model.nq, self._space.size)
 
     def solve(
         self,
@@ -125,7 +125,7 @@ class ReachIk:
             q_preferred: Posture to stay near where there is a choice; home when left out.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
         """
-        kernel = self._reach
+        kernel = self._problem
         body, offset_R, offset_p = self._tool
         seed = self._space.from_q(q_seed)
         preferred = self._home if q_preferred is None else self._space.from_q(q_preferred)
@@ -150,7 +150,7 @@ class ReachIk:
         following = q_preferred is not None
         for limits, lower, start in self._tries(seed, where, starts, tolerance, following):
             x = start.copy()
-            steps = kernel.reach(
+            steps = self._reach(
                 self._tree,
                 self._coordinates,
                 limits,
