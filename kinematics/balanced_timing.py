@@ -21,7 +21,8 @@ ZMP_BESIDE_COM_M = 0.01
 """Where the CoM itself is nearer to the edge, the ZMP may be nearer by this."""
 SLOWER = (1.0, 0.8, 0.62, 0.48, 0.36, 0.26)
 """Shares of the pace that are tried. The ZMP leaves the CoM by the square of the speed."""
-_PERIOD_S = 0.02
+_PERIOD_S = 0.04
+"""Between two looks at the ZMP; the checker looks twice as often."""
 
 
 def time_in_balance(

@@ -41,6 +41,7 @@ ABOVE_MIDDLE = 0.12
 OTHER_HEIGHTS = (0.28, 0.4, 0.0)
 # Flat pads along the object hold it better than the edges of two pads that it stands between.
 STRADDLE_COST = 1.0
+_HALF_TURN = poses.rotation_x(math.pi)
 # An object that stands is upright to within this; a lying one is grasped like a box.
 UPRIGHT_COSINE = math.cos(math.radians(20))
 
@@ -76,12 +77,16 @@ def grasp_candidates(
     """
     # the arm prefers to come from its own outer side: the elbow stays off the trunk
     outward = 1.0 if gripper.hand == "right" else -1.0
+    widest = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
+    headings = [poses.rotation_z(natural_yaw_rad + outward * yaw) for yaw in YAWS_RAD]
+    rotations = dict(zip(YAWS_RAD, headings, strict=True))
+    leans = {tilt: poses.rotation_y(tilt) for tilt in TILTS_RAD}
     found = []
     for yaw, tilt, height in product(YAWS_RAD, TILTS_RAD, heights):
         if height != ABOVE_MIDDLE and tilt > _STEEPEST_RAD:
             continue  # from above, palm and fingertips leave no choice of height
         where = "" if height == ABOVE_MIDDLE else f" at {0.5 + height:.2f}"
-        for placed in _placements(item, gripper, natural_yaw_rad + outward * yaw, tilt, height):
+        for placed in _placements(item, gripper, rotations[yaw] @ leans[tilt], tilt, height, widest):
             degrees = f"yaw {math.degrees(outward * yaw):+.0f} tilt {math.degrees(tilt):.0f}"
             label = f"{degrees}{where}{placed.suffix}"
             grasp = Grasp(
@@ -110,12 +115,10 @@ class _Placement:
 
 
 def _placements(
-    item: SceneObject, gripper: GripperDescription, yaw: float, tilt: float, height: float
+    item: SceneObject, gripper: GripperDescription, rotation: Array, tilt: float, height: float, limit: float
 ) -> Iterator[_Placement]:
-    rotation = poses.rotation_z(yaw) @ poses.rotation_y(tilt)
     up = item.world_T_object[:3, 2]
     centre = item.world_T_object[:3, 3]
-    limit = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
     if isinstance(item.shape, Ball):
         if gripper.pad_gap_m < 2.0 * item.shape.radius_m <= limit:
             yield from _rolled(rotation, centre, _straddled_opening(item.shape.radius_m, gripper))
@@ -195,6 +198,5 @@ def _straddled_opening(radius: float, gripper: GripperDescription) -> float:
 
 
 def _rolled(rotation: Array, centre: Array, opening: float, cost: float = 0.0) -> Iterator[_Placement]:
-    half_turn = poses.rotation_x(math.pi)
     yield _Placement(poses.transform(rotation, centre), opening, "", cost)
-    yield _Placement(poses.transform(rotation @ half_turn, centre), opening, " rolled", cost + 0.3)
+    yield _Placement(poses.transform(rotation @ _HALF_TURN, centre), opening, " rolled", cost + 0.3)

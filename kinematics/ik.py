@@ -76,6 +76,7 @@ class InverseKinematics(Protocol):
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
         q_preferred: Array | None = None,
+        upright: bool = False,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -85,6 +86,7 @@ class InverseKinematics(Protocol):
             tolerance: The search ends when the TCP is this near.
             iterations: Most steps of the solver.
             q_preferred: Posture to stay near where there is a choice; home when left out.
+            upright: Give up, and quickly, where the knees would have to bend.
         """
         ...
 

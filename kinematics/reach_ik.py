@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -33,6 +34,7 @@ BASE_BELOW = np.array([0.25, 0.25, 0.45, 0.6, 0.9, 0.6])
 BASE_ABOVE = np.array([0.25, 0.25, 0.05, 0.6, 0.9, 0.6])
 # Knees bend no more than this lowers the base where the hand gets there without.
 UPRIGHT_M = 0.15
+UPRIGHT_TRIES = 2
 DAMPING = 1e-5
 PULL = 0.03
 # A centimetre more than the limit, so that the checker's view never differs.
@@ -114,6 +116,7 @@ class ReachIk:
         iterations: int = 60,
         q_preferred: Array | None = None,
         starts: Array | None = None,
+        upright: bool = False,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -123,6 +126,7 @@ class ReachIk:
             tolerance: The search ends when the TCP is this near.
             iterations: Most steps from one start.
             q_preferred: Posture to stay near where there is a choice; home when left out.
+            upright: Try only what does not bend the knees: half of the time where nothing is found.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
         """
         kernel = self._problem
@@ -148,7 +152,10 @@ class ReachIk:
         )
         taken = 0
         following = q_preferred is not None
-        for limits, lower, start in self._tries(seed, where, starts, tolerance, following):
+        tries = self._tries(seed, where, starts, tolerance, following)
+        if upright and not following:
+            tries = itertools.islice(tries, UPRIGHT_TRIES)
+        for limits, lower, start in tries:
             x = start.copy()
             steps = self._reach(
                 self._tree,
