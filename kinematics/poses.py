@@ -129,9 +129,12 @@ def angle_between(rotation_a: NDArray[np.float64], rotation_b: NDArray[np.float6
 
 def interpolate(a: Transform, b: Transform, fraction: float) -> Transform:
     """Straight line in position, constant-axis rotation, at ``fraction`` in [0, 1]."""
+    place = (1.0 - fraction) * a[:3, 3] + fraction * b[:3, 3]
+    if np.array_equal(a[:3, :3], b[:3, :3]):
+        return transform(a[:3, :3], place)
     turn = vector_from_rotation(a[:3, :3].T @ b[:3, :3])
     rotation = a[:3, :3] @ rotation_from_vector(fraction * turn)
-    return transform(rotation, (1.0 - fraction) * a[:3, 3] + fraction * b[:3, 3])
+    return transform(rotation, place)
 
 
 def yaw_of(rotation: NDArray[np.float64]) -> float:

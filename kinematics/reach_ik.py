@@ -91,6 +91,8 @@ class ReachIk:
         )
         margin = description.planning_margin_rad
         self._joint_lower, self._joint_upper = model.lower_rad + margin, model.upper_rad - margin
+        self._least_rad = self._joint_lower - planning_reserve.LIMIT_NOISE_RAD
+        self._most_rad = self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
         home = self._space.from_q(model.home_over(stance))
         columns = self._coordinates.columns - 7
         self._lower = np.concatenate([home[:6] - BASE_BELOW, self._joint_lower[columns]])
@@ -115,8 +117,8 @@ class ReachIk:
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
         q_preferred: Array | None = None,
-        starts: Array | None = None,
         upright: bool = False,
+        starts: Array | None = None,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -204,9 +206,7 @@ class ReachIk:
         tcp = pin.updateFramePlacement(model, data, self._tcp_id).homogeneous
         error, turn = errors_between(tcp, world_T_tcp)
         joints = q[7:]
-        inside = (joints >= self._joint_lower - planning_reserve.LIMIT_NOISE_RAD).all() and (
-            joints <= self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
-        ).all()
+        inside = (joints >= self._least_rad).all() and (joints <= self._most_rad).all()
         return IkResult(
             q=q,
             position_error_m=error,

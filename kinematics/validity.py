@@ -122,10 +122,9 @@ def validity(
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
 
 
-@functools.cache
 def _kernel_is_there() -> bool:
-    """Asked once, so that one run has one judge: to compile it takes minutes, Coal judges at once."""
-    return readiness.ready()
+    """To compile it takes minutes, Coal judges at once."""
+    return readiness.usable()
 
 
 @functools.lru_cache(maxsize=4)

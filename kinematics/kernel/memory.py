@@ -6,8 +6,7 @@ therefore packed behind each other, and the compiled code makes its views of the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -135,29 +134,19 @@ class Packed(NamedTuple):
 
 def pack(problem: Problem, work: Work) -> Packed:
     """Put everything into two buffers; the memory of ``work`` is zero, whatever it holds."""
-    given = list(_leaves(problem))
+    given = [np.atleast_1d(value) for part in problem for value in part]
     table = np.zeros((len(given) + len(work), 4), np.int64)
-    end = {True: 0, False: 0}
-    for row, value in zip(table, [*given, *work], strict=True):
-        array = value if isinstance(value, np.ndarray) else np.atleast_1d(value)
-        real = array.dtype.kind == "f"
-        row[0] = end[real]
+    end = {"f": 0, "i": 0}
+    for row, array in zip(table, [*given, *work], strict=True):
+        kind = array.dtype.kind
+        row[0] = end[kind]
         row[1 : 1 + array.ndim] = array.shape
-        end[real] += array.size
-    floats, ints = np.zeros(end[True]), np.zeros(end[False], np.int64)
-    for begin, value in zip(table[:, 0].tolist(), given, strict=False):
-        array = value if isinstance(value, np.ndarray) else np.atleast_1d(value)
-        buffer = floats if array.dtype.kind == "f" else ints
-        buffer[begin : begin + array.size] = array.ravel()
+        end[kind] += array.size
+    floats, ints = np.zeros(end["f"]), np.zeros(end["i"], np.int64)
+    for buffer, kind in ((floats, "f"), (ints, "i")):
+        parts = [array.ravel() for array in given if array.dtype.kind == kind]
+        np.concatenate(parts, out=buffer[: sum(map(len, parts))])
     return Packed(floats, ints, table)
-
-
-def _leaves(value: Any) -> Iterator[Any]:
-    if isinstance(value, tuple):
-        for part in value:
-            yield from _leaves(part)
-    else:
-        yield value
 
 
 class Memory(NamedTuple):
