@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
+from executive.lifecycle import LifecycleChanged
 from robots.control.events import ControlEvent
 from trees.events import TreeEvent
 from trees.failures import Failure, Number
@@ -97,7 +98,14 @@ class SensorsNoted:
 
 
 SessionEvent = (
-    TaskAccepted | TaskRefused | QuestionAsked | InputTaken | TaskEnded | PlanningAnswered | SensorsNoted
+    TaskAccepted
+    | TaskRefused
+    | QuestionAsked
+    | InputTaken
+    | TaskEnded
+    | PlanningAnswered
+    | SensorsNoted
+    | LifecycleChanged
 )
 Event = SessionEvent | TreeEvent | ControlEvent
 EventSink = Callable[[Event], None]

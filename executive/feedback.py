@@ -14,9 +14,18 @@ from executive.events import (
     TaskEnded,
     TaskRefused,
 )
+from executive.lifecycle import LifecycleChanged
 from executive.task_result import TaskResult, chain
-from robots.control.events import MotionEnded, MotionStarted, SetpointRefused, StopStarted
-from trees.events import LeafFailed, Measured, NodeChanged
+from robots.control.events import (
+    EmergencyReset,
+    EmergencyStopped,
+    MotionEnded,
+    MotionStarted,
+    ResetRefused,
+    SetpointRefused,
+    StopStarted,
+)
+from trees.events import LeafFailed, Measured, NodeChanged, Said
 from trees.failures import Failure, Number
 
 _UNITS = (
@@ -49,11 +58,21 @@ def line_for(event: Event) -> str | None:
             return f"EXECUTING: {event.where}"
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"
+        case Said():
+            return f"says{' to ' + event.to if event.to else ''}: {event.text}"
         case SetpointRefused():
             numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
+        case LifecycleChanged():
+            return f"state {event.before} → {event.after}: {event.reason}"
+        case EmergencyStopped():
+            return f"emergency stop: {event.reason}; a person's reset is needed"
+        case EmergencyReset():
+            return f"emergency stop left by {event.person}"
+        case ResetRefused():
+            return f"reset refused: {event.reason}"
         case MotionEnded(reason=reason) if reason:
             return f"motion {event.motion} {event.status}: {reason}"
         case NodeChanged() | Measured() | MotionStarted() | MotionEnded():

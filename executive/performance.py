@@ -179,7 +179,7 @@ def _results(
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
-    with _interrupts(assembly.session.cancel):
+    with _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
@@ -190,19 +190,23 @@ def _results(
 
 
 @contextmanager
-def _interrupts(cancel: Callable[[str], None]) -> Iterator[None]:
+def _interrupts(cancel: Callable[[str], None], emergency_stop: Callable[[str], None]) -> Iterator[None]:
     """Let Ctrl-C cancel the task; the robot brakes and holds before the program ends.
 
-    A second one does not wait for that.
+    The second one is the emergency stop, which the robot is brought to rest by as well. Only a third
+    one, for a program that does not get that far, ends the program at once.
     """
-    asked = False
+    presses = 0
 
     def interrupted(_number: int, _frame: FrameType | None) -> None:
-        nonlocal asked
-        if asked:
+        nonlocal presses
+        presses += 1
+        if presses == 1:
+            cancel("cancelled from the keyboard")
+        elif presses == 2:
+            emergency_stop("stopped from the keyboard")
+        else:
             raise KeyboardInterrupt
-        asked = True
-        cancel("cancelled from the keyboard")
 
     before = signal.signal(signal.SIGINT, interrupted)
     try:

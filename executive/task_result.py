@@ -80,9 +80,9 @@ class TaskResult:
                 return ExitCode.QUESTION
             case "cancelled":
                 return ExitCode.CANCELLED
-            case "refused":
+            case "refused" if self.failure is None:
                 return ExitCode.INVALID
-            case "failed":
+            case "refused" | "failed":
                 return failure_exit_code(self.failure)
 
     def to_json(self) -> dict[str, Any]:

@@ -11,6 +11,8 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
+from kinematics.gesture_planner import GesturePlanner
+from kinematics.handle_planner import HandlePlanner
 from kinematics.ik import along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
@@ -21,6 +23,9 @@ from kinematics.pick_planner import (
     PickPlanner,
 )
 from kinematics.requests import (
+    CheckRequest,
+    HandlePlan,
+    HandleRequest,
     MovePlan,
     MoveRequest,
     NoPlan,
@@ -36,7 +41,7 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
 
-Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = PickPlan | MovePlan | HandlePlan | NoPlan | CheckedTrajectory | Unsafe
 
 
 class MotionPlanner:
@@ -45,6 +50,8 @@ class MotionPlanner:
     def __init__(self, model: RobotModel) -> None:
         self._model = model
         self._pick = PickPlanner(model)
+        self._gestures = GesturePlanner(model)
+        self._handle = HandlePlanner(model)
         self._checker = TrajectoryChecker(model)
 
     def answer(self, request: PlanRequest) -> Answer:
@@ -55,7 +62,11 @@ class MotionPlanner:
             return self._move(request)
         if isinstance(request, RetreatRequest):
             return self._retreat(request)
-        return self._checker.check(request.trajectory, request.scene)
+        if isinstance(request, HandleRequest):
+            return self._handle.plan(request)
+        if isinstance(request, CheckRequest):
+            return self._checker.check(request.trajectory, request.scene)
+        return self._gestures.plan(request)
 
     def _move(self, request: MoveRequest) -> MovePlan | NoPlan:
         model = self._model

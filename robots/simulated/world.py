@@ -48,4 +48,9 @@ def build_world(
     physics = Physics(description, scene)
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
-    return SimulatedWorld(SimulatedRobot(physics, rng, faults.tick), truth, faults, physics)
+
+    def before_period() -> None:
+        faults.tick()
+        physics.furniture.apply()
+
+    return SimulatedWorld(SimulatedRobot(physics, rng, before_period), truth, faults, physics)
