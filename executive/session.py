@@ -107,6 +107,7 @@ class Session:
         self._ticks = 0
         self._settled = False
         self._cancel_reason: str | None = None
+        self._stop_asked = ""
 
     @property
     def now_s(self) -> float:
@@ -133,6 +134,7 @@ class Session:
             RuntimeError: Nothing supervises this session.
         """
         self._supervised().emergency_stop(reason, category)
+        self._stop_asked = f"{category} {reason}"
 
     def reset(self, person: str) -> str | None:
         """Leave the emergency stop on a person's explicit request; returns what stands against it.
@@ -270,6 +272,9 @@ class Session:
     def _advance(self) -> None:
         for _ in range(PERIODS_A_TICK):
             if self._supervisor is not None:
+                if self._stop_asked:
+                    self._sink(InputTaken(self.now_s, "emergency_stop", self._stop_asked))
+                    self._stop_asked = ""
                 self._supervisor.before_period()
             self._loop.step()
             for call in self._periodic:

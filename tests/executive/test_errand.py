@@ -60,15 +60,16 @@ class Stage:
         self.moved_when_asked = []
 
     def run(self, *commands, answers=(), **options):
-        left = list(answers)
+        self.questions, self.answers = [], list(answers)
+        return drive(Errand(self.session, commands, **options).steps(), self, self.session)
 
-        def ask(question):
-            self.moved_when_asked.append(self.arms_moved())
-            self.questions.append(question)
-            return left.pop(0) if left else None
+    def answer(self, question):
+        self.moved_when_asked.append(self.arms_moved())
+        self.questions.append(question)
+        return self.answers.pop(0) if self.answers else None
 
-        self.questions = []
-        return drive(Errand(self.session, commands, **options).steps(), ask)
+    def attend(self, session):
+        pass
 
     def arms_moved(self):
         model, q = self.fake.model, self.fake.motion.reference()[7:]
