@@ -110,9 +110,14 @@ class RunLog:
 class RecordedRun:
     """A run on disk; ``report`` is empty when it was cut off."""
 
-    name: str
+    path: Path
     header: Mapping[str, Any]
     report: Mapping[str, Any]
+
+    @property
+    def name(self) -> str:
+        """The run's name: that of its folder."""
+        return self.path.name
 
 
 def recorded_runs(directory: Path) -> list[RecordedRun]:
@@ -204,7 +209,7 @@ def _read(path: Path) -> RecordedRun | None:
     header = _read_json(path / "run.json")
     if header is None:
         return None
-    return RecordedRun(path.name, header, _read_json(path / "report.json") or {})
+    return RecordedRun(path, header, _read_json(path / "report.json") or {})
 
 
 def _read_json(path: Path) -> dict[str, Any] | None:
