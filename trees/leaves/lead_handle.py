@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from py_trees.common import Status
 
@@ -92,10 +94,18 @@ class LeadHandle(MotionLeaf):
         return DONE
 
     def _tell_world(self, held: HeldHandle, opening: float) -> None:
+        """Turn the door in the world model; the handle is where the hand has it."""
         world, target = self.toolbox.world, held.target
         parts = tuple(name for name in (target.part, target.handle) if name in world.scene.objects)
-        if parts and opening != target.opening:
-            world.update(scene_at(world.scene, parts, target.path, target.opening, opening))
+        if not parts or opening == target.opening:
+            return
+        scene = scene_at(world.scene, parts, target.path, target.opening, opening)
+        if target.handle in scene.objects:
+            bar = scene.objects[target.handle]
+            pose = bar.world_T_object.copy()
+            pose[:2, 3] = tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]
+            scene = scene.with_object(replace(bar, world_T_object=pose))
+        world.update(scene)
 
 
 _STOP_FROM = {kind: 3.0 * shut for kind, shut in SHUT.items()}
