@@ -10,6 +10,7 @@ import numpy as np
 from executive.events import EventSink
 from executive.planning_jobs import PlanningJobs
 from executive.session import PERIOD_S, Session, TreeBuilder
+from executive.supervisor import Supervisor
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
@@ -40,6 +41,7 @@ class Assembly:
         planning: The planning service, for its counts and times.
         model: The robot's model.
         clock: Simulated time.
+        supervisor: Emergency stop, reset and the state machine.
     """
 
     world: SimulatedWorld
@@ -49,6 +51,7 @@ class Assembly:
     planning: PlanningJobs
     model: RobotModel
     clock: ManualClock
+    supervisor: Supervisor
 
 
 def assemble(
@@ -116,6 +119,7 @@ def assemble(
         rng=for_trees,
         policy=policy or TreePolicy(),
     )
+    supervisor = Supervisor(loop, clock, sink)
     session = Session(
         toolbox,
         loop,
@@ -125,5 +129,6 @@ def assemble(
         on_period=on_period,
         on_tick=on_tick,
         build=build,
+        supervisor=supervisor,
     )
-    return Assembly(world, session, loop, perception, planning, model, clock)
+    return Assembly(world, session, loop, perception, planning, model, clock, supervisor)

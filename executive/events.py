@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
+from executive.lifecycle import LifecycleChanged
 from robots.control.events import ControlEvent
 from trees.events import TreeEvent
 from trees.failures import Failure, Number
@@ -46,6 +47,24 @@ class QuestionAsked:
     t_s: float
     text: str
     question: str
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class InputTaken:
+    """Somebody's input took effect: an answer, a cancel, an emergency stop, a reset.
+
+    Together with what was asked for, the seed and the scene these make a run repeatable.
+
+    Attributes:
+        t_s: Simulated time at which it took effect.
+        what: "answer", "cancel", ...
+        value: The answer's words, the reason of a cancel; "" for a question that nobody answered.
+    """
+
+    t_s: float
+    what: str
+    value: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +97,16 @@ class SensorsNoted:
     sha256: str
 
 
-SessionEvent = TaskAccepted | TaskRefused | QuestionAsked | TaskEnded | PlanningAnswered | SensorsNoted
+SessionEvent = (
+    TaskAccepted
+    | TaskRefused
+    | QuestionAsked
+    | InputTaken
+    | TaskEnded
+    | PlanningAnswered
+    | SensorsNoted
+    | LifecycleChanged
+)
 Event = SessionEvent | TreeEvent | ControlEvent
 EventSink = Callable[[Event], None]
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from executive.events import (
     Event,
+    InputTaken,
     PlanningAnswered,
     QuestionAsked,
     SensorsNoted,
@@ -13,9 +14,18 @@ from executive.events import (
     TaskEnded,
     TaskRefused,
 )
+from executive.lifecycle import LifecycleChanged
 from executive.task_result import TaskResult, chain
-from robots.control.events import MotionEnded, MotionStarted, SetpointRefused, StopStarted
-from trees.events import LeafFailed, Measured, NodeChanged
+from robots.control.events import (
+    EmergencyReset,
+    EmergencyStopped,
+    MotionEnded,
+    MotionStarted,
+    ResetRefused,
+    SetpointRefused,
+    StopStarted,
+)
+from trees.events import LeafFailed, Measured, NodeChanged, Said
 from trees.failures import Failure, Number
 
 _UNITS = (
@@ -38,17 +48,31 @@ def line_for(event: Event) -> str | None:
             return f"accepted: {_meaning(event.meaning)}"
         case TaskRefused():
             return f"refused: {event.message}"
-        case QuestionAsked():
-            return f"question: {event.question}"
+        case QuestionAsked(choices=choices):
+            return f"question: {event.question}" + (f" {_either(choices)}" if choices else "")
+        case InputTaken(what="answer", value=answer):
+            return f"answer: {answer}" if answer else "nobody answered"
+        case InputTaken():
+            return None
         case NodeChanged(status="running") if event.where:
             return f"EXECUTING: {event.where}"
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"
+        case Said():
+            return f"says{' to ' + event.to if event.to else ''}: {event.text}"
         case SetpointRefused():
             numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
+        case LifecycleChanged():
+            return f"state {event.before} → {event.after}: {event.reason}"
+        case EmergencyStopped():
+            return f"emergency stop: {event.reason}; a person's reset is needed"
+        case EmergencyReset():
+            return f"emergency stop left by {event.person}"
+        case ResetRefused():
+            return f"reset refused: {event.reason}"
         case MotionEnded(reason=reason) if reason:
             return f"motion {event.motion} {event.status}: {reason}"
         case NodeChanged() | Measured() | MotionStarted() | MotionEnded():
@@ -106,12 +130,16 @@ def result_line(result: TaskResult) -> str:
     if not links:
         return f"{result.outcome}: {result.text}{times}"
     if result.outcome == "question" and result.failure is not None:
-        choices = result.failure.choices
-        return f"question: {links[-1].message}: {', '.join(choices[:-1])} or {choices[-1]}{times}"
+        return f"question: {links[-1].message}: {_either(result.failure.choices)}{times}"
     reason = links[0].message
     if links[-1] is not links[0] and links[-1].message not in reason:
         reason += f", because {links[-1].message}"
     return f"{result.outcome}: {reason} [{links[-1].kind.value}]{times}"
+
+
+def _either(choices: Sequence[str]) -> str:
+    """Join words with commas and a last "or"."""
+    return f"{', '.join(choices[:-1])} or {choices[-1]}" if len(choices) > 1 else "".join(choices)
 
 
 def _claim(result: TaskResult) -> str:

@@ -1,8 +1,8 @@
 """Recorded runs: a folder each, with what was asked, every event, and the report.
 
-``run.json`` says what was asked of which robot in which scene, ``scene.toml`` is a copy of the scene's
-file, ``events.jsonl`` holds the canonical events, ``report.json`` the report, and ``trajectories``, where
-they were asked for, the motions that the checker judged.
+``run.json`` says what was asked of which robot in which scene, ``scene.toml`` and ``script.toml`` are copies
+of the scene's and the script's file, ``events.jsonl`` holds the canonical events, ``report.json`` the report,
+and ``trajectories``, where they were asked for, the motions that the checker judged.
 """
 
 from __future__ import annotations
@@ -35,7 +35,13 @@ class RunLog:
         NotWritableError: The folder cannot be made or written.
     """
 
-    def __init__(self, directory: Path, header: Mapping[str, Any], scene_file: Path | None = None) -> None:
+    def __init__(
+        self,
+        directory: Path,
+        header: Mapping[str, Any],
+        scene_file: Path | None = None,
+        script_file: Path | None = None,
+    ) -> None:
         self.digest = EventDigest()
         self.complaint: str | None = None
         self._motions = 0
@@ -45,6 +51,8 @@ class RunLog:
             _write_json(self.path / "run.json", {"started": when, **header})
             if scene_file is not None:
                 shutil.copyfile(scene_file, self.path / "scene.toml")
+            if script_file is not None:
+                shutil.copyfile(script_file, self.path / "script.toml")
             self._file: TextIO = (self.path / "events.jsonl").open("w", encoding="utf-8")
         except OSError as failed:
             raise _not_writable(directory, failed) from failed

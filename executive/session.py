@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
-from typing import Protocol
+from collections.abc import Callable, Generator
+from typing import Protocol, TypeVar
 
-from executive.events import EventSink, SensorsNoted, TaskAccepted, TaskEnded
+from executive.events import Event, EventSink, InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.meaning import Command, StopCommand, command_json
-from executive.planning_jobs import PlanningJobs
+from executive.supervisor import Supervisor
 from executive.task_result import Outcome, TaskResult, TaskTimes
 from robots.clock import Clock, WallClock
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
+from trees.leaf import from_exception
 from trees.tasks import PickTask, Task
 from trees.toolbox import Sensing, Toolbox
 
@@ -37,6 +38,18 @@ TASK_TIMEOUT_S = 180.0
 
 TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
+R = TypeVar("R")
+
+
+def ended(steps: Generator[object, None, R]) -> R:
+    """Let steps go on to their end, and return what they return."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            result: R = end.value
+            return result
+
 
 class Steps(Protocol):
     """What lets one control period pass: the control loop."""
@@ -51,6 +64,12 @@ class Steps(Protocol):
         ...
 
 
+class PlanningTimes(Protocol):
+    """What is asked of the planning service for the report."""
+
+    wall_s: float
+
+
 class Session:
     """Runs commands one after another.
 
@@ -63,20 +82,23 @@ class Session:
         on_period: Called after each control period: an evaluation's monitor, a camera.
         on_tick: Called before the first tick and after each with the tree: a display.
         build: Makes a task's tree; `build_tree` when left out.
+        supervisor: Says whether commands may be carried out; without one, all may.
     """
 
     def __init__(
         self,
         toolbox: Toolbox,
         loop: Steps,
-        planning: PlanningJobs,
+        planning: PlanningTimes,
         sink: EventSink,
         *,
         tick_sensors: Callable[[], None] | None = None,
         on_period: Callable[[], None] | None = None,
         on_tick: Callable[[TaskTree], None] | None = None,
         build: TreeBuilder | None = None,
+        supervisor: Supervisor | None = None,
     ) -> None:
+        self._supervisor = supervisor
         self._toolbox, self._loop, self._planning, self._sink = toolbox, loop, planning, sink
         self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
         self._on_tick = on_tick
@@ -91,9 +113,34 @@ class Session:
         """Simulated time."""
         return self._clock.now_s()
 
+    @property
+    def toolbox(self) -> Toolbox:
+        """What the trees' leaves may call; holds what the robot believes."""
+        return self._toolbox
+
+    def tell(self, event: Event) -> None:
+        """Put an event among the session's own."""
+        self._sink(event)
+
     def cancel(self, reason: str) -> None:
         """Ask for the running task to be halted; safe to call from a signal handler."""
         self._cancel_reason = reason
+
+    def emergency_stop(self, reason: str, category: int = 1) -> None:
+        """Engage the emergency stop before the next control period; safe to call from a signal handler.
+
+        Raises:
+            RuntimeError: Nothing supervises this session.
+        """
+        self._supervised().emergency_stop(reason, category)
+
+    def reset(self, person: str) -> str | None:
+        """Leave the emergency stop on a person's explicit request; returns what stands against it.
+
+        Raises:
+            RuntimeError: Nothing supervises this session.
+        """
+        return self._supervised().reset(person)
 
     def watch_periods(self, call: Callable[[], None]) -> None:
         """Have something called after each control period."""
@@ -109,28 +156,76 @@ class Session:
 
         Whatever happens, the robot is left standing, and holding still or at rest.
         """
+        return ended(self.task_steps(command, timeout_s))
+
+    def task_steps(
+        self, command: Command, timeout_s: float = TASK_TIMEOUT_S
+    ) -> Generator[None, None, TaskResult]:
+        """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
         wall = WallClock()
         self._settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
         self._sink(TaskAccepted(began_s, command.text, command_json(command)))
+        tree: TaskTree | None = None
+        refusal = None if self._supervisor is None else self._supervisor.admit(self.hold)
+        outcome: tuple[Outcome, Failure | None]
         if isinstance(command, StopCommand):
-            outcome, tree = self._halted_nothing(), None
+            outcome = self._halted_nothing()
+        elif refusal is not None:
+            outcome = "refused", refusal
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
-            outcome = self._run(tree, began_s + timeout_s)
+            outcome = yield from self._run_guarded(tree, began_s + timeout_s)
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
         self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
         times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
         subject = str(command.object) if isinstance(command, PickTask) else ""
-        return TaskResult(command.text, command.action, status, attempts, failure, evidence, times, subject)
+        return TaskResult(
+            command.text,
+            command.action,
+            status,
+            attempts,
+            failure,
+            evidence,
+            times,
+            subject,
+            acted_on=None if tree is None else tree.acted_on,
+            others=() if tree is None else tree.others,
+        )
 
-    def _run(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+    def _run_guarded(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+        """Run, and draw the conclusions: a defect anywhere below fails the task and leads to ERROR."""
+        try:
+            outcome, failure = yield from self._run(tree, deadline_s)
+        except Exception as defect:
+            if self._supervisor is None:
+                raise
+            outcome, failure = "failed", from_exception(defect).at("control")
+            tree.halt(failure.message)
+            self.hold(HALT_TICKS * PERIODS_A_TICK * PERIOD_S)
+        root = failure
+        while root is not None and root.cause is not None:
+            root = root.cause
+        if self._supervisor is not None and root is not None and root.kind is FailureKind.ERROR:
+            self._supervisor.note_defect(root.message)
+        return outcome, failure
+
+    def _run(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         self._show(tree)
         while True:
+            yield
+            if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
+                self._cancel_reason = None
+                return "cancelled", self._halt(tree, FailureKind.CANCELED, stopped)
             if self._cancel_reason is not None:
                 reason, self._cancel_reason = self._cancel_reason, None
+                self._sink(InputTaken(self.now_s, "cancel", reason))
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
             if self.now_s >= deadline_s:
                 return "failed", self._halt(tree, FailureKind.TIMEOUT, "the task took longer than allowed")
@@ -152,6 +247,11 @@ class Session:
         cause = tree.failure
         return Failure(kind, reason, cause=cause if cause is not None and cause.kind is not kind else None)
 
+    def _supervised(self) -> Supervisor:
+        if self._supervisor is None:
+            raise RuntimeError("nothing supervises this session")
+        return self._supervisor
+
     def _show(self, tree: TaskTree) -> None:
         if self._on_tick is not None:
             self._on_tick(tree)
@@ -169,6 +269,8 @@ class Session:
 
     def _advance(self) -> None:
         for _ in range(PERIODS_A_TICK):
+            if self._supervisor is not None:
+                self._supervisor.before_period()
             self._loop.step()
             for call in self._periodic:
                 call()

@@ -11,6 +11,7 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
+from kinematics.gesture_planner import GesturePlanner
 from kinematics.handle_planner import HandlePlanner
 from kinematics.ik import along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
@@ -22,6 +23,7 @@ from kinematics.pick_planner import (
     PickPlanner,
 )
 from kinematics.requests import (
+    CheckRequest,
     HandlePlan,
     HandleRequest,
     MovePlan,
@@ -48,6 +50,7 @@ class MotionPlanner:
     def __init__(self, model: RobotModel) -> None:
         self._model = model
         self._pick = PickPlanner(model)
+        self._gestures = GesturePlanner(model)
         self._handle = HandlePlanner(model)
         self._checker = TrajectoryChecker(model)
 
@@ -61,7 +64,9 @@ class MotionPlanner:
             return self._retreat(request)
         if isinstance(request, HandleRequest):
             return self._handle.plan(request)
-        return self._checker.check(request.trajectory, request.scene)
+        if isinstance(request, CheckRequest):
+            return self._checker.check(request.trajectory, request.scene)
+        return self._gestures.plan(request)
 
     def _move(self, request: MoveRequest) -> MovePlan | NoPlan:
         model = self._model

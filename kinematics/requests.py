@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.gesture_requests import GestureRequest
 from kinematics.opening_path import OpeningPath
 from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
@@ -209,4 +210,4 @@ class NoPlan:
     numbers: Mapping[str, float] = field(default_factory=dict)
 
 
-PlanRequest = PickRequest | MoveRequest | RetreatRequest | HandleRequest | CheckRequest
+PlanRequest = PickRequest | MoveRequest | RetreatRequest | HandleRequest | CheckRequest | GestureRequest

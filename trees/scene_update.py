@@ -30,7 +30,9 @@ def kind_of(name: str) -> str:
 
 
 def words_for(estimate: ObjectEstimate) -> str:
-    """How a thing is called: colour, if known, and kind; furniture by its kind alone."""
+    """How a thing is called: colour, if known, and kind; furniture by its kind alone, people by name."""
+    if estimate.category == "person":
+        return estimate.name or estimate.kind
     if estimate.category == "furniture" or estimate.color is None:
         return estimate.kind
     return f"{estimate.color} {estimate.kind}"
@@ -111,13 +113,13 @@ def _free_name(words: str, taken: set[str]) -> str:
 
 
 def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
-    furniture = estimate.category == "furniture"
+    fixed = estimate.category != "object"
     return SceneObject(
         name=name,
         shape=estimate.shape,
         world_T_object=estimate.odom_T_object,
-        margin_m=policy.furniture_margin_m if furniture else policy.object_margin_m,
-        movable=not furniture,
+        margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
+        movable=not fixed,
     )
 
 

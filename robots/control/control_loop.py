@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
@@ -18,7 +18,15 @@ from robots.clock import ManualClock
 from robots.control.authority import Authority
 from robots.control.balance import Balance
 from robots.control.contact_watch import ContactWatch
-from robots.control.events import ControlSink, SetpointRefused, StopStarted
+from robots.control.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset, require_category
+from robots.control.events import (
+    ControlSink,
+    EmergencyReset,
+    EmergencyStopped,
+    ResetRefused,
+    SetpointRefused,
+    StopStarted,
+)
 from robots.control.grip_keeper import GripKeeper
 from robots.control.gripper_control import GripperControl
 from robots.control.motion_handle import MotionStatus
@@ -34,6 +42,11 @@ Array = NDArray[np.float64]
 
 _AT_HOME_RAD = 0.02
 """Joints found nearer to the home posture than this are taken to rest there: sag and noise."""
+
+_FELT_PERIODS = 4
+"""Periods without a decision that the servos feel: a moving joint comes to rest, and starts again."""
+_FORGIVEN_PERIODS = 75
+"""For so long afterwards (0.15 s) efforts are no sign of contact: the joint gathers speed again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +119,8 @@ class ControlLoop:
         self._refused_online = 0
         self._stuck = False
         self._limp = False
+        self._latch = EmergencyLatch()
+        self._forgiven = 0
         self.motion = self._streamer
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
@@ -121,6 +136,11 @@ class ControlLoop:
             self._streamer.trajectories,
             tuple(self._stops),
         )
+
+    @property
+    def setpoint(self) -> JointSetpoint:
+        """What the robot follows now, as the gate let it through."""
+        return self._gate.last
 
     def step(self) -> None:
         """Run one control period: decide, command, let the period pass, and sense.
@@ -140,6 +160,24 @@ class ControlLoop:
             raise
         self._pass_period()
 
+    def catch_up(self, periods: int, each: Callable[[], None] = lambda: None) -> None:
+        """Let periods pass that nobody decided about: the robot goes on under the last setpoint.
+
+        What is decided next follows on from that setpoint as if no time had passed, so however late it
+        is, nothing jumps.
+
+        Args:
+            periods: How many control periods were missed.
+            each: Called after each of them.
+        """
+        for _ in range(periods):
+            self._pass_period()
+            each()
+        if periods > 0:
+            self._gate.go_on(self._period_s)
+        if periods >= _FELT_PERIODS:
+            self._forgiven = _FORGIVEN_PERIODS
+
     def stop(self, category: int, reason: str) -> None:
         """End all motions and bring the robot to rest; it goes on standing, grips go on pressing.
 
@@ -151,13 +189,62 @@ class ControlLoop:
         Raises:
             ValueError: There is no such category.
         """
-        if category not in (0, 1, 2):
-            raise ValueError(f"no stop category {category}; there are 0, 1 and 2")
+        require_category(category)
         self._note_stop(category, reason)
         self._streamer.stop(reason, along_path=category == 1)
         if category == 0:
             self._limp = True
-            self._streamer.close(reason)
+            self._streamer.latch(f"the power was taken away: {reason}")
+
+    @property
+    def emergency(self) -> EmergencyStop | None:
+        """The emergency stop that is engaged, or None."""
+        return self._latch.engaged
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing is commanded to move, fingers included."""
+        return self._streamer.still
+
+    @property
+    def defects(self) -> tuple[str, ...]:
+        """What is wrong with the robot now, for people."""
+        return ()
+
+    def emergency_stop(self, reason: str, category: int = 1) -> None:
+        """Stop, and refuse every motion with the reason until a person's ``reset``.
+
+        Engaging it again changes nothing, but for category 0, which is severer than the others.
+
+        Args:
+            reason: For people.
+            category: As for ``stop``.
+
+        Raises:
+            ValueError: There is no such category.
+        """
+        if self._latch.engage(self._clock.now_s(), category, reason) and self._latch.engaged is not None:
+            self._streamer.latch(str(self._latch.engaged))
+            self._sink(EmergencyStopped(self._clock.now_s(), category, reason))
+            self.stop(category, reason)
+
+    def reset(self, request: PersonsReset) -> str | None:
+        """Leave the emergency stop, or say why not; nothing moves by itself afterwards.
+
+        Args:
+            request: The person's.
+
+        Returns:
+            None when motions are taken again; else what stands against it.
+        """
+        reason = self._latch.why_not_open(self.still, self.defects)
+        if reason is not None:
+            self._sink(ResetRefused(self._clock.now_s(), request.person, reason))
+            return reason
+        self._latch.open()
+        self._streamer.unlatch()
+        self._sink(EmergencyReset(self._clock.now_s(), request.person))
+        return None
 
     def _command(self) -> None:
         state = self.sensing.state().readings
@@ -166,7 +253,9 @@ class ControlLoop:
             return
         for keeper in self._keepers:
             keeper.sense(state)
-        contact = self._contact.judge(state.effort, self._gate.last.tau, self._streamer.carrying_out)
+        self._forgiven = max(0, self._forgiven - 1)
+        watched = self._streamer.carrying_out and self._forgiven == 0
+        contact = self._contact.judge(state.effort, self._gate.last.tau, watched)
         if contact is not None:
             self._note_stop(2, str(contact))
             self._streamer.interrupt(str(contact))

@@ -47,5 +47,39 @@ class StopStarted:
     reason: str
 
 
-ControlEvent = MotionStarted | MotionEnded | SetpointRefused | StopStarted
+@dataclass(frozen=True, slots=True)
+class EmergencyStopped:
+    """The emergency stop was engaged; nothing moves the robot until a person's reset."""
+
+    t_s: float
+    category: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class EmergencyReset:
+    """A person left the emergency stop."""
+
+    t_s: float
+    person: str
+
+
+@dataclass(frozen=True, slots=True)
+class ResetRefused:
+    """A person's reset was refused; the emergency stop stays engaged."""
+
+    t_s: float
+    person: str
+    reason: str
+
+
+ControlEvent = (
+    MotionStarted
+    | MotionEnded
+    | SetpointRefused
+    | StopStarted
+    | EmergencyStopped
+    | EmergencyReset
+    | ResetRefused
+)
 ControlSink = Callable[[ControlEvent], None]

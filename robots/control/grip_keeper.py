@@ -50,9 +50,10 @@ class GripKeeper:
         self._inwards = math.copysign(1.0, gripper.closed_rad - gripper.open_rad)
         self._squeeze_rad = gripper.effort_nm / description.gains[gripper.joint].stiffness
         speed = min(gripper.closing_speed_rad_s, limits.velocity)
-        self._make_tracker = (speed, limits.acceleration, period_s)
+        self._make_tracker = (speed, limits.acceleration, period_s, limits.jerk)
+        self._period_s = period_s
         self._tracker = JointTracker(start_rad, *self._make_tracker)
-        self._committed = (start_rad, 0.0)
+        self._committed = (start_rad, 0.0, 0.0)
         self._position_share = min(1.0, period_s / _POSITION_TIME_S)
         self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
         self._fingers_rad = start_rad
@@ -72,7 +73,7 @@ class GripKeeper:
     def tracker(self) -> JointTracker:
         """Return a fresh tracker that goes on from the present setpoint, for a motion to steer by."""
         tracker = JointTracker(self._tracker.q_rad, *self._make_tracker)
-        tracker.v_rad_s = self._tracker.v_rad_s
+        tracker.v_rad_s, tracker.a_rad_s2 = self._tracker.v_rad_s, self._tracker.a_rad_s2
         return tracker
 
     def propose(self) -> tuple[float, float]:
@@ -91,18 +92,19 @@ class GripKeeper:
     def follow(self, q_rad: float, v_rad_s: float) -> None:
         """Propose what a motion commands on this joint."""
         self._tracker.q_rad, self._tracker.v_rad_s = q_rad, v_rad_s
+        self._tracker.a_rad_s2 = (v_rad_s - self._committed[1]) / self._period_s
 
     def commit(self) -> None:
         """What was proposed is what the robot follows now."""
-        self._committed = self.setpoint
+        self._committed = (*self.setpoint, self._tracker.a_rad_s2)
 
     def revert(self) -> None:
         """Go back to what the robot follows: the rest was refused."""
-        self._tracker.q_rad, self._tracker.v_rad_s = self._committed
+        self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed
 
     def halt(self) -> None:
         """Rest where the robot was told to stay: at the last position that it follows."""
-        self._tracker.q_rad, self._tracker.v_rad_s = self._committed[0], 0.0
+        self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed[0], 0.0, 0.0
         self.commit()
 
     def reading(self) -> GripperReading:

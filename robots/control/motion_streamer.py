@@ -78,6 +78,7 @@ class MotionStreamer:
         self._count = 0
         self._bodies = len(model.joints)
         self._closed_for = ""
+        self._latched_for = ""
         self.trajectories = 0
         for keeper in self._keepers.values():
             authority.claim(_grip(keeper), [keeper.joint])
@@ -144,6 +145,12 @@ class MotionStreamer:
     def resting(self) -> bool:
         """Whether nothing moves the body."""
         return self._track.resting and not any(track.moves_body for track in self._guarded)
+
+    @property
+    def still(self) -> bool:
+        """Whether neither body nor grippers are commanded to move."""
+        fingers = any(keeper.setpoint[1] != 0.0 for keeper in self._keepers.values())
+        return self._track.resting and not self._guarded and not fingers
 
     @property
     def carrying_out(self) -> bool:
@@ -230,9 +237,13 @@ class MotionStreamer:
             self._track.brake(along_path=False)
             self._end(handle, MotionStatus.REFUSED, reason)
 
-    def close(self, reason: str) -> None:
-        """Refuse every motion from now on."""
-        self._closed_for = reason
+    def latch(self, reason: str) -> None:
+        """Refuse every motion with this reason until ``unlatch``, whatever comes to rest meanwhile."""
+        self._latched_for = reason
+
+    def unlatch(self) -> None:
+        """Take motions again."""
+        self._latched_for = ""
 
     def revert(self) -> None:
         """The last proposal was refused: the grippers' setpoints stay where they were."""
@@ -249,8 +260,9 @@ class MotionStreamer:
 
     def _start_trajectory(self, checked: CheckedTrajectory) -> MotionHandle:
         handle = self._new_handle("trajectory")
-        reason = f"a stop is under way: {self._closed_for}" if self._closed_for else None
-        reason = reason or why_not(checked.trajectory, self.reference(), self._stance, self._model.joints)
+        reason = self._why_closed() or why_not(
+            checked.trajectory, self.reference(), self._stance, self._model.joints
+        )
         if reason is None and self._track.braking and self._waiting is None:
             self._waiting = (checked, handle)
             return handle
@@ -273,8 +285,9 @@ class MotionStreamer:
     def _start_guarded(self, motion: GuardedMotion) -> MotionHandle:
         handle = self._new_handle(motion.name)
         joints = motion.bounds.joints
-        if self._closed_for:
-            return self._refuse(handle, f"a stop is under way: {self._closed_for}")
+        closed = self._why_closed()
+        if closed is not None:
+            return self._refuse(handle, closed)
         kept = [keeper for keeper in self._keepers.values() if keeper.joint in joints]
         if any(self._guide_of(keeper) is not None for keeper in kept):
             return self._refuse(handle, f"{kept[0].joint} is moved by another motion")
@@ -285,9 +298,7 @@ class MotionStreamer:
             for keeper in kept:
                 self._authority.claim(_grip(keeper), [keeper.joint])
             return self._refuse(handle, conflict)
-        checker = (
-            BodyChecker(self._model, self._stance, motion) if isinstance(motion, BodyMotion) else None
-        )
+        checker = BodyChecker(self._model, self._stance, motion) if isinstance(motion, BodyMotion) else None
         actuated = self._model.description.actuated
         self._guarded.append(GuardedTrack(motion, handle, actuated, self._bodies, checker))
         self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
@@ -317,6 +328,11 @@ class MotionStreamer:
             if not self._track.resting:
                 self._authority.claim(track.handle.owner, self._model.joints)
                 self._body_owner = track.handle.owner
+
+    def _why_closed(self) -> str | None:
+        if self._latched_for:
+            return self._latched_for
+        return f"a stop is under way: {self._closed_for}" if self._closed_for else None
 
     def _guide_of(self, keeper: GripKeeper) -> GuardedTrack | None:
         return next((track for track in self._guarded if keeper.index in track.indices), None)

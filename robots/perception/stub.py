@@ -184,6 +184,7 @@ class PerceptionStub:
                 camera_T_object=pose,
                 shape=_resized(solid.shape, self._episode(solid).scale),
                 confidence=self._confidence(pose, share, float(row[6])),
+                name=solid.name if solid.category == "person" else None,
             )
             for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
         ]
@@ -229,11 +230,11 @@ class PerceptionStub:
 
 
 def _piece(solid: TrueObject) -> str:
-    """An object's own name, or that of the piece of furniture that a solid belongs to.
+    """An object's or a person's own name, or that of the piece of furniture that a solid belongs to.
 
     Doors, drawers and handles are seen, and misjudged, each on its own.
     """
-    alone = solid.category == "object" or solid.kind in PART_KINDS
+    alone = solid.category != "furniture" or solid.kind in PART_KINDS
     return solid.name if alone else solid.name.split("/", 1)[0]
 
 

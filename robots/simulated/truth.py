@@ -13,7 +13,7 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.shapes import Ball, Box, Cylinder
-from robots import articulated, furniture
+from robots import articulated, furniture, scene_solids
 from robots.perception.truth_view import TrueObject
 from robots.scene_description import SceneItem
 from robots.simulated.furniture_model import part_body
@@ -84,6 +84,10 @@ class SimulatorTruth:
             for piece in physics.scene.furniture
             for solid in furniture.solids(piece)
         )
+        self._people = tuple(
+            TrueObject(person.name, "person", "person", None, *scene_solids.person_solid(person))
+            for person in physics.scene.people
+        )
         self._parts = tuple(
             (TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, solid.part_T_solid), body)
             for piece in physics.scene.furniture
@@ -106,12 +110,13 @@ class SimulatorTruth:
     # --- what a perception stub may look at -------------------------------------------------
 
     def solids(self) -> tuple[TrueObject, ...]:
-        """Everything that could be seen: furniture first, then objects, in the scene's order."""
-        return self._fixed + self._moving() + tuple(
+        """Everything that could be seen: furniture, people, then objects, in the scene's order."""
+        objects = tuple(
             TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
             for item in self._items.values()
             if item.name not in self._removed
         )
+        return self._fixed + self._moving() + self._people + objects
 
     def _moving(self) -> tuple[TrueObject, ...]:
         """Doors, drawers and their handles where they are now."""
@@ -139,6 +144,7 @@ class SimulatorTruth:
         physics = self._physics
         physics.refresh()
         start = physics.data.xpos[self._camera_body].copy()
+        geom = -2 if any(person.name == name for person in self._people) else physics.geom_id(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]
         hit = np.full(count, -1, dtype=np.int32)
@@ -149,7 +155,7 @@ class SimulatorTruth:
         )  # fmt: skip
         length = np.linalg.norm(rays, axis=1)
         reached = (share < 0.0) | (share * length >= length - RAY_SLACK_M)
-        return np.asarray((hit == physics.geom_id(name)) | reached, dtype=np.bool_)
+        return np.asarray((hit == geom) | reached, dtype=np.bool_)
 
     # --- where things are -------------------------------------------------------------------
 
@@ -194,6 +200,10 @@ class SimulatorTruth:
     def joint_positions(self) -> Array:
         """Joint positions without noise, shape (n,), order of ``RobotDescription.actuated``."""
         return np.array(self._physics.data.qpos[self._physics.joint_qpos])
+
+    def joint_velocities(self) -> Array:
+        """Joint velocities without noise, rad/s, shape (n,), same order."""
+        return np.array(self._physics.data.qvel[self._physics.joint_qvel])
 
     def lowest_m(self, name: str) -> float:
         """Height of an object's lowest point above the floor."""

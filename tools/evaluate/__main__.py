@@ -6,6 +6,7 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from rich.console import Console
@@ -19,9 +20,13 @@ from tools.evaluate.faults import FAULTS
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
-from tools.evaluate.workers import run_all
+from tools.evaluate.skills.episode import run_skill_episode
+from tools.evaluate.skills.registry import SKILL_SUITES
+from tools.evaluate.skills.summary import SkillSummary
+from tools.evaluate.stopping.stop_suite import run_stop_suite
+from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick",)
+SUITES = ("pick", "stop", "cancel", *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -35,12 +40,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except RobotsError as wrong:
         messages.print(f"error: {wrong}", style="bold", markup=False)
         return 2
+    if options.suite in ("stop", "cancel"):
+        return run_stop_suite(options, messages)
     orders = [
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
     ]
-    records = _run(orders, options.jobs, messages)
-    summary = Summary(options.suite, options.seed, options.fault, description.com_margin_m, records)
+    skill = options.suite in SKILL_SUITES
+    if skill and (options.fault or options.scene):
+        messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
+        return 2
+    run = partial(run_skill_episode, options.suite) if skill else run_episode
+    records = _run(orders, options.jobs, messages, run)
+    make = SkillSummary if skill else Summary
+    summary = make(options.suite, options.seed, options.fault, description.com_margin_m, records)
     if options.json is not None:
         options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
     scenes = {} if options.scene is not None else save_scenes(summary, options.failed)
@@ -48,18 +61,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0 if all(bar.met for bar in summary.bars()) else 1
 
 
-def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console) -> list[EpisodeRecord]:
+def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console, run: Run) -> list[EpisodeRecord]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     records: list[EpisodeRecord] = []
     with Progress(*columns, console=messages) as progress:
         task = progress.add_task("episodes", total=len(orders))
-        for record in run_all(orders, jobs, run_episode):
+        for record in run_all(orders, jobs, run):
             records.append(record)
             held = sum(item.truth for item in records)
-            progress.update(task, advance=1, description=f"held {held} of {len(records)}")
+            progress.update(task, advance=1, description=f"true in {held} of {len(records)}")
             if not messages.is_terminal:  # a bar is drawn only at its end there
                 count = f"{len(records)} of {len(orders)}"
-                messages.print(f"{count}: seed {record.seed} {record.outcome}, held {held}")
+                messages.print(f"{count}: seed {record.seed} {record.outcome}, true in {held}")
     return sorted(records, key=lambda record: record.seed)
 
 

@@ -38,3 +38,20 @@ def test_at_the_target_it_does_not_stir():
     tracker.step_towards(0.3)
 
     assert (tracker.q_rad, tracker.v_rad_s) == (0.3, 0.0)
+
+
+@given(v=st.floats(-0.88, 0.88), a=st.floats(-39.0, 39.0))
+def test_coming_to_rest_keeps_acceleration_and_jerk_and_ends_exactly_at_rest(v, a):
+    jerk = 4000.0
+    tracker = JointTracker(0.2, VELOCITY, ACCELERATION, PERIOD_S, jerk)
+    tracker.v_rad_s, tracker.a_rad_s2 = v, a
+
+    for _ in range(60):
+        before_q, before_v, before_a = tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2
+        tracker.step_to_rest()
+        assert abs(tracker.a_rad_s2) <= ACCELERATION
+        assert abs(tracker.a_rad_s2 - before_a) <= jerk * PERIOD_S
+        moved = 0.5 * (before_v + tracker.v_rad_s) * PERIOD_S
+        assert tracker.q_rad == pytest.approx(before_q + moved, abs=1e-12)
+
+    assert (tracker.v_rad_s, tracker.a_rad_s2) == (0.0, 0.0)

@@ -1,0 +1,118 @@
+"""Keeps the state machine true to the robot, and says whether a command may be carried out.
+
+Neither a leaf nor the session decides about safety here: the latch is the control loop's, the health
+is measured by the control loop, and this module only draws the conclusions for commands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from executive.lifecycle import Lifecycle, LifecycleChanged, LifecycleState, Trigger
+from robots.clock import Clock
+from robots.control.emergency_stop import EmergencyStop, PersonsReset
+from trees.failures import Failure
+
+RECOVERY_S = 0.5
+"""Simulated time in which the robot must be found at rest and healthy before it is believed."""
+
+
+class Guarded(Protocol):
+    """What the supervisor asks of the control loop, or of a client of one."""
+
+    @property
+    def emergency(self) -> EmergencyStop | None:
+        """The emergency stop that is engaged."""
+        ...
+
+    @property
+    def defects(self) -> tuple[str, ...]:
+        """What is wrong with the robot now, for people."""
+        ...
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing is commanded to move."""
+        ...
+
+    def emergency_stop(self, reason: str, category: int = 1) -> None:
+        """Stop and latch."""
+        ...
+
+    def reset(self, request: PersonsReset) -> str | None:
+        """Leave the emergency stop, or say why not."""
+        ...
+
+
+class Supervisor:
+    """Stands between commands and the robot.
+
+    Attributes:
+        lifecycle: The state machine.
+    """
+
+    def __init__(self, loop: Guarded, clock: Clock, sink: Callable[[LifecycleChanged], None]) -> None:
+        self.lifecycle = Lifecycle(sink, clock.now_s)
+        self._loop = loop
+        self._wanted: tuple[str, int] | None = None
+
+    def emergency_stop(self, reason: str, category: int = 1) -> None:
+        """Ask for the emergency stop before the next control period; safe to call from a signal handler."""
+        self._wanted = (reason, category)
+
+    def before_period(self) -> None:
+        """Carry out what was asked for; called before each control period."""
+        if self._wanted is not None:
+            (reason, category), self._wanted = self._wanted, None
+            self._loop.emergency_stop(reason, category)
+
+    def stopped(self) -> str | None:
+        """Why everything is stopped now, or None; brings the state machine up to the latch."""
+        emergency = self._loop.emergency
+        if emergency is None:
+            return None
+        if self.lifecycle.state is not LifecycleState.EMERGENCY:
+            self.lifecycle.take(Trigger.STOP, emergency.reason)
+        return str(emergency)
+
+    def reset(self, person: str) -> str | None:
+        """Leave the emergency stop on a person's behalf; returns what stands against it, or None."""
+        self.stopped()
+        reason = self._loop.reset(PersonsReset(person))
+        if reason is None:
+            self.lifecycle.take(Trigger.RESET, f"reset by {person}")
+        return reason
+
+    def note_defect(self, reason: str) -> None:
+        """Something that must not happen has happened; an emergency is worse, and stays one."""
+        if self.stopped() is None and self.lifecycle.allows(Trigger.DEFECT):
+            self.lifecycle.take(Trigger.DEFECT, reason)
+
+    def admit(self, let_pass: Callable[[float], None]) -> Failure | None:
+        """Tell why a command must not be carried out now, or None; recovers first where that is needed.
+
+        Args:
+            let_pass: Lets so many seconds of simulated time pass while the robot holds.
+        """
+        stopped = self.stopped()
+        if stopped is not None:
+            return Failure.refused(f"{stopped}; a person has to reset it")
+        if self.lifecycle.state is LifecycleState.ERROR:
+            self.lifecycle.take(Trigger.RECOVER, "a command came")
+        if self.lifecycle.state is LifecycleState.RECOVERY:
+            let_pass(RECOVERY_S)
+            return self._finish_recovery()
+        return None
+
+    def _finish_recovery(self) -> Failure | None:
+        stopped = self.stopped()
+        if stopped is not None:
+            return Failure.refused(f"{stopped}; a person has to reset it")
+        wrong = [*self._loop.defects, *([] if self._loop.still else ["the robot does not come to rest"])]
+        if wrong:
+            reason = "; ".join(wrong)
+            self.lifecycle.take(Trigger.DEFECT, reason)
+            return Failure.refused(f"the robot could not recover: {reason}")
+        self.lifecycle.take(Trigger.HEALTHY, "at rest and healthy")
+        return None

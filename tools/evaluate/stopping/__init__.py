@@ -1,0 +1,1 @@
+"""Stops and cancels at random instants of whole tasks, judged by the simulator's truth."""

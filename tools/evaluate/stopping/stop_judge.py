@@ -1,0 +1,119 @@
+"""Judges what follows a stop, from the simulator's truth and from the setpoints that reached the robot."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from executive.assembly import Assembly
+from executive.session import PERIOD_S
+
+REST_RAD_S = 0.02
+"""A joint slower than this rests."""
+REST_WITHIN_S = 0.5
+_EVERY = 5
+_OURS = ("stop", "hold")
+_GRIP = "grip of "
+_JOIN = "+"
+
+Array = NDArray[np.float64]
+
+
+class StopJudge:
+    """Watches a run; ``on_period`` is called after each control period, before and after the stop.
+
+    Attributes:
+        settle_s: From the stop until the last joint was slower than ``REST_RAD_S`` for good.
+        late_rad_s: Speed of the fastest joint later than ``REST_WITHIN_S``, and its name.
+        acceleration, jerk: Largest of the setpoints after the stop, as shares of the limits, with the joint.
+        fell: Whether the robot fell.
+        dropped: What was held at the stop and touched anything but the hand later.
+        held: What was held at the stop.
+        foreign: Owners of setpoints after the stop that are neither stop, hold, nor a grip.
+        bypassed: Setpoints that reached the robot after the stop past the gate.
+        moved: Whether a setpoint moved a body joint after it had come to rest.
+    """
+
+    def __init__(self, assembly: Assembly) -> None:
+        self._assembly = assembly
+        self._truth, self._loop = assembly.world.truth, assembly.loop
+        description = assembly.model.description
+        self._joints, self._bodies = description.actuated, len(description.joints)
+        self._pads = {hand: set(grip.pad_links) for hand, grip in description.grippers.items()}
+        limits = [description.limits[name] for name in self._joints]
+        self._acceleration = np.array([limit.acceleration for limit in limits])
+        self._jerk = np.array([limit.jerk for limit in limits])
+        self._v: list[Array] = []
+        self._periods = 0
+        self._since: int | None = None
+        self._watching_setpoints = False
+        self._q_rest: Array | None = None
+        self._uncounted = 0
+        self.settle_s = 0.0
+        self.late_rad_s: tuple[float, str] = (0.0, "")
+        self.acceleration: tuple[float, str] = (0.0, "")
+        self.jerk: tuple[float, str] = (0.0, "")
+        self.fell = False
+        self.dropped: set[str] = set()
+        self.held: dict[str, str] = {}
+        self.foreign: set[str] = set()
+        self.bypassed = 0
+        self.moved = False
+
+    def begin(self) -> None:
+        """From now on everything counts."""
+        self._since = self._periods
+        self._watching_setpoints = True
+        self._uncounted = self._assembly.world.robot.taken - self._loop.statistics.accepted
+        self.held = {name: str(hand) for name, hand in self._truth.in_pads_only().items()}
+
+    def let_move(self) -> None:
+        """From now on the robot may move again; falls and drops go on counting."""
+        self._watching_setpoints = False
+
+    def on_period(self) -> None:
+        """Look at robot and world."""
+        self._periods += 1
+        self._v = [*self._v[-2:], self._loop.setpoint.v]
+        if self._since is None:
+            return
+        elapsed = self._periods - self._since
+        if self._watching_setpoints:
+            self._look_at_speeds(elapsed * PERIOD_S)
+            self._look_at_setpoint()
+        if elapsed % _EVERY == 0:
+            self.fell = self.fell or self._truth.fallen()
+            for name, hand in self.held.items():
+                pads = next(links for key, links in self._pads.items() if key == hand)
+                if not set(self._truth.object_contacts(name)) <= pads:
+                    self.dropped.add(name)
+
+    def _look_at_speeds(self, elapsed_s: float) -> None:
+        speed = np.abs(self._truth.joint_velocities())
+        worst = int(np.argmax(speed))
+        if speed[worst] >= REST_RAD_S:
+            self.settle_s = elapsed_s
+        if elapsed_s >= REST_WITHIN_S and speed[worst] > self.late_rad_s[0]:
+            self.late_rad_s = float(speed[worst]), self._joints[worst]
+
+    def _look_at_setpoint(self) -> None:
+        setpoint = self._loop.setpoint
+        self.foreign |= {
+            part for part in setpoint.owner.split(_JOIN) if part not in _OURS and not part.startswith(_GRIP)
+        }
+        self.bypassed = self._assembly.world.robot.taken - self._loop.statistics.accepted - self._uncounted
+        if len(self._v) == 3:
+            a = np.diff(self._v, axis=0) / PERIOD_S
+            self.acceleration = self._worse(self.acceleration, np.abs(a[1]) / self._acceleration)
+            self.jerk = self._worse(self.jerk, np.abs(a[1] - a[0]) / PERIOD_S / self._jerk)
+        body = setpoint.q[: self._bodies]
+        if setpoint.v[: self._bodies].any():
+            self.moved = self.moved or self._q_rest is not None
+        elif self._q_rest is None:
+            self._q_rest = body.copy()
+        elif np.any(body != self._q_rest):
+            self.moved = True
+
+    def _worse(self, before: tuple[float, str], shares: Array) -> tuple[float, str]:
+        worst = int(np.argmax(shares))
+        return max(before, (float(shares[worst]), self._joints[worst]))
