@@ -30,9 +30,9 @@ MEANT_BY: Mapping[str, str] = {
     "chest": DRAWER,
 }
 """What is opened when a thing is named."""
-OPEN_TO: Mapping[str, float] = {DOOR: math.radians(72.0), DRAWER: 0.30}
+OPEN_TO: Mapping[str, float] = {DOOR: math.radians(71.0), DRAWER: 0.30}
 """How far things are opened, rad or m."""
-OPEN_ENOUGH: Mapping[str, float] = {DOOR: math.radians(66.0), DRAWER: 0.26}
+OPEN_ENOUGH: Mapping[str, float] = {DOOR: math.radians(65.5), DRAWER: 0.26}
 SHUT: Mapping[str, float] = {DOOR: math.radians(2.5), DRAWER: 0.02}
 """Less open than this is closed, as far as a look can tell."""
 CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}

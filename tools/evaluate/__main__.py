@@ -17,6 +17,7 @@ from robots.errors import RobotsError
 from robots.scene_file import load_scene
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
@@ -26,7 +27,7 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "stop", "cancel", *SKILL_SUITES)
+SUITES = ("pick", "stop", "cancel", *OPENING_SUITES, *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -42,6 +43,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
+    if options.suite in OPENING_SUITES:
+        return run_opening_suite(options, messages)
     orders = [
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)

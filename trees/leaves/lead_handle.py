@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.opening_measure import moved_by
@@ -44,7 +45,7 @@ class LeadHandle(MotionLeaf):
         """Begin to lead."""
         held: HeldHandle = self.get_input("held")
         target, toolbox = held.target, self.toolbox
-        self._points: list[np.ndarray[tuple[int, ...], np.dtype[np.float64]]] = []
+        self._points: list[NDArray[np.float64]] = []
         lead_to: float = self.get_input("lead_to")
         closing = lead_to < target.opening
         self._motion = YieldingHand(
@@ -67,7 +68,7 @@ class LeadHandle(MotionLeaf):
         """Follow the motion, and remember where the hand has been."""
         outcome = super().step()
         held: HeldHandle = self.get_input("held")
-        if outcome is RUNNING and self._motion is not None:
+        if outcome is RUNNING:
             self._points.append(tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q))
         return outcome
 
@@ -75,8 +76,7 @@ class LeadHandle(MotionLeaf):
         """Judge how it ended."""
         held: HeldHandle = self.get_input("held")
         target, report = held.target, self._motion.report
-        moved = moved_by(np.array(self._points), held.path)
-        opening = target.opening + moved
+        opening = target.opening + moved_by(np.array(self._points), held.path)
         self._tell_world(held, opening)
         shown = {f"opening_{target.unit}": round(target.shown(opening), 4)}
         felt = {

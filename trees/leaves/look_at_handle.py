@@ -23,8 +23,16 @@ class LookAtHandle(LookAt):
     INPUT_PORTS = ports(handle=optional(HandleTarget))
     OUTPUT_PORTS = ports()
 
-    def __init__(self, name: str, toolbox: Toolbox) -> None:
+    def __init__(self, name: str, toolbox: Toolbox, between: float = _BETWEEN) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            between: How far from the handle towards the middle of what it opens to look.
+        """
         super().__init__(name, toolbox, Gaze("handle", tilt_rad=0.6))
+        self._between = between
 
     def joints(self) -> Mapping[str, float]:
         """The head joints' goal, rad; straight ahead when no handle is known at all."""
@@ -41,7 +49,7 @@ class LookAtHandle(LookAt):
         if fronts and fronts[0] in objects:
             middle = objects[fronts[0]].world_T_object[:3, 3].copy()
             middle[2] = place[2]
-            place = place + _BETWEEN * (middle - place)
+            place = place + self._between * (middle - place)
         q = self.toolbox.motion.reference()
         found = dict(gaze_joints(model, q, place))
         camera, margin = model.description.camera, model.description.planning_margin_rad

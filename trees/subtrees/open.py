@@ -63,7 +63,9 @@ def _sequence(name: str, *children: Behaviour) -> _Sequence:
 def _search(name: str, toolbox: Toolbox) -> Alternatives:
     """Look until the handle is seen; where one is known to be first."""
     looks = [
-        _sequence("look there", LookAtHandle("look", toolbox), DetectHandle("detect handle", toolbox)),
+        _sequence(
+            "look there", LookAtHandle("look", toolbox, between=0.0), DetectHandle("detect handle", toolbox)
+        ),
         *(
             _sequence(
                 f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectHandle("detect handle", toolbox)
@@ -114,9 +116,13 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
 
 
 def _going(toolbox: Toolbox) -> list[Behaviour]:
-    """See where the door is now, for the arm has to get past it, and go home."""
+    """See where the door is now, for the arm has to get past it, and go home.
+
+    A door that stands wide open may be where a hand is at home; then the arm stays clear of it where it is.
+    """
     seen = _sequence("see it", LookAtHandle("look", toolbox), DetectHandle("detect", toolbox, _ELSEWHERE))
-    return [BestEffort(seen), GoHome("go home", toolbox)]
+    clear = BestEffort(StepBack("step clear", toolbox, clear=True))
+    return [clear, BestEffort(seen), BestEffort(GoHome("go home", toolbox))]
 
 
 _ELSEWHERE = {"handle": "handle_now"}
@@ -131,7 +137,7 @@ def _recover(toolbox: Toolbox) -> Behaviour:
         Release("release", toolbox),
         BestEffort(StepBack("step back", toolbox)),
         BestEffort(_sequence("leave", *_going(toolbox))),
-        _search("look again", toolbox),
+        BestEffort(_search("look again", toolbox)),
     )
 
 
