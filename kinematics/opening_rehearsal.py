@@ -71,9 +71,9 @@ def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) 
     return np.asarray(path.part_moved(pose, s_from, s_to)[:3, :3])
 
 
-def scene_at(scene: PlanningScene, parts: tuple[str, ...], path: OpeningPath, s_from: float, s_to: float) -> (
-    PlanningScene
-):
+def scene_at(
+    scene: PlanningScene, parts: tuple[str, ...], path: OpeningPath, s_from: float, s_to: float
+) -> PlanningScene:
     """The scene with a door or drawer moved from one opening to another."""
     for name in parts:
         item = scene.objects[name]

@@ -135,7 +135,9 @@ def _target(
     if kind == DRAWER:
         line = DrawerLine(place, yaw).through(place, opening)
         first: Hand = "left" if place[1] > 0.0 else "right"
-        return HandleTarget(DRAWER, name, part, line, opening, (first, "right" if first == "left" else "left"))
+        return HandleTarget(
+            DRAWER, name, part, line, opening, (first, "right" if first == "left" else "left")
+        )
     side = -1.0 if (place - panel[:3, 3]) @ left > 0.0 else 1.0
     width_m = front.shape.size_m[1] if isinstance(front.shape, Box) else 0.0
     hinge = panel[:2, 3] + 0.5 * width_m * side * left[:2]
