@@ -207,7 +207,7 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
         elif where.of.sort == "room" and result.source.sort != "room":
             result = replace(result, source=checked(result.source.placed(Relative("in", where.of))))
         elif result.source != where.of:
-            names = [str(one.kind) for one in (result.source, where.of)]
+            names = [str(one.kind) for one in (result.source, where.of) if one]
             raise trouble(f"two places are named: {names[0]!r} and {names[1]!r}", names[1])
     if result.object.reference and result.object.relation is not None:
         raise unfit()

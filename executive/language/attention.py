@@ -12,7 +12,7 @@ from executive.language.arranging import Parts, arranged, clause, guarded, troub
 from executive.language.going import target
 from executive.language.lattice import Word
 from executive.language.nominals import words
-from executive.language.phrases import Bundle, Clause, Hand, Item, Items, Meaning, Nominal, Trouble, draft
+from executive.language.phrases import Bundle, Clause, Draft, Hand, Item, Items, Meaning, Nominal, Trouble, draft
 
 _NO_SPEECH = """
 to not your my what whatever how why who whom where when whether if which something anything nothing about it
@@ -189,7 +189,15 @@ def _describe(parts: Parts) -> Clause:
             and one.get("source") is None
         ):
             raise unfit()
-    return clause(parts, bundles)
+    return clause(parts, [(_everything(one),) for (one,) in bundles])
+
+
+def _everything(one: Draft) -> Draft:
+    """The objects on the table: all that is there."""
+    nominal = one.get("object")
+    if nominal.sort == "any" and nominal.kind is None and nominal.is_plain and not nominal.reference:
+        return draft("describe", source=one.get("source"))
+    return one
 
 
 def _describe_superlative(parts: Parts) -> Clause:

@@ -14,7 +14,7 @@ from executive.language.grammar import Node, Rule
 from executive.language.lattice import Lattice, Word
 from executive.language.phrases import Clause, Meaning, Trouble
 
-MAX_STEPS = 12_000
+MAX_STEPS = 8_000
 """Parts that are looked at before a sentence counts as too tangled; an everyday one needs a few hundred."""
 
 Spans = dict[int, dict[Any, None]]
@@ -56,6 +56,8 @@ class Chart:
         classes = self._lattice.classes(start)
         if not rule.first.isdisjoint(classes) or "TEXT" in rule.first:
             for end, value in self._matches(rule, start):
+                if rule.closes and not self._lattice.ends[end]:
+                    continue
                 if name == "command" and isinstance(value, Clause):
                     value = replace(value, text=self._lattice.text(start, end))
                 spans.setdefault(end, {})[value] = None

@@ -11,6 +11,10 @@ BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
 """Terminals that are recognised by their form, not listed."""
 
 
+CLOSING = "rest"
+"""The rule for all clauses after the first, to the end of the sentence."""
+
+
 @dataclass(slots=True)
 class Node:
     """A place within the productions of one rule.
@@ -35,12 +39,14 @@ class Rule:
         first: Word classes that it can begin with.
         root: Where its productions begin.
         repeats: Whether it is a repetition, whose parts belong to the rule around it.
+        closes: Whether nothing follows it: what does not reach the end of the sentence is of no use.
     """
 
     name: str
     first: frozenset[str]
     root: Node
     repeats: bool
+    closes: bool
 
 
 Production = tuple[str, tuple[str, ...], str]
@@ -92,9 +98,11 @@ def rules_of(productions: Iterable[Production]) -> dict[str, Rule]:
             node = branch.setdefault(part, Node())
         if function not in node.functions:
             node.functions.append(function)
-    return {
-        name: Rule(name, _first(name, begins), root, name.startswith("__")) for name, root in roots.items()
-    }
+    rules = {}
+    for name, root in roots.items():
+        closes = name == CLOSING
+        rules[name] = Rule(name, _first(name, begins), root, closes or name.startswith("__"), closes)
+    return rules
 
 
 def _first(name: str, begins: dict[str, set[str]]) -> frozenset[str]:

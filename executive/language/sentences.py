@@ -113,9 +113,10 @@ def _ordered(*, subordinate: int, first_done: int) -> Meaning:
     def meaning(parts: Parts) -> Group | None:
         clauses = _clauses(parts)
         expected = "base" if nominals.words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
-        if clauses[subordinate].form != expected or clauses[1 - subordinate].form == "ed":
+        if clauses[subordinate].form != expected or clauses[1 - subordinate].form != "base":
             return None
-        return Group((clauses[first_done], clauses[1 - first_done]))
+        done = [replace(clause, form="base") for clause in clauses]
+        return Group((done[first_done], done[1 - first_done]))
 
     return meaning
 
@@ -131,7 +132,8 @@ def _sentence(parts: Parts) -> Sentence | None:
         elif isinstance(part, _Unseparated):
             unseparated += 1
             clauses.extend(part.clauses)
-    if any(clause.form == "ed" for clause in clauses):
+    forms = {clause.form for clause in clauses}
+    if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
         return None
     return Sentence(tuple(clauses), unseparated)
 
