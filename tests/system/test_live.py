@@ -31,7 +31,6 @@ class Served:
 
     def wait(self, condition, what):
         for _ in range(round(PATIENCE_S / 0.01)):
-            self.events += self.observer.arrived("event")
             if condition():
                 return
             time.sleep(0.01)
@@ -70,6 +69,7 @@ class Served:
         return heard[-1]
 
     def of(self, kind, since=0):
+        self.events += self.observer.arrived("event")
         return [event for event in self.events[since:] if event["event"] == kind]
 
     def until_it_moves(self):
