@@ -15,6 +15,7 @@ from executive.commands import (
     doctor,
     list_,
     parse,
+    replay,
     reset,
     run,
     runs,
@@ -84,6 +85,7 @@ app.command("run")(run.run)
 app.command("parse")(parse.parse)
 app.command("tree")(tree.tree)
 app.command("check")(check.check)
+app.command("replay")(replay.replay)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("list")(list_.list_)
