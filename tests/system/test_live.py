@@ -21,7 +21,7 @@ class Served:
 
     def __init__(self, folder):
         request = ServiceRequest(
-            folder / "live", "talos", "tabletop", 0, folder / "runs", 0.4, realtime=False, evaluation=True
+            folder / "live", "talos", "tabletop", 0, folder / "runs", 0.2, realtime=False, evaluation=True
         )
         self.service = Service(request, lambda _line: None)
         self.folder = self.service.folder
