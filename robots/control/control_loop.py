@@ -175,6 +175,8 @@ class ControlLoop:
             each: Called after each of them.
         """
         for _ in range(periods):
+            if not self._limp:
+                self._look_after_health()  # the sensors went on, and what is summed up must not have gaps
             self._pass_period()
             each()
         if periods > 0:
