@@ -22,6 +22,7 @@ from kinematics.robot_description import (
     CameraDescription,
     GripperDescription,
     Hand,
+    HealthLimits,
     JointGains,
     JointLimits,
     RobotDescription,
@@ -142,6 +143,7 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
         cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
         walking=_walking(data.get("walking"), joints, members),
+        health=HealthLimits(**data.get("health", {})),
     )
     _require_consistent(description, link_names(urdf))
     return description

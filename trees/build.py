@@ -12,6 +12,7 @@ from trees.subtrees.go_home import go_home
 from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
+from trees.subtrees.place import place
 from trees.subtrees.talk import say, wait
 from trees.task_tree import TaskTree
 from trees.tasks import (
@@ -21,6 +22,7 @@ from trees.tasks import (
     MoveTask,
     OpenTask,
     PickTask,
+    PlaceTask,
     PointAtTask,
     SayTask,
     Task,
@@ -34,6 +36,7 @@ __all__ = ["SKILLS", "NoSkillError", "TaskTree", "build_tree", "has_skill"]
 SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
     {
         PickTask: pick,
+        PlaceTask: place,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
         CloseTask: open_or_close,

@@ -8,6 +8,7 @@ import numpy as np
 
 from kinematics.robot_description import RobotDescription
 from robots.scene_description import SceneDescription
+from robots.simulated.body_faults import BodyFaults
 from robots.simulated.faults import FaultInjector
 from robots.simulated.physics import Physics
 from robots.simulated.range_sensor import SimulatedRangeSensor
@@ -24,12 +25,14 @@ class SimulatedWorld:
         truth: What really is the case; for the perception stub, evaluation and tests only.
         faults: Things that go wrong on purpose.
         ranging: The range sensor.
+        body_faults: The same, of the robot's own body.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
     robot: SimulatedRobot
     truth: SimulatorTruth
     faults: FaultInjector
+    body_faults: BodyFaults
     physics: Physics
     ranging: SimulatedRangeSensor
 
@@ -57,4 +60,5 @@ def build_world(
         faults.tick()
         physics.furniture.apply()
 
-    return SimulatedWorld(SimulatedRobot(physics, rng, before_period), truth, faults, physics, ranging)
+    robot = SimulatedRobot(physics, rng, before_period)
+    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging)

@@ -28,6 +28,7 @@ class PerfectRobot:
         self._v = np.zeros_like(self._q)
         self._effort = np.zeros_like(self._q)
         self._stamp_ns = 0
+        self._followed = None
         self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
 
     def read(self):
@@ -53,7 +54,9 @@ class PerfectRobot:
             limit = self.description.limits[joint].effort
             effort[i] = np.clip(self._stiffness[i] * (q[i] - place), -limit, limit)
             q[i] = place
-        self._q, self._v, self._effort = q, setpoint.v, effort
+        arrived = setpoint is self._followed  # it holds what it was told before
+        self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else setpoint.v, effort
+        self._followed = setpoint
 
 
 class Rig:

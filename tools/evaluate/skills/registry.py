@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tools.evaluate.skills import gestures, talk, walking
+from tools.evaluate.skills import gestures, placing, talk, walking
 from tools.evaluate.skills.suite import SkillSuite
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
@@ -17,5 +17,6 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "look_at": gestures.LOOK_AT,
         "walk": walking.WALK,
         "walk_stop": walking.WALK_STOP,
+        "place": placing.PLACE,
     }
 )
