@@ -14,6 +14,7 @@ from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.subtrees.place import place
 from trees.subtrees.talk import say, wait
+from trees.subtrees.walk_to import walk_to
 from trees.task_tree import TaskTree
 from trees.tasks import (
     CloseTask,
@@ -27,6 +28,7 @@ from trees.tasks import (
     SayTask,
     Task,
     WaitTask,
+    WalkToTask,
     WaveTask,
 )
 from trees.toolbox import Toolbox
@@ -46,6 +48,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         SayTask: say,
         WaitTask: wait,
         MoveTask: move,
+        WalkToTask: walk_to,
     }
 )
 """What makes the root of each task's tree."""
