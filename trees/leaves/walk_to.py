@@ -10,15 +10,15 @@ from kinematics.walking.path_planning import Footprint, clearance_m, footprints,
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
-from robots.control.motion_handle import MotionHandle
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
-from trees.leaf import DONE, RUNNING, Leaf
+from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.standing_place import standing_place
+from trees.walking_leaf import WalkingLeaf
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
@@ -28,7 +28,7 @@ _BACK_M_S = 0.25
 _PATH_CLEARANCE_M = 0.55
 
 
-class WalkTo(Leaf):
+class WalkTo(WalkingLeaf):
     """Walk around what is known to stand about, and stand square in front of the place.
 
     Where the robot is too near to something to turn, it steps straight back first. Its own odometry leads;
@@ -49,7 +49,7 @@ class WalkTo(Leaf):
 
     def begin(self) -> None:
         """Nothing has moved yet."""
-        self._handle: MotionHandle | None = None
+        super().begin()
         self._goal = PlanarPose()
         self._backing = False
 
@@ -58,7 +58,7 @@ class WalkTo(Leaf):
         toolbox = self.toolbox
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} is not known to walk")
+            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         if self._handle is None:
             steering = self._plan(settings)
             if isinstance(steering, Failure):
@@ -76,11 +76,6 @@ class WalkTo(Leaf):
             self._handle = None
             return RUNNING
         return self._arrived()
-
-    def release(self, reason: str) -> None:
-        """Stop within the last steps."""
-        if self._handle is not None and self.toolbox.walking is not None:
-            self.toolbox.walking.cancel(self._handle, reason)
 
     def _plan(self, settings: WalkingSettings) -> Steering | Failure | None:
         toolbox = self.toolbox
