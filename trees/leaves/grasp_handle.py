@@ -84,7 +84,6 @@ class GraspHandle(Leaf):
             target.path.through(tcp_m(toolbox, grasp, q), target.opening),
             target.opening,
             target.opening,
-            period_s=toolbox.motion.period_s,
         )
 
     def _judge(self, grasp: Grasp, motion: YieldingHand) -> Status | Failure:
