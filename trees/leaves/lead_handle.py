@@ -23,7 +23,7 @@ from trees.ports import ports
 
 _MOST_S = 40.0
 _SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.15
-"""A hand that loses its hold at such a pull, with so little of the way made, has slipped off what did not move."""
+"""A hand that loses its hold at such a pull, with so little of the way made, slipped off what stood."""
 
 
 class LeadHandle(MotionLeaf):

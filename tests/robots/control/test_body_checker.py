@@ -15,8 +15,8 @@ from kinematics.stance import stance_at
 from robots.control.body_checker import BodyChecker
 from robots.control.motion_handle import MotionStatus
 from robots.control.refusal import Limit
-from robots.control.yielding_hand import YieldingHand, YieldSettings
-
+from robots.control.yield_settings import YieldSettings
+from robots.control.yielding_hand import YieldingHand
 
 EMPTY = YieldSettings(lost_s=99.0)
 """For hands that hold nothing."""
@@ -35,7 +35,9 @@ def led_home(model, scene, s_to=0.12):
 @pytest.mark.requirement("S6")
 def test_a_motion_towards_something_is_stopped_before_it_touches(rig, talos):
     place = talos.frame_pose(talos.q_home, "tcp_left")[:3, 3]
-    post = SceneObject("post", Box((0.04, 0.3, 0.3)), poses.translation(*(place + [0.17, 0, 0])), 0.004)
+    post = SceneObject(
+        "post", Box((0.04, 0.3, 0.3)), poses.translation(*(place + np.array([0.17, 0.0, 0.0]))), 0.004
+    )
     handle = rig.loop.motion.start(led_home(talos, PlanningScene().with_object(post)))
 
     for _ in range(1500):
