@@ -130,11 +130,6 @@ class MotionStreamer:
         """Where the feet stand."""
         return self._stance
 
-    @property
-    def period_s(self) -> float:
-        """The control period."""
-        return self._period_s
-
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
         return self._keepers[hand]
