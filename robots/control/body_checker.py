@@ -40,9 +40,9 @@ class BodyChecker:
             return self._stance_refusal(body, x)
         return self._explain(x, body)
 
-    def _stance_refusal(self, body: MotionSample, x: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> (
-        Refusal | None
-    ):
+    def _stance_refusal(
+        self, body: MotionSample, x: np.ndarray[tuple[int, int], np.dtype[np.float64]]
+    ) -> Refusal | None:
         gap = np.abs(self._space.to_q(x)[0][0, 7:] - body.q[7:])
         worst = int(np.argmax(gap))
         if gap[worst] <= _LEGS_RAD:

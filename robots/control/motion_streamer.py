@@ -298,9 +298,7 @@ class MotionStreamer:
             for keeper in kept:
                 self._authority.claim(_grip(keeper), [keeper.joint])
             return self._refuse(handle, conflict)
-        checker = (
-            BodyChecker(self._model, self._stance, motion) if isinstance(motion, BodyMotion) else None
-        )
+        checker = BodyChecker(self._model, self._stance, motion) if isinstance(motion, BodyMotion) else None
         actuated = self._model.description.actuated
         self._guarded.append(GuardedTrack(motion, handle, actuated, self._bodies, checker))
         self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))

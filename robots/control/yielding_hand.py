@@ -299,7 +299,9 @@ class YieldingHand:
         if against_n > slow * most:
             wanted *= max(0.0, 1.0 - (against_n - slow * most) / ((1.0 - slow) * most))
         change = wanted - self._speed
-        change = min(max(change, -settings.deceleration * full * TICK_S), settings.acceleration * full * TICK_S)
+        change = min(
+            max(change, -settings.deceleration * full * TICK_S), settings.acceleration * full * TICK_S
+        )
         self._speed = max(0.0, self._speed + change)
         step = self._speed * TICK_S
         self._s = target if step >= left else self._s + way * step
