@@ -7,7 +7,7 @@ understood; then the question is asked again. Every word of it counts: what is l
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from executive.meaning import Parsed
@@ -213,10 +213,15 @@ def described(plain: str) -> ObjectDescription | None:
     return None
 
 
-def clarified(parsed: Parsed, ask: Ask) -> Parsed:
+def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = None) -> Parsed:
     """Put the question of a sentence that is not clear in itself; the answer takes its place.
 
     An answer is one of the choices, which are sentences, or a sentence of its own.
+
+    Args:
+        parsed: What has a question.
+        ask: Whom to ask.
+        meanings: What choices mean that are no sentences, such as "yes".
 
     Returns:
         What the answer means; the same question when nobody answers, a refusal when it is withdrawn.
@@ -236,9 +241,13 @@ def clarified(parsed: Parsed, ask: Ask) -> Parsed:
             case Withdrawn():
                 return Parsed(parsed.text, refusal=Refusal("withdrawn by the answer"))
             case Chosen(index):
-                answered = parse(question.choices[index])
+                choice = question.choices[index]
+                known = None if meanings is None else meanings.get(choice)
+                answered = parse(choice) if known is None else known
             case Unclear(message):
                 tried, answered = message, parse(text)
+        if meanings is not None and answered not in meanings.values():
+            continue
         if answered.commands or (answered.question is not None and answered.question != question):
             parsed = answered
     return parsed

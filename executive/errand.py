@@ -7,13 +7,13 @@ same task. What comes after a task that was not done is not begun.
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
+from executive.attendant import Attendant
 from executive.clarification import (
     MAX_TRIES,
-    Ask,
     Chosen,
     OpenQuestion,
     Unclear,
@@ -22,17 +22,16 @@ from executive.clarification import (
 )
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
+from executive.references import references, with_references
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
+from executive.trust import OnQuestion
 from kinematics import poses
 from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
 from trees.failures import Failure, FailureKind
 from trees.grounding import exactly, ground
-from trees.tasks import ObjectDescription, ObjectOf, Relation
-
-OnQuestion = Literal["ask", "fail", "first"]
-"""What becomes of a question: it is put, it ends the task, or the first choice is taken."""
+from trees.tasks import ObjectOf, Task
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -142,20 +141,19 @@ class Errand:
 
     def _refused(self) -> TaskResult | None:
         """What is no skill is found out before the first task begins: nothing is half done."""
-        for command in self._commands:
-            if isinstance(command, StopCommand) or has_skill(command):
-                continue
-            message = str(NoSkillError(command))
-            self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
-            failure = Failure(FailureKind.REFUSED, message)
-            return TaskResult(command.text, command.action, "refused", failure=failure)
-        return None
+        command = without_skill(self._commands)
+        if command is None:
+            return None
+        message = str(NoSkillError(command))
+        self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
+        failure = Failure(FailureKind.REFUSED, message)
+        return TaskResult(command.text, command.action, "refused", failure=failure)
 
     # --- references -----------------------------------------------------------------------------
 
     def _filled(self, command: Command) -> Iterator[Command | Failure]:
         """The command with its references to earlier tasks filled in; once for each of several objects."""
-        referred = sorted({ref.task for ref in _references(command)})
+        referred = sorted(references(command))
         for index in referred:
             if index >= len(self._acted_on) or not self._acted_on[index]:
                 yield Failure.infeasible(f"what {command.text!r} refers to is not known")
@@ -166,11 +164,20 @@ class Errand:
             chosen = {index: self._acted_on[index][0] for index in referred}
             if isinstance(own, ObjectOf) and name is not None:
                 chosen[own.task] = name
-            yield _with_references(command, chosen)
+            things = {index: exactly(name) for index, name in chosen.items()}
+            yield with_references(command, things.__getitem__)
 
 
-def drive(steps: Steps, ask: Ask) -> tuple[TaskResult, ...]:
-    """Let an errand go on to its end, putting its questions to ``ask``."""
+def without_skill(commands: Sequence[Command]) -> Task | None:
+    """The first command that nothing here can carry out, or None."""
+    for command in commands:
+        if not isinstance(command, StopCommand) and not has_skill(command):
+            return command
+    return None
+
+
+def drive(steps: Steps, attendant: Attendant, session: Session) -> tuple[TaskResult, ...]:
+    """Let an errand go on to its end, with somebody who answers its questions and may stop it."""
     answer: str | None = None
     while True:
         try:
@@ -178,7 +185,11 @@ def drive(steps: Steps, ask: Ask) -> tuple[TaskResult, ...]:
         except StopIteration as end:
             results: tuple[TaskResult, ...] = end.value
             return results
-        answer = None if question is None else ask(question)
+        answer = None
+        if question is None:
+            attendant.attend(session)
+        else:
+            answer = attendant.answer(question)
 
 
 def _silent(
@@ -200,24 +211,6 @@ def _of_one(command: Command, name: str) -> Command:
     if hasattr(command, "count"):
         changes["count"] = 1
     return replace(command, **changes)
-
-
-def _references(value: Any) -> Iterator[ObjectOf]:
-    if isinstance(value, ObjectOf):
-        yield value
-    elif hasattr(value, "__dataclass_fields__"):
-        for field in fields(value):
-            yield from _references(getattr(value, field.name))
-
-
-def _with_references(value: Any, names: dict[int, str]) -> Any:
-    """The same value with every reference replaced by the description of what it refers to."""
-    if isinstance(value, ObjectOf):
-        return exactly(names[value.task])
-    if isinstance(value, ObjectDescription | Relation) or hasattr(value, "action"):
-        filled = {field.name: getattr(value, field.name) for field in fields(value)}
-        return replace(value, **{key: _with_references(item, names) for key, item in filled.items()})
-    return value
 
 
 def _sum(a: TaskTimes, b: TaskTimes) -> TaskTimes:
