@@ -59,7 +59,11 @@ def ambiguous_trial(seed: int) -> AmbiguousTrial:
         cups = []
         for number in range(int(rng.integers(2, 5))):
             place = rooms.spot(rng, table, cups)
-            if place is None or place[0] < IN_VIEW_M or any(abs(place[1] - cup.world_T_object[1, 3]) < _ROW_M for cup in cups):
+            if (
+                place is None
+                or place[0] < IN_VIEW_M
+                or any(abs(place[1] - cup.world_T_object[1, 3]) < _ROW_M for cup in cups)
+            ):
                 continue
             own = color if twins else str(rng.choice(rooms.COLORS))
             cups.append(
