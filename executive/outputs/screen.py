@@ -78,7 +78,10 @@ Row = tuple[Cell, ...]
 
 def screen(state: ScreenState, width: int, height: int, unicode: bool = True) -> list[Row]:
     """Lay the screen out: at most ``height`` rows, each at most ``width`` columns."""
-    head = [_header(state, width, unicode), (Cell(_fit("-" * width, width, unicode), "dim"),)]
+    head = [
+        _header(state, width, unicode),
+        (Cell(_fit(("─" if unicode else "-") * width, width, unicode), "dim"),),
+    ]
     foot = _foot(state, width, unicode)
     wide = width >= WIDE
     logged = [] if wide else [_line(line, "dim", width, unicode) for line in state.log[-LOG_LINES:]]
@@ -101,8 +104,8 @@ def text_of(rows: Sequence[Row]) -> str:
 def _header(state: ScreenState, width: int, unicode: bool) -> Row:
     """The safety state stands at the right and is never cut off."""
     said = "PAUSED  " if state.paused else ""
-    right = _fit(f"{said}{state.t_s:8.2f} s  {state.safety}", max(width - 2, 1), unicode)
-    left = _fit(f"{state.place}  {state.task}".strip(), max(width - len(right) - 2, 0), unicode)
+    right = _fit(_plain(f"{said}{state.t_s:8.2f} s  {state.safety}"), max(width - 2, 1), unicode)
+    left = _fit(_plain(f"{state.place}  {state.task}").strip(), max(width - len(right) - 2, 0), unicode)
     gap = " " * max(width - len(left) - len(right), 0)
     return Cell(left, "bold"), Cell(gap), Cell(right, "alarm" if state.alarmed else "ok")
 
