@@ -9,6 +9,7 @@ import typer
 from typer.core import TyperGroup
 
 from executive.commands import (
+    answer,
     cancel,
     check,
     doctor,
@@ -91,6 +92,7 @@ app.command("list")(list_.list_)
 app.command("doctor")(doctor.doctor)
 app.command("serve")(serve.serve)
 app.command("send")(send.send)
+app.command("answer")(answer.answer)
 app.command("status")(status.status)
 app.command("cancel")(cancel.cancel)
 app.command("stop")(stop.stop)

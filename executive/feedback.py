@@ -19,6 +19,7 @@ from executive.task_result import TaskResult, chain
 from robots.control.events import (
     EmergencyReset,
     EmergencyStopped,
+    HealthChanged,
     MotionEnded,
     MotionStarted,
     ResetRefused,
@@ -67,6 +68,9 @@ def line_for(event: Event) -> str | None:
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
+        case HealthChanged():
+            state = f"{event.value:.3g}, bound {event.bound:.3g}" if event.present else "over"
+            return f"health: {event.ailment}: {event.part} ({state})"
         case LifecycleChanged():
             return f"state {event.before} → {event.after}: {event.reason}"
         case EmergencyStopped():

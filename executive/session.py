@@ -263,6 +263,10 @@ class Session:
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
                 self._cancel_reason = None
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, stopped)
+            if self._supervisor is not None and (unwell := self._supervisor.unwell()) is not None:
+                self._supervisor.note_defect(unwell.message)
+                failure = self._halt(tree, FailureKind.EXECUTION, unwell.message)
+                return "failed", failure
             if self._cancel_reason is not None:
                 reason, self._cancel_reason = self._cancel_reason, None
                 self._sink(InputTaken(self.now_s, "cancel", reason))

@@ -11,6 +11,7 @@ from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
+from trees.subtrees.place import place
 from trees.subtrees.talk import say, wait
 from trees.task_tree import TaskTree
 from trees.tasks import (
@@ -19,6 +20,7 @@ from trees.tasks import (
     LookAtTask,
     OpenTask,
     PickTask,
+    PlaceTask,
     PointAtTask,
     SayTask,
     Task,
@@ -32,6 +34,7 @@ __all__ = ["SKILLS", "NoSkillError", "TaskTree", "build_tree", "has_skill"]
 SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
     {
         PickTask: pick,
+        PlaceTask: place,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
         CloseTask: open_or_close,

@@ -10,6 +10,7 @@ from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
+from trees.believed_thing import Surroundings, surroundings
 from trees.failures import Failure
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.scene_update import updated_scene
@@ -25,6 +26,14 @@ class LookAround(LookLeaf):
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """What follows from the things seen, by their names in the scene."""
         raise NotImplementedError
+
+    def around(self) -> Surroundings:
+        """What is believed now, from where the robot stands."""
+        toolbox = self.toolbox
+        model, q = toolbox.model, toolbox.sensing.state().q
+        odom_T_base = model.frame_pose(q, model.description.base_link)
+        gap_m = toolbox.policy.support_gap_m
+        return surroundings(toolbox.world.scene, odom_T_base, gap_m, toolbox.world.last_acted_on)
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then judge what was seen."""

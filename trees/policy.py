@@ -67,6 +67,13 @@ class TreePolicy:
         pointing_tolerance_m: The line through forearm and hand passes its target nearer than this.
         pointing_hold_s: How long the arm stays stretched out.
         centred: What is looked at is this near to the picture's centre, as a share of half the picture.
+        place_attempts: Spots that are tried before a place gives up.
+        touch_n: Lift of the hand that says that what it holds stands on something.
+        rest_s: The hand is felt at rest for so long before it is lowered.
+        early_touch_m: A touch so far above where it should come is one with something else.
+        further_m: How much farther down each further step goes when nothing was touched.
+        retreat_m: How far an opened hand is drawn back.
+        placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -117,4 +124,11 @@ class TreePolicy:
     pointing_tolerance_m: float = 0.10
     pointing_hold_s: float = 1.5
     centred: float = 0.10
+    place_attempts: int = 3
+    touch_n: float = 6.0
+    rest_s: float = 0.3
+    early_touch_m: float = 0.025
+    further_m: float = 0.008
+    retreat_m: float = 0.10
+    placed_tolerance_m: float = 0.03
     task_timeout_s: float = 120.0

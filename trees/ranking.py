@@ -72,8 +72,21 @@ _NUMBERS: Mapping[str, int] = MappingProxyType(
 
 
 ORDER_WORDS = frozenset(
-    "leftmost left rightmost right nearest closest nearer closer farthest furthest farther further topmost lowest"
-    " middle central last other".split()
+    {
+        *(
+            "leftmost",
+            "left",
+            "rightmost",
+            "right",
+            "nearest",
+            "closest",
+            "nearer",
+            "closer",
+            "middle",
+            "central",
+        ),
+        *("farthest", "furthest", "farther", "further", "topmost", "lowest", "last", "other"),
+    }
 )
 """Single words that pick one thing from a row."""
 

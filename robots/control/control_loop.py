@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
@@ -23,12 +23,15 @@ from robots.control.events import (
     ControlSink,
     EmergencyReset,
     EmergencyStopped,
+    HealthChanged,
     ResetRefused,
     SetpointRefused,
     StopStarted,
 )
 from robots.control.grip_keeper import GripKeeper
 from robots.control.gripper_control import GripperControl
+from robots.control.health.finding import Finding, Response
+from robots.control.health.health_monitor import HealthMonitor
 from robots.control.motion_handle import MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
@@ -121,6 +124,7 @@ class ControlLoop:
         self._limp = False
         self._latch = EmergencyLatch()
         self._forgiven = 0
+        self._health = HealthMonitor(model, period_s)
         self.motion = self._streamer
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
@@ -208,8 +212,17 @@ class ControlLoop:
 
     @property
     def defects(self) -> tuple[str, ...]:
-        """What is wrong with the robot now, for people."""
-        return ()
+        """What is wrong with the robot now, so that it must not move, for people."""
+        return self._health.reasons(Response.STOP)
+
+    @property
+    def reservations(self) -> tuple[str, ...]:
+        """What is wrong so that no new task should be begun, for people."""
+        return self._health.reasons(Response.REFUSE)
+
+    def note_late(self, late_s: float) -> None:
+        """Tell by how much the coming period begins too late, s; never in lockstep."""
+        self._health.note_late(late_s)
 
     def emergency_stop(self, reason: str, category: int = 1) -> None:
         """Stop, and refuse every motion with the reason until a person's ``reset``.
@@ -224,12 +237,15 @@ class ControlLoop:
             ValueError: There is no such category.
         """
         if self._latch.engage(self._clock.now_s(), category, reason) and self._latch.engaged is not None:
-            self._streamer.latch(str(self._latch.engaged))
+            self._close_or_open()
             self._sink(EmergencyStopped(self._clock.now_s(), category, reason))
             self.stop(category, reason)
 
     def reset(self, request: PersonsReset) -> str | None:
         """Leave the emergency stop, or say why not; nothing moves by itself afterwards.
+
+        A person who resets has looked at the robot: joints that were stuck and encoders that slipped
+        count as mended until they show again; what can be measured at rest has to be well.
 
         Args:
             request: The person's.
@@ -237,12 +253,14 @@ class ControlLoop:
         Returns:
             None when motions are taken again; else what stands against it.
         """
+        if self.still:
+            self._tell_health([], self._health.acknowledge())
         reason = self._latch.why_not_open(self.still, self.defects)
         if reason is not None:
             self._sink(ResetRefused(self._clock.now_s(), request.person, reason))
             return reason
         self._latch.open()
-        self._streamer.unlatch()
+        self._close_or_open()
         self._sink(EmergencyReset(self._clock.now_s(), request.person))
         return None
 
@@ -253,6 +271,7 @@ class ControlLoop:
             return
         for keeper in self._keepers:
             keeper.sense(state)
+        self._look_after_health()
         self._forgiven = max(0, self._forgiven - 1)
         watched = self._streamer.carrying_out and self._forgiven == 0
         contact = self._contact.judge(state.effort, self._gate.last.tau, watched)
@@ -276,6 +295,43 @@ class ControlLoop:
         self._gate.repeat()
         self._streamer.halt()
         self._stuck = True
+
+    def _look_after_health(self) -> None:
+        new, over = self._health.judge(self.sensing.state(), self._gate.last, self._streamer.standing)
+        if not new and not over:
+            return
+        self._tell_health(new, over)
+        stopping = [finding for finding in new if finding.response is Response.STOP]
+        if stopping:
+            reason = str(stopping[0])
+            self._note_stop(1, reason)
+            self._streamer.stop(reason, along_path=True)
+
+    def _tell_health(self, new: Sequence[Finding], over: Sequence[Finding]) -> None:
+        now_s = self._clock.now_s()
+        for finding, present in [*((one, True) for one in new), *((one, False) for one in over)]:
+            self._sink(
+                HealthChanged(
+                    now_s,
+                    finding.ailment.value,
+                    finding.part,
+                    finding.value,
+                    finding.bound,
+                    finding.response.value,
+                    present,
+                )
+            )
+        self._close_or_open()
+
+    def _close_or_open(self) -> None:
+        """Refuse motions while the emergency stop is engaged or the robot is not well, else take them."""
+        if self._limp:
+            return
+        reason = str(self._latch.engaged) if self._latch.engaged is not None else "; ".join(self.defects)
+        if reason:
+            self._streamer.latch(reason)
+        else:
+            self._streamer.unlatch()
 
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""

@@ -153,6 +153,11 @@ class MotionStreamer:
         return self._track.resting and not self._guarded and not fingers
 
     @property
+    def standing(self) -> bool:
+        """Whether the feet are meant to stay where they are: nothing but checked motions moves the body."""
+        return not any(track.moves_body for track in self._guarded)
+
+    @property
     def carrying_out(self) -> bool:
         """Whether a checked trajectory runs."""
         return self._body_handle is not None

@@ -42,6 +42,7 @@ from robots.interface import RobotState
 Array = NDArray[np.float64]
 
 Outcome = Literal["running", "arrived", "stuck", "lost"]
+_Phase = Literal["lean", "lead", "back", "ease", "settle", "rest"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +51,8 @@ class YieldSettings:
 
     Attributes:
         force_limit_n: The pull is bounded by this; at 80 N the robot tipped once.
+        stop_force_n: The same where a stop is expected.
+        eased_n: What has met its stop is pressed no harder than this when the hand has come to rest.
         slow_share: From this share of the limit on it slows down, to a stand at the limit.
         give_ns_m: Resistance of the hand across the path: the smaller, the softer.
         give_m_s: Fastest yielding.
@@ -65,6 +68,8 @@ class YieldSettings:
     """
 
     force_limit_n: float = 65.0
+    stop_force_n: float = 40.0
+    eased_n: float = 10.0
     slow_share: float = 0.7
     give_ns_m: float = 300.0
     give_m_s: float = 0.15
@@ -164,9 +169,10 @@ class YieldingHand:
         self._felt = np.zeros(6)
         self._peak_force_n = self._peak_pull_n = 0.0
         self._outcome: Outcome = "running"
-        self._phase: Literal["lean", "lead", "back", "settle", "rest"] = "lean" if self._opening else "lead"
+        self._phase: _Phase = "lean" if self._opening else "lead"
         self._phase_s = self._slow_s = self._empty_s = 0.0
         self._asked_to_finish = False
+        self._eased_from = s_from
         count = round(TICK_S / period_s)
         self._times = period_s * np.arange(1, count + 1)
         rest = np.zeros(model.nv)
@@ -270,23 +276,32 @@ class YieldingHand:
 
     def _lead(self, outward: Array) -> None:
         settings = self._settings
+        against_n = -self._way * float(self._felt[:3] @ outward)
         if self._phase == "lean" and self._phase_s > settings.lean_s:
             self._enter("lead")
         if self._phase == "lead":
-            against_n = -self._way * float(self._felt[:3] @ outward)
             self._peak_pull_n = max(self._peak_pull_n, against_n)
             self._advance(self._s_to, self._way, against_n)
             if self._empty_s > settings.lost_s:
                 self._end("lost", "settle")
             elif self._s == self._s_to:
-                self._end("arrived", "settle")
+                self._end("arrived", "ease" if self._stop_from is not None else "settle")
             elif self._slow_s > settings.stuck_s:
-                at_stop = self._stop_from is not None and self._way * (self._s - self._stop_from) >= 0.0
-                self._end("arrived" if at_stop else "stuck", "settle" if at_stop else "back")
+                self._end(*(("arrived", "ease") if self._at_stop else ("stuck", "back")))
         elif self._phase == "back":
             self._advance(self._s_from, -self._way, 0.0)
             if self._s == self._s_from:
                 self._enter("settle")
+        elif self._phase == "ease":
+            eased = abs(self._s - self._eased_from) * self._path.lever_m > _MOST_EASED_M
+            if against_n < settings.eased_n or eased:
+                self._enter("settle")
+            else:
+                self._advance(self._s_from, -self._way, 0.0)
+
+    @property
+    def _at_stop(self) -> bool:
+        return self._stop_from is not None and self._way * (self._s - self._stop_from) >= 0.0
 
     def _advance(self, target: float, way: float, against_n: float) -> None:
         """Go on along the path, more slowly the larger the force against it."""
@@ -296,6 +311,8 @@ class YieldingHand:
         wanted = full * (settings.close_share if near_closed else 1.0)
         wanted = min(wanted, math.sqrt(2.0 * settings.acceleration * full * left) + 0.02 * full)
         most, slow = settings.force_limit_n, settings.slow_share
+        if self._at_stop:
+            most = settings.stop_force_n
         if against_n > slow * most:
             wanted *= max(0.0, 1.0 - (against_n - slow * most) / ((1.0 - slow) * most))
         change = wanted - self._speed
@@ -308,12 +325,13 @@ class YieldingHand:
         slow_now = self._speed < settings.stuck_speed_share * full and self._phase_s > 1.0
         self._slow_s = self._slow_s + TICK_S if slow_now else 0.0
 
-    def _end(self, outcome: Outcome, phase: Literal["back", "settle"]) -> None:
+    def _end(self, outcome: Outcome, phase: _Phase) -> None:
         self._outcome = outcome
         self._enter(phase)
 
-    def _enter(self, phase: Literal["lead", "back", "settle", "rest"]) -> None:
+    def _enter(self, phase: _Phase) -> None:
         self._phase, self._phase_s, self._speed = phase, 0.0, 0.0
+        self._eased_from = self._s
 
     def _yield_across(self, outward: Array, across: Array) -> None:
         settings = self._settings
@@ -331,6 +349,7 @@ class YieldingHand:
 
 
 _MOVED_M = 0.02
+_MOST_EASED_M = 0.04
 _LAST_PIECE_M = 0.10
 """Over the last of the way a door is closed slowly: it must not slam."""
 _SCENE_STEP_M = 0.04

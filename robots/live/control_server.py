@@ -16,12 +16,12 @@ from kinematics.robot_description import Hand
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.clock import Clock
 from robots.control.control_loop import ControlLoop
+from robots.control.emergency_stop import PersonsReset
 from robots.control.events import ControlEvent
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.watchdog import Watchdog
 from robots.live.admission import AdmissionDesk, Asks, Verdict
 from robots.live.connection import Connection
-from robots.live.emergency import Emergency
 from robots.live.errors import ProtocolError
 from robots.live.frame_message import write_frame
 from robots.live.framing import VERSION, Frame, FrameKind
@@ -63,7 +63,6 @@ class ControlServer:
 
     Attributes:
         ending: Whether somebody asked for the end.
-        latch: The emergency latch.
     """
 
     def __init__(
@@ -99,8 +98,7 @@ class ControlServer:
         self._number, self._world_version = 0, 0
         self._busy = self._looking = False
         self._frame, self._polls = -1, 0
-        self.latch = Emergency(loop)
-        self._told_emergency = ""
+        self._told_emergency = self._emergency()
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
@@ -166,10 +164,10 @@ class ControlServer:
     def _obey(self, connection: Connection, message: ControlMessage) -> None:
         match message:
             case Stop(category, reason):
-                self.latch.engage(category, reason)
+                self._loop.emergency_stop(reason or "no reason was given", category)
                 connection.send(write_message("done"))
-            case Reset():
-                wrong = self.latch.reset()
+            case Reset(person):
+                wrong = self._loop.reset(PersonsReset(person or "somebody"))
                 connection.send(write_message("done") if wrong is None else _refused(0, wrong))
             case GetStatus():
                 connection.send(write_message("status", **self.status()))
@@ -206,7 +204,7 @@ class ControlServer:
             connection.allow_documents()
         self._listeners.append(connection)
         welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
-        connection.send(write_message("welcome", role=role, emergency=self.latch.engaged, **welcome))
+        connection.send(write_message("welcome", role=role, emergency=self._emergency(), **welcome))
 
     def _hear(self, connection: Connection, message: Heartbeat) -> None:
         self._require_commander(connection)
@@ -261,8 +259,8 @@ class ControlServer:
         connection.send(_motion(message.motion, MotionStatus.REFUSED, 0.0, wrong or ""))
 
     def _why_not(self, message: Start | Guarded) -> str | None:
-        if self.latch.engaged:
-            return f"the emergency stop is engaged: {self.latch.engaged}"
+        if self._loop.emergency is not None:
+            return str(self._loop.emergency)
         if self.ending:
             return "the robot is being shut down"
         if message.motion in self._motions or len(self._motions) >= MAX_MOTIONS:
@@ -273,6 +271,13 @@ class ControlServer:
             if message.hand not in self._loop.grippers:
                 return f"no gripper in the {message.hand!r} hand"
         return None
+
+    def _emergency(self) -> dict[str, Any]:
+        """The latch as it is told; ``engaged`` is empty when it is not."""
+        engaged = self._loop.emergency
+        if engaged is None:
+            return {"engaged": "", "category": 0, "t_s": 0.0}
+        return {"engaged": engaged.reason, "category": engaged.category, "t_s": engaged.t_s}
 
     def _running(self) -> list[MotionHandle]:
         return [handle for handle in self._motions.values() if not handle.finished]
@@ -285,7 +290,7 @@ class ControlServer:
         return {
             **self._about,
             "t_s": round(self._clock.now_s(), 3),
-            "emergency": self.latch.engaged or None,
+            "emergency": None if self._loop.emergency is None else self._emergency(),
             "resting": self._loop.motion.resting,
             "under_way": self.under_way,
             "motions": [handle.name for handle in self._running()],
@@ -312,10 +317,11 @@ class ControlServer:
         self._commander.send(told)
 
     def _tell_emergency(self) -> None:
-        if self.latch.engaged == self._told_emergency:
+        engaged = self._emergency()
+        if engaged == self._told_emergency:
             return
-        self._told_emergency = self.latch.engaged
-        told = write_message("emergency", engaged=self.latch.engaged)
+        self._told_emergency = engaged
+        told = write_message("emergency", **engaged)
         for listener in self._listeners:
             listener.send(told)
 

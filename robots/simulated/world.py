@@ -8,6 +8,7 @@ import numpy as np
 
 from kinematics.robot_description import RobotDescription
 from robots.scene_description import SceneDescription
+from robots.simulated.body_faults import BodyFaults
 from robots.simulated.faults import FaultInjector
 from robots.simulated.physics import Physics
 from robots.simulated.simulated_robot import SimulatedRobot
@@ -22,12 +23,14 @@ class SimulatedWorld:
         robot: The body, as the control loop knows it.
         truth: What really is the case; for the perception stub, evaluation and tests only.
         faults: Things that go wrong on purpose.
+        body_faults: The same, of the robot's own body.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
     robot: SimulatedRobot
     truth: SimulatorTruth
     faults: FaultInjector
+    body_faults: BodyFaults
     physics: Physics
 
 
@@ -53,4 +56,5 @@ def build_world(
         faults.tick()
         physics.furniture.apply()
 
-    return SimulatedWorld(SimulatedRobot(physics, rng, before_period), truth, faults, physics)
+    robot = SimulatedRobot(physics, rng, before_period)
+    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics)

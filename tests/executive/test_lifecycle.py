@@ -36,6 +36,7 @@ class Loop:
 
     def __init__(self):
         self.latch, self.defects, self.still, self.resets = EmergencyLatch(), (), True, 0
+        self.reservations = ()
 
     @property
     def emergency(self):

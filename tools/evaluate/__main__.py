@@ -17,6 +17,8 @@ from robots.errors import RobotsError
 from robots.scene_file import load_scene
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.kill import run_kill
+from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import run_question_episode
 from tools.evaluate.records import EpisodeRecord, Summary
@@ -27,7 +29,7 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "question", "stop", "cancel", *SKILL_SUITES)
+SUITES = ("pick", "question", "stop", "cancel", "kill", *OPENING_SUITES, *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -43,6 +45,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
+    if options.suite == "kill":
+        return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
+    if options.suite in OPENING_SUITES:
+        return run_opening_suite(options, messages)
     orders = [
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
@@ -88,6 +94,12 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--fault", choices=sorted(FAULTS))
     parser.add_argument("--scene", help="a scene's name or file in place of random ones")
     parser.add_argument("--robot", default="talos", choices=known_robots())
+    parser.add_argument(
+        "--pace",
+        type=float,
+        default=1.0,
+        help="of suite kill: simulated seconds in a second, for slow machines",
+    )
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument(
         "--failed", type=Path, default=Path("runs/evaluate"), metavar="DIR", help="for failed scenes"

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.opening_measure import moved_by
@@ -42,7 +45,7 @@ class LeadHandle(MotionLeaf):
         """Begin to lead."""
         held: HeldHandle = self.get_input("held")
         target, toolbox = held.target, self.toolbox
-        self._points: list[np.ndarray[tuple[int, ...], np.dtype[np.float64]]] = []
+        self._points: list[NDArray[np.float64]] = []
         lead_to: float = self.get_input("lead_to")
         closing = lead_to < target.opening
         self._motion = YieldingHand(
@@ -65,7 +68,7 @@ class LeadHandle(MotionLeaf):
         """Follow the motion, and remember where the hand has been."""
         outcome = super().step()
         held: HeldHandle = self.get_input("held")
-        if outcome is RUNNING and self._motion is not None:
+        if outcome is RUNNING:
             self._points.append(tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q))
         return outcome
 
@@ -73,8 +76,7 @@ class LeadHandle(MotionLeaf):
         """Judge how it ended."""
         held: HeldHandle = self.get_input("held")
         target, report = held.target, self._motion.report
-        moved = moved_by(np.array(self._points), held.path)
-        opening = target.opening + moved
+        opening = target.opening + moved_by(np.array(self._points), held.path)
         self._tell_world(held, opening)
         shown = {f"opening_{target.unit}": round(target.shown(opening), 4)}
         felt = {
@@ -92,10 +94,18 @@ class LeadHandle(MotionLeaf):
         return DONE
 
     def _tell_world(self, held: HeldHandle, opening: float) -> None:
+        """Turn the door in the world model; the handle is where the hand has it."""
         world, target = self.toolbox.world, held.target
         parts = tuple(name for name in (target.part, target.handle) if name in world.scene.objects)
-        if parts and opening != target.opening:
-            world.update(scene_at(world.scene, parts, target.path, target.opening, opening))
+        if not parts or opening == target.opening:
+            return
+        scene = scene_at(world.scene, parts, target.path, target.opening, opening)
+        if target.handle in scene.objects:
+            bar = scene.objects[target.handle]
+            pose = bar.world_T_object.copy()
+            pose[:2, 3] = tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]
+            scene = scene.with_object(replace(bar, world_T_object=pose))
+        world.update(scene)
 
 
 _STOP_FROM = {kind: 3.0 * shut for kind, shut in SHUT.items()}

@@ -28,7 +28,7 @@ class Locate(LookAround):
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Choose what is meant."""
-        place = resolve(aim_of(self.get_input("task")), seen)
+        place = resolve(aim_of(self.get_input("task")), seen, self.around())
         if isinstance(place, Failure):
             return place
         self._set_output("place", place)

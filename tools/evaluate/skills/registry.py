@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tools.evaluate.skills import gestures, talk
+from tools.evaluate.skills import gestures, placing, talk
 from tools.evaluate.skills.suite import SkillSuite
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
@@ -15,5 +15,6 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "wave": gestures.WAVE,
         "point_at": gestures.POINT_AT,
         "look_at": gestures.LOOK_AT,
+        "place": placing.PLACE,
     }
 )

@@ -185,6 +185,7 @@ class _Stopper:
             settle_s=judge.settle_s,
             late_rad_s=judge.late_rad_s[0],
             late_joint=judge.late_rad_s[1],
+            finger_rad_s=judge.finger_rad_s,
             acceleration=judge.acceleration[0],
             acceleration_joint=judge.acceleration[1],
             jerk=judge.jerk[0],
