@@ -40,6 +40,8 @@ class TreePolicy:
         object_margin_m: Kept from every object, unless the plan lets the pair touch.
         search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
             too near for the head alone, then what is far to the sides.
+        survey_gazes: Where else the head looks before it is said which of several things is meant: what the
+            first gaze cuts off on both sides of a table, without leaning.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
@@ -101,6 +103,10 @@ class TreePolicy:
         Gaze("at the body", tilt_rad=0.77, lean_rad=0.6),
         Gaze("far left", tilt_rad=0.5, pan_rad=0.7),
         Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
+    )
+    survey_gazes: tuple[Gaze, ...] = (
+        Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),
+        Gaze("to the right", tilt_rad=0.75, pan_rad=-0.5),
     )
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05

@@ -22,6 +22,7 @@ from tools.evaluate.faults import FAULTS
 from tools.evaluate.kill import run_kill
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.questions import run_question_episode
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.skills.episode import run_skill_episode
@@ -30,7 +31,7 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "stop", "cancel", "fault", "kill", *OPENING_SUITES, *SKILL_SUITES)
+SUITES = ("pick", "question", "stop", "cancel", "fault", "kill", *OPENING_SUITES, *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -62,11 +63,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
     ]
-    skill = options.suite in SKILL_SUITES
+    skill = options.suite in (*SKILL_SUITES, "question")
     if skill and (options.fault or options.scene):
         messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
         return 2
-    run = partial(run_skill_episode, options.suite) if skill else run_episode
+    run: Run = partial(run_skill_episode, options.suite) if skill else run_episode
+    if options.suite == "question":
+        run = run_question_episode
     records = _run(orders, options.jobs, messages, run)
     make = SkillSummary if skill else Summary
     summary = make(options.suite, options.seed, options.fault, description.com_margin_m, records)
