@@ -223,6 +223,7 @@ class Session:
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
             outcome = yield from self._run_guarded(tree, began_s + timeout_s)
+            self._stand()
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
@@ -289,6 +290,12 @@ class Session:
             return "done", None
         asks = tree.failure is not None and tree.failure.choices
         return ("question" if asks else "failed"), tree.failure
+
+    def _stand(self) -> None:
+        """Let a walk that was stopped make its last steps."""
+        walking = self._toolbox.walking
+        while walking is not None and walking.active:
+            self._advance()
 
     def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
         tree.halt(reason)

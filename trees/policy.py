@@ -61,9 +61,11 @@ class TreePolicy:
         in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
+        fastest_m_s, fastest_rad_s: Speed limits of a walk; the robot's own may be lower.
+        move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
         peering_gazes: Further ones, that put the eyes elsewhere: past what hides something.
-        survey_gazes: The looks that together see everything within reach of the arms.
+        inventory_gazes: The looks that together see everything within reach of the arms.
         wave_swings: How often a waving hand goes from side to side.
         wave_width_m: From one side to the other.
         wave_least_m: A swing narrower than this, as measured, does not count.
@@ -121,6 +123,9 @@ class TreePolicy:
     slip_max_m: float = 0.008
     in_hand_tolerance_m: float = 0.04
     unseen_hold_factor: float = 2.0
+    fastest_m_s: float = 0.5
+    fastest_rad_s: float = 1.0
+    move_s: float = 3.0
     level_gazes: tuple[Gaze, ...] = (
         Gaze("level", tilt_rad=0.15),
         Gaze("level left", tilt_rad=0.15, pan_rad=0.85),
@@ -133,7 +138,7 @@ class TreePolicy:
         Gaze("from far left", tilt_rad=0.5, pan_rad=-1.0, lean_rad=0.7, turn_rad=1.15),
         Gaze("from far right", tilt_rad=0.5, pan_rad=1.0, lean_rad=0.7, turn_rad=-1.15),
     )
-    survey_gazes: tuple[Gaze, ...] = (
+    inventory_gazes: tuple[Gaze, ...] = (
         Gaze("ahead", tilt_rad=0.75),
         Gaze("left", tilt_rad=0.7, pan_rad=0.6),
         Gaze("right", tilt_rad=0.7, pan_rad=-0.6),
