@@ -5,7 +5,7 @@ A terminal is one, a replayed run's recorded inputs are another, and nobody is a
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Protocol
 
 from executive.clarification import OpenQuestion
@@ -26,9 +26,21 @@ class Stoppable(Protocol):
         """Ask for the running task to be halted."""
         ...
 
+    def emergency_stop(self, reason: str, category: int = 1) -> None:
+        """Engage the emergency stop before the next control period."""
+        ...
+
+    def watch_periods(self, call: Callable[[], None]) -> None:
+        """Have something called after each control period."""
+        ...
+
 
 class Attendant(Protocol):
     """Somebody at a run."""
+
+    def begin(self, session: Stoppable) -> None:
+        """Called once, before the first task begins."""
+        ...
 
     def answer(self, question: OpenQuestion) -> str | None:
         """Answer a question, or None: nobody did."""
@@ -41,6 +53,9 @@ class Attendant(Protocol):
 
 class Nobody:
     """Leaves every question open."""
+
+    def begin(self, _session: Stoppable) -> None:
+        """Nothing to prepare."""
 
     def answer(self, _question: OpenQuestion) -> str | None:
         """Give no answer."""
@@ -56,7 +71,13 @@ class RecordedAttendant:
     def __init__(self, inputs: Iterable[InputTaken]) -> None:
         taken = list(inputs)
         self._answers = [item for item in taken if item.what == "answer"]
-        self._others = [item for item in taken if item.what != "answer"]
+        self._cancels = [item for item in taken if item.what == "cancel"]
+        self._stops = [item for item in taken if item.what == "emergency_stop"]
+
+    def begin(self, session: Stoppable) -> None:
+        """Have an eye on each control period: an emergency stop does not wait for a tick."""
+        if self._stops:
+            session.watch_periods(lambda: self._stop_when_due(session))
 
     def answer(self, _question: OpenQuestion) -> str | None:
         """Give the next recorded answer."""
@@ -64,7 +85,10 @@ class RecordedAttendant:
 
     def attend(self, session: Stoppable) -> None:
         """Cancel when it was cancelled."""
-        while self._others and self._others[0].t_s <= session.now_s + _ROUNDING_S:
-            taken = self._others.pop(0)
-            if taken.what == "cancel":
-                session.cancel(taken.value)
+        while self._cancels and self._cancels[0].t_s <= session.now_s + _ROUNDING_S:
+            session.cancel(self._cancels.pop(0).value)
+
+    def _stop_when_due(self, session: Stoppable) -> None:
+        while self._stops and self._stops[0].t_s <= session.now_s + _ROUNDING_S:
+            category, _, reason = self._stops.pop(0).value.partition(" ")
+            session.emergency_stop(reason, int(category))

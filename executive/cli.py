@@ -9,11 +9,13 @@ import typer
 from typer.core import TyperGroup
 
 from executive.commands import (
+    answer,
     cancel,
     check,
     doctor,
     list_,
     parse,
+    replay,
     reset,
     run,
     runs,
@@ -83,12 +85,14 @@ app.command("run")(run.run)
 app.command("parse")(parse.parse)
 app.command("tree")(tree.tree)
 app.command("check")(check.check)
+app.command("replay")(replay.replay)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("list")(list_.list_)
 app.command("doctor")(doctor.doctor)
 app.command("serve")(serve.serve)
 app.command("send")(send.send)
+app.command("answer")(answer.answer)
 app.command("status")(status.status)
 app.command("cancel")(cancel.cancel)
 app.command("stop")(stop.stop)

@@ -19,6 +19,7 @@ from executive.task_result import TaskResult, chain
 from robots.control.events import (
     EmergencyReset,
     EmergencyStopped,
+    HealthChanged,
     MotionEnded,
     MotionStarted,
     ResetRefused,
@@ -49,13 +50,15 @@ def line_for(event: Event) -> str | None:
         case TaskRefused():
             return f"refused: {event.message}"
         case QuestionAsked(choices=choices):
-            return f"question: {event.question}" + (f" {_either(choices)}" if choices else "")
+            return f"question: {event.question}" + (f": {_either(choices)}" if choices else "")
         case InputTaken(what="answer", value=answer):
             return f"answer: {answer}" if answer else "nobody answered"
         case InputTaken():
             return None
         case NodeChanged(status="running") if event.where:
             return f"EXECUTING: {event.where}"
+        case LeafFailed(failure=failure) if failure.choices:
+            return None  # the question is told
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"
         case Said():
@@ -65,6 +68,9 @@ def line_for(event: Event) -> str | None:
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
+        case HealthChanged():
+            state = f"{event.value:.3g}, bound {event.bound:.3g}" if event.present else "over"
+            return f"health: {event.ailment}: {event.part} ({state})"
         case LifecycleChanged():
             return f"state {event.before} → {event.after}: {event.reason}"
         case EmergencyStopped():
@@ -83,7 +89,9 @@ def line_for(event: Event) -> str | None:
 
 def sentence(failure: Failure) -> str:
     """One link of a failure chain as a sentence with its numbers and place."""
-    numbers = ", ".join(f"{quantity(key, value)}" for key, value in failure.numbers.items())
+    numbers = ", ".join(
+        f"{quantity(key, value)}" for key, value in failure.numbers.items() if key != "objects"
+    )
     place = f" [{failure.kind.value}{' at ' + failure.where if failure.where else ''}]"
     return failure.message + (f" ({numbers})" if numbers else "") + place
 

@@ -84,6 +84,7 @@ def perform(
     pictures = _pictures(request)
     header = {
         "input": shortened(request.input),
+        "text": request.input,
         "robot": request.robot,
         "scene": request.scene,
         "seed": request.seed,
@@ -179,6 +180,7 @@ def _results(
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
+    attendant.begin(assembly.session)
     with _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:

@@ -3,6 +3,9 @@
 ``run.json`` says what was asked of which robot in which scene, ``scene.toml`` and ``script.toml`` are copies
 of the scene's and the script's file, ``events.jsonl`` holds the canonical events, ``report.json`` the report,
 and ``trajectories``, where they were asked for, the motions that the checker judged.
+
+Each event is handed to the operating system as soon as it is written, so that a program that is killed
+loses none of them; only the last line may be torn, and is left out when the log is read.
 """
 
 from __future__ import annotations
@@ -21,6 +24,7 @@ from executive.events import Event, EventDigest, canonical_line
 from robots.clock import utc_timestamp
 
 LATEST = "latest"
+EVENTS = "events.jsonl"
 
 
 class RunLog:
@@ -53,7 +57,7 @@ class RunLog:
                 shutil.copyfile(scene_file, self.path / "scene.toml")
             if script_file is not None:
                 shutil.copyfile(script_file, self.path / "script.toml")
-            self._file: TextIO = (self.path / "events.jsonl").open("w", encoding="utf-8")
+            self._file: TextIO = (self.path / EVENTS).open("w", encoding="utf-8", buffering=1)
         except OSError as failed:
             raise _not_writable(directory, failed) from failed
 
@@ -106,9 +110,14 @@ class RunLog:
 class RecordedRun:
     """A run on disk; ``report`` is empty when it was cut off."""
 
-    name: str
+    path: Path
     header: Mapping[str, Any]
     report: Mapping[str, Any]
+
+    @property
+    def name(self) -> str:
+        """The run's name: that of its folder."""
+        return self.path.name
 
 
 def recorded_runs(directory: Path) -> list[RecordedRun]:
@@ -132,6 +141,28 @@ def recorded_run(directory: Path, name: str) -> RecordedRun:
         if run.name == name:
             return run
     raise UnknownRunError(name, [run.name for run in runs])
+
+
+def recorded_events(path: Path) -> list[dict[str, Any]]:
+    """The events of a run's folder, in order; a line that was torn off at the end is left out.
+
+    Raises:
+        OSError: There is no log to read.
+        ValueError: A line other than the last one is no event: the file was damaged.
+    """
+    lines = (path / EVENTS).read_text("utf-8", errors="replace").split("\n")
+    events = []
+    for number, line in enumerate(lines, start=1):
+        if not line:
+            continue
+        try:
+            event = json.loads(line)
+        except ValueError as torn:
+            if number == len(lines):  # what follows the last line break was not written to its end
+                break
+            raise ValueError(f"{path / EVENTS}, line {number}: {torn}") from torn
+        events.append(event)
+    return events
 
 
 def write_report(path: Path, report: Mapping[str, Any]) -> None:
@@ -178,7 +209,7 @@ def _read(path: Path) -> RecordedRun | None:
     header = _read_json(path / "run.json")
     if header is None:
         return None
-    return RecordedRun(path.name, header, _read_json(path / "report.json") or {})
+    return RecordedRun(path, header, _read_json(path / "report.json") or {})
 
 
 def _read_json(path: Path) -> dict[str, Any] | None:

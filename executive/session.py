@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Generator
-from typing import Protocol, TypeVar
+import json
+from collections.abc import Callable, Generator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from executive.event_hub import EventHub
 from executive.events import Event, EventSink, InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.meaning import Command, StopCommand, command_json
 from executive.supervisor import Supervisor
 from executive.task_result import Outcome, TaskResult, TaskTimes
+from executive.trust import USUAL_TRUST, OnQuestion, Trust
 from robots.clock import Clock, WallClock
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.leaf import from_exception
 from trees.tasks import PickTask, Task
 from trees.toolbox import Sensing, Toolbox
+
+if TYPE_CHECKING:
+    from executive.ticket import Ticket
 
 PERIOD_S = 0.002
 """The control period."""
@@ -99,7 +105,8 @@ class Session:
         supervisor: Supervisor | None = None,
     ) -> None:
         self._supervisor = supervisor
-        self._toolbox, self._loop, self._planning, self._sink = toolbox, loop, planning, sink
+        self._toolbox, self._loop, self._planning = toolbox, loop, planning
+        self._sink = sink if isinstance(sink, EventHub) else EventHub(sink)
         self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
         self._on_tick = on_tick
         self._build = build
@@ -107,6 +114,8 @@ class Session:
         self._ticks = 0
         self._settled = False
         self._cancel_reason: str | None = None
+        self._stop_asked = ""
+        self._last_ticket: Ticket | None = None
 
     @property
     def now_s(self) -> float:
@@ -122,6 +131,36 @@ class Session:
         """Put an event among the session's own."""
         self._sink(event)
 
+    def submit(
+        self,
+        request: str | Sequence[Mapping[str, Any] | str] | Mapping[str, Any],
+        *,
+        trust: Trust = USUAL_TRUST,
+        on_question: OnQuestion = "ask",
+        timeout_s: float = TASK_TIMEOUT_S,
+    ) -> Ticket:
+        """Take a request; it begins when somebody waits for the ticket.
+
+        Args:
+            request: A sentence, a model's JSON text, or the steps of one as Python values.
+            trust: How far a model's steps are trusted.
+            on_question: What becomes of questions.
+            timeout_s: Simulated time that each task may take.
+        """
+        from executive.statement import Statement
+        from executive.ticket import Ticket
+        from executive.understanding import understand
+
+        text = request if isinstance(request, str) else json.dumps(request)
+        statement = Statement.of(understand(text, trust))
+        self._last_ticket = Ticket(self, statement, self._last_ticket, on_question, timeout_s)
+        return self._last_ticket
+
+    @property
+    def events(self) -> EventHub:
+        """Where every layer's events go; others may listen for a time."""
+        return self._sink
+
     def cancel(self, reason: str) -> None:
         """Ask for the running task to be halted; safe to call from a signal handler."""
         self._cancel_reason = reason
@@ -133,6 +172,7 @@ class Session:
             RuntimeError: Nothing supervises this session.
         """
         self._supervised().emergency_stop(reason, category)
+        self._stop_asked = f"{category} {reason}"
 
     def reset(self, person: str) -> str | None:
         """Leave the emergency stop on a person's explicit request; returns what stands against it.
@@ -147,7 +187,14 @@ class Session:
         self._periodic.append(call)
 
     def hold(self, seconds: float) -> None:
-        """Let simulated time pass while the robot holds what it does."""
+        """Let simulated time pass while the robot holds what it does.
+
+        No task is under way meanwhile, so that a cancel asked for in this time has nothing to cancel.
+        """
+        self._let_pass(seconds)
+        self._cancel_reason = None
+
+    def _let_pass(self, seconds: float) -> None:
         for _ in range(round(seconds / (PERIOD_S * PERIODS_A_TICK))):
             self._advance()
 
@@ -167,7 +214,7 @@ class Session:
         began_s, planned_s = self.now_s, self._planning.wall_s
         self._sink(TaskAccepted(began_s, command.text, command_json(command)))
         tree: TaskTree | None = None
-        refusal = None if self._supervisor is None else self._supervisor.admit(self.hold)
+        refusal = None if self._supervisor is None else self._supervisor.admit(self._let_pass)
         outcome: tuple[Outcome, Failure | None]
         if isinstance(command, StopCommand):
             outcome = self._halted_nothing()
@@ -176,6 +223,7 @@ class Session:
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
             outcome = yield from self._run_guarded(tree, began_s + timeout_s)
+            self._stand()
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
@@ -206,7 +254,7 @@ class Session:
                 raise
             outcome, failure = "failed", from_exception(defect).at("control")
             tree.halt(failure.message)
-            self.hold(HALT_TICKS * PERIODS_A_TICK * PERIOD_S)
+            self._let_pass(HALT_TICKS * PERIODS_A_TICK * PERIOD_S)
         root = failure
         while root is not None and root.cause is not None:
             root = root.cause
@@ -223,6 +271,10 @@ class Session:
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
                 self._cancel_reason = None
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, stopped)
+            if self._supervisor is not None and (unwell := self._supervisor.unwell()) is not None:
+                self._supervisor.note_defect(unwell.message)
+                failure = self._halt(tree, FailureKind.EXECUTION, unwell.message)
+                return "failed", failure
             if self._cancel_reason is not None:
                 reason, self._cancel_reason = self._cancel_reason, None
                 self._sink(InputTaken(self.now_s, "cancel", reason))
@@ -238,6 +290,12 @@ class Session:
             return "done", None
         asks = tree.failure is not None and tree.failure.choices
         return ("question" if asks else "failed"), tree.failure
+
+    def _stand(self) -> None:
+        """Let a walk that was stopped make its last steps."""
+        walking = self._toolbox.walking
+        while walking is not None and walking.active:
+            self._advance()
 
     def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
         tree.halt(reason)
@@ -270,6 +328,9 @@ class Session:
     def _advance(self) -> None:
         for _ in range(PERIODS_A_TICK):
             if self._supervisor is not None:
+                if self._stop_asked:
+                    self._sink(InputTaken(self.now_s, "emergency_stop", self._stop_asked))
+                    self._stop_asked = ""
                 self._supervisor.before_period()
             self._loop.step()
             for call in self._periodic:

@@ -32,6 +32,11 @@ class Guarded(Protocol):
         ...
 
     @property
+    def reservations(self) -> tuple[str, ...]:
+        """What is wrong so that no new task should be begun, for people."""
+        ...
+
+    @property
     def still(self) -> bool:
         """Whether nothing is commanded to move."""
         ...
@@ -77,12 +82,20 @@ class Supervisor:
         return str(emergency)
 
     def reset(self, person: str) -> str | None:
-        """Leave the emergency stop on a person's behalf; returns what stands against it, or None."""
+        """Leave the emergency stop on a person's behalf; returns what stands against it, or None.
+
+        Without one, what the person has looked at counts as mended, and the next command recovers.
+        """
         self.stopped()
         reason = self._loop.reset(PersonsReset(person))
         if reason is None:
             self.lifecycle.take(Trigger.RESET, f"reset by {person}")
         return reason
+
+    def unwell(self) -> Failure | None:
+        """Why the task under way cannot go on with this body, or None."""
+        defects = self._loop.defects
+        return Failure.execution(f"the robot is not well: {'; '.join(defects)}") if defects else None
 
     def note_defect(self, reason: str) -> None:
         """Something that must not happen has happened; an emergency is worse, and stays one."""
@@ -98,12 +111,18 @@ class Supervisor:
         stopped = self.stopped()
         if stopped is not None:
             return Failure.refused(f"{stopped}; a person has to reset it")
+        unwell = self.unwell()
+        if unwell is not None:  # noticed after the last task, or in its last moment
+            self.note_defect(unwell.message)
         if self.lifecycle.state is LifecycleState.ERROR:
             self.lifecycle.take(Trigger.RECOVER, "a command came")
         if self.lifecycle.state is LifecycleState.RECOVERY:
             let_pass(RECOVERY_S)
-            return self._finish_recovery()
-        return None
+            refusal = self._finish_recovery()
+            if refusal is not None:
+                return refusal
+        reservations = self._loop.reservations
+        return Failure.refused("; ".join(reservations)) if reservations else None
 
     def _finish_recovery(self) -> Failure | None:
         stopped = self.stopped()

@@ -28,6 +28,9 @@ class TerminalAttendant:
     ) -> None:
         self._stdin, self._show, self._timeout_s = stdin, show, timeout_s
 
+    def begin(self, _session: Stoppable) -> None:
+        """Nothing to prepare."""
+
     def answer(self, question: OpenQuestion) -> str | None:
         """Put the question; None when no line comes in time."""
         for line in question.lines():

@@ -22,6 +22,8 @@ from kinematics.pick_planner import (
     REACH_PACE,
     PickPlanner,
 )
+from kinematics.place_planner import PlacePlanner
+from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
     CheckRequest,
     HandlePlan,
@@ -31,6 +33,7 @@ from kinematics.requests import (
     NoPlan,
     PickPlan,
     PickRequest,
+    PlacePlan,
     PlannedStep,
     PlanRequest,
     RetreatRequest,
@@ -41,7 +44,7 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
 
-Answer = PickPlan | MovePlan | HandlePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
 
 
 class MotionPlanner:
@@ -51,6 +54,7 @@ class MotionPlanner:
         self._model = model
         self._pick = PickPlanner(model)
         self._gestures = GesturePlanner(model)
+        self._place = PlacePlanner(model)
         self._handle = HandlePlanner(model)
         self._checker = TrajectoryChecker(model)
 
@@ -64,6 +68,8 @@ class MotionPlanner:
             return self._retreat(request)
         if isinstance(request, HandleRequest):
             return self._handle.plan(request)
+        if isinstance(request, PlaceRequest):
+            return self._place.plan(request)
         if isinstance(request, CheckRequest):
             return self._checker.check(request.trajectory, request.scene)
         return self._gestures.plan(request)

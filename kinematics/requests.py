@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from kinematics.gesture_requests import GestureRequest
 from kinematics.opening_path import OpeningPath
+from kinematics.place_requests import PlaceRequest
 from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import PlanningScene
@@ -189,6 +190,26 @@ class PickPlan:
 
 
 @dataclass(frozen=True, slots=True)
+class PlacePlan:
+    """Over the spot, and straight down; the way back of the hand was looked at, and is planned later.
+
+    Attributes:
+        hand: The hand that holds the object.
+        spot: Index of the chosen spot.
+        world_T_object: Where the object will stand, shape (4, 4).
+        transfer, lower: In order; each starts where the one before ends.
+        considered: How many poses were looked at.
+    """
+
+    hand: Hand
+    spot: int
+    world_T_object: Transform
+    transfer: PlannedStep
+    lower: PlannedStep
+    considered: int
+
+
+@dataclass(frozen=True, slots=True)
 class MovePlan:
     """One motion."""
 
@@ -210,4 +231,6 @@ class NoPlan:
     numbers: Mapping[str, float] = field(default_factory=dict)
 
 
-PlanRequest = PickRequest | MoveRequest | RetreatRequest | HandleRequest | CheckRequest | GestureRequest
+PlanRequest = (
+    PickRequest | MoveRequest | RetreatRequest | HandleRequest | PlaceRequest | GestureRequest | CheckRequest
+)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from kinematics.errors import MissingPartError
+from kinematics.walking.settings import WalkingSettings
 
 Hand = Literal["left", "right"]
 HANDS: tuple[Hand, Hand] = ("left", "right")
@@ -144,6 +145,33 @@ class SensorNoise:
 
 
 @dataclass(frozen=True, slots=True)
+class HealthLimits:
+    """From when on something counts as wrong with the body.
+
+    Attributes:
+        motor_effort_fraction: A motor that lacks this share of its effort limit, beside what its servo's
+            law asks for, is weak or offline.
+        stuck_rad: A joint whose setpoint has moved this far within half a second, and which has not
+            moved with it, is stuck.
+        tracking_rad: A joint this far from its setpoint does not follow.
+        encoder_offset_rad: A position that has left the sum of the speeds by this.
+        gyro_bias_rad_s: Between the gyro and the turning that the legs see.
+        foot_force_n: A sole that is meant to carry and feels less has lost the floor.
+        battery_low: Share of the charge below which no new task is begun.
+        late_share: Share of late control periods, over a second, that the loop may have.
+    """
+
+    motor_effort_fraction: float = 0.08
+    stuck_rad: float = 0.005
+    tracking_rad: float = 0.05
+    encoder_offset_rad: float = 0.015
+    gyro_bias_rad_s: float = 0.01
+    foot_force_n: float = 20.0
+    battery_low: float = 0.15
+    late_share: float = 0.2
+
+
+@dataclass(frozen=True, slots=True)
 class RobotDescription:
     """Everything that the product knows about one robot.
 
@@ -167,7 +195,9 @@ class RobotDescription:
         mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
             roll, pitch, yaw about fixed axes.
         cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
+        walking: How it walks; None for a robot that does not, or of which it is not known.
         joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
+        health: From when on something counts as wrong with the body.
         planning_margin_rad: Limits are shrunk by this for planning.
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
@@ -198,7 +228,9 @@ class RobotDescription:
     mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cannot_grasp: str = ""
+    walking: WalkingSettings | None = None
     joint_viscosity_nms_rad: float = 0.0
+    health: HealthLimits = field(default_factory=HealthLimits)
 
     @property
     def actuated(self) -> tuple[str, ...]:

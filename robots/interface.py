@@ -29,6 +29,7 @@ class RobotState:
         accelerometer: Specific force in the IMU's frame, m/s^2, shape (3,) (rest: gravity upwards).
         foot_wrench: Force and torque of the ground on each sole in the sole's frame (N, Nm), shape
             (feet, 6), in the order of ``RobotDescription.soles``.
+        battery: Share of the charge that is left, 0 to 1.
     """
 
     stamp_s: float
@@ -38,6 +39,7 @@ class RobotState:
     gyro: Array
     accelerometer: Array
     foot_wrench: Array
+    battery: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)

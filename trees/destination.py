@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,12 +14,15 @@ from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Shape
 from robots.perception.detector import Category
 from robots.perception.object_estimate import ObjectEstimate
+from trees.believed_thing import Surroundings
 from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.grounding import Ambiguous, Found, Missing, ground
+from trees.scene_update import kind_of
 from trees.tasks import Destination, ObjectDescription, ObjectOf
 
 # From the top of a person's cylinder down to the middle of the face.
 _FACE_BELOW_TOP_M = 0.13
-_ANYBODY = ("me", "in_front", "person", "somebody")
+_ANYBODY = ("me", "in_front", "in front", "person", "somebody")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,13 +52,17 @@ class Place:
         return middle
 
 
-def aim_of(task: object) -> Destination | None:
+SLOTS = ("object", "person", "to", "on", "source")
+"""Slots of tasks that say what they are aimed at, the one that counts first."""
+
+
+def aim_of(task: object, slots: Sequence[str] = SLOTS) -> Destination | None:
     """The slot of a task that says what it is aimed at: an object, a person, or a place.
 
     Raises:
         TypeError: It refers to an object of another task that was not filled in.
     """
-    for slot in ("object", "person", "to", "on", "source"):
+    for slot in slots:
         wanted: Destination | None = getattr(task, slot, None)
         if isinstance(wanted, ObjectOf):
             raise TypeError("the object of an earlier task was not filled in")
@@ -64,13 +71,16 @@ def aim_of(task: object) -> Destination | None:
     return None
 
 
-def resolve(wanted: Destination | None, seen: Mapping[str, ObjectEstimate]) -> Place | Failure:
+def resolve(
+    wanted: Destination | None, seen: Mapping[str, ObjectEstimate], around: Surroundings
+) -> Place | Failure:
     """Find what is meant among what was seen.
 
     Args:
         wanted: A description, or the name of a person, a place or a piece of furniture; "me" is the
             nearest person, "in_front" (and None) the one who stands most straight ahead.
         seen: Estimates by the names that they have in the planning scene.
+        around: What is believed, for descriptions that compare things.
 
     Returns:
         The place, or why not: nothing fits, or several things do (the failure has ``choices``).
@@ -78,7 +88,9 @@ def resolve(wanted: Destination | None, seen: Mapping[str, ObjectEstimate]) -> P
     if isinstance(wanted, ObjectOf):
         raise TypeError("the object of an earlier task was not filled in")
     if isinstance(wanted, ObjectDescription) and wanted.kind != "person" and not wanted.name:
-        fitting = {name: item for name, item in seen.items() if fits(wanted, item)}
+        fitting = {name: item for name, item in seen.items() if _is_furniture(wanted, name, item)}
+        if not fitting:
+            return _grounded(wanted, seen, around)
     else:
         word = (
             wanted if isinstance(wanted, str) else "in_front" if wanted is None else wanted.name or "person"
@@ -102,13 +114,6 @@ def place_from(name: str, item: ObjectEstimate) -> Place:
     return Place(name, item.category, item.shape, item.odom_T_object, item.confidence)
 
 
-def fits(wanted: ObjectDescription, item: ObjectEstimate) -> bool:
-    """Whether a sighting has the kind and colour of a description; furniture has no colour to ask for."""
-    if item.category == "person":
-        return False
-    return wanted.kind in (None, item.kind) and wanted.color in (None, item.color)
-
-
 def people_first(seen: Mapping[str, ObjectEstimate]) -> list[str]:
     """Names of the people in view, the one who stands most straight ahead first."""
     people = [name for name, item in seen.items() if item.category == "person"]
@@ -117,10 +122,29 @@ def people_first(seen: Mapping[str, ObjectEstimate]) -> list[str]:
 
 def furniture_named(kind: str, scene: PlanningScene) -> list[SceneObject]:
     """The solids of a kind of furniture in a scene, the one with the largest face first."""
-    from trees.scene_update import kind_of
-
     found = [item for item in scene.objects.values() if not item.movable and kind_of(item.name) == kind]
     return sorted(found, key=lambda item: -_face_m2(item))
+
+
+def _grounded(
+    wanted: ObjectDescription, seen: Mapping[str, ObjectEstimate], around: Surroundings
+) -> Place | Failure:
+    """An object among those that are believed; it must have been seen just now."""
+    match ground(wanted, around):
+        case Ambiguous(message, choices):
+            words = [choice.words for choice in choices]
+            return Failure.infeasible(message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+        case Missing(message):
+            return Failure.postcondition(message, seen=", ".join(sorted(seen)) or "nothing")
+        case Found(names):
+            if names[0] in seen:
+                return place_from(names[0], seen[names[0]])
+            return Failure.postcondition(f"the {names[0]} was seen before, but is not in view now")
+
+
+def _is_furniture(wanted: ObjectDescription, name: str, item: ObjectEstimate) -> bool:
+    """Of furniture, "table" is its top."""
+    return item.category == "furniture" and wanted.kind == item.kind == name and wanted.color is None
 
 
 def _named(word: str, seen: Mapping[str, ObjectEstimate]) -> dict[str, ObjectEstimate]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 import numpy as np
 
@@ -16,7 +16,9 @@ from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
 from trees.scene_update import kind_of
 
-DOOR, DRAWER, HANDLE = "door", "drawer", "handle"
+DOOR: Final = "door"
+DRAWER: Final = "drawer"
+HANDLE: Final = "handle"
 PART_KINDS = (DOOR, DRAWER, HANDLE)
 BODY_OF: Mapping[str, str] = {DOOR: "fridge", DRAWER: "drawers"}
 """What a door or drawer belongs to, by the kinds that perception tells."""
@@ -30,9 +32,9 @@ MEANT_BY: Mapping[str, str] = {
     "chest": DRAWER,
 }
 """What is opened when a thing is named."""
-OPEN_TO: Mapping[str, float] = {DOOR: math.radians(72.0), DRAWER: 0.30}
+OPEN_TO: Mapping[str, float] = {DOOR: math.radians(71.0), DRAWER: 0.30}
 """How far things are opened, rad or m."""
-OPEN_ENOUGH: Mapping[str, float] = {DOOR: math.radians(66.0), DRAWER: 0.26}
+OPEN_ENOUGH: Mapping[str, float] = {DOOR: math.radians(65.5), DRAWER: 0.26}
 SHUT: Mapping[str, float] = {DOOR: math.radians(2.5), DRAWER: 0.02}
 """Less open than this is closed, as far as a look can tell."""
 CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}
@@ -105,7 +107,7 @@ def opening_in(estimates: Iterable[ObjectEstimate], kind: str) -> float | None:
 
 def _opening(kind: str, front: ObjectEstimate, bodies: list[ObjectEstimate]) -> float:
     """From the poses of a front and of what it closes; both have x pointing inwards."""
-    body = max(bodies, key=_top_area)
+    body = max(bodies, key=lambda item: float(item.odom_T_object[2, 3]))  # its top
     yaw = poses.yaw_of(body.odom_T_object[:3, :3])
     if kind == DOOR:
         turned = poses.yaw_of(front.odom_T_object[:3, :3]) - yaw
@@ -114,10 +116,6 @@ def _opening(kind: str, front: ObjectEstimate, bodies: list[ObjectEstimate]) -> 
     depth_m = body.shape.size_m[0] if isinstance(body.shape, Box) else 0.0
     to_front_m = float((body.odom_T_object[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
     return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
-
-
-def _top_area(item: ObjectEstimate) -> float:
-    return item.shape.size_m[0] * item.shape.size_m[1] if isinstance(item.shape, Box) else 0.0
 
 
 def _target(

@@ -41,8 +41,9 @@ def _lines(control: dict[str, Any], executive: dict[str, Any]) -> list[str]:
     moving = ", ".join(control["motions"]) or ("stands" if control["resting"] else "comes to rest")
     lines = [
         f"robot      {control['robot']} in {control['scene']}, {control['t_s']:.1f} s, {moving}",
-        f"emergency  {control['emergency'] or 'not engaged'}",
-        f"executive  {executive.get('silent') or executive.get('task') or 'waits for a task'}",
+        f"emergency  {(control['emergency'] or {}).get('engaged') or 'not engaged'}",
+        f"executive  {executive.get('silent') or executive.get('task') or 'waits for a task'}"
+        f"{', ' + executive['state'] if 'state' in executive else ''}",
         f"commander  {control['commander'] or 'nobody'}",
         f"control    {control['scheduling']}; late p50 {lateness['p50_ms']:.2f} ms, "
         f"p99 {lateness['p99_ms']:.2f} ms, worst {lateness['worst_ms']:.0f} ms",

@@ -76,6 +76,21 @@ class Caller:
             self._connection.flush()
             self._connection.wait(min(left_s, 0.5))
 
+    def arrived(self, kind: str) -> list[dict[str, Any]]:
+        """Messages of one type that have arrived since the last look; others are dropped.
+
+        Raises:
+            NoAnswerError: The connection has ended.
+        """
+        found: list[dict[str, Any]] = []
+        while True:
+            frames = self._connection.receive()
+            found += [read_object(frame.payload) for frame in frames]
+            if self._connection.closed:
+                raise NoAnswerError("the connection ended")
+            if not frames:
+                return [message for message in found if message["type"] == kind]
+
     def close(self) -> None:
         """End the connection."""
         self._connection.close("")

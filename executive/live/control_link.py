@@ -10,6 +10,7 @@ import robots.control.events as control_events
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Finding, FindingKind, Unsafe
 from robots.clock import WallClock
+from robots.control.emergency_stop import EmergencyStop
 from robots.control.events import ControlEvent
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.live.connection import Connection
@@ -23,6 +24,7 @@ from robots.live.messages import (
     Heartbeat,
     Hello,
     Start,
+    Stop,
     read_object,
     write_control_message,
 )
@@ -56,7 +58,8 @@ class ControlLink:
     Attributes:
         about: What the control process said of itself: robot, scene, seed, period.
         report: The newest state of the robot.
-        emergency: Why the emergency stop is engaged, or empty.
+        emergency: The emergency stop that is engaged, or None.
+        defects, reservations: What is wrong with the robot, so that it must not move, or takes no new task.
         frame: The newest perception frame, or None.
         verdicts: Of trajectories by their number, as they come.
         lost: Why the connection ended, or empty.
@@ -77,7 +80,9 @@ class ControlLink:
         self._listen: Callable[[ControlEvent], None] = lambda _event: None
         self.frame: PerceptionFrame | None = None
         self.verdicts: dict[int, Verdict] = {}
-        self.emergency = ""
+        self.emergency: EmergencyStop | None = None
+        self.defects: tuple[str, ...] = ()
+        self.reservations: tuple[str, ...] = ()
         self.lost = ""
         self.about: Mapping[str, Any] = {}
         self._connection.send(write_control_message(Hello("commander")))
@@ -151,6 +156,10 @@ class ControlLink:
             if known is handle:
                 self._say(CancelMotion(self._next(), number, reason[:500]))
 
+    def stop(self, category: int, reason: str) -> None:
+        """Engage the emergency stop."""
+        self._connection.send(write_control_message(Stop(category, reason[:500])))
+
     # ---------------------------------------------------------------- inside
 
     def _next(self) -> int:
@@ -182,9 +191,12 @@ class ControlLink:
     def _take(self, message: Mapping[str, Any]) -> None:
         match message["type"]:
             case "welcome":
-                self.about, self.emergency = message, str(message["emergency"])
+                self.about, self.emergency = message, _emergency(message["emergency"])
+                self._note_health(message["health"])
+            case "health":
+                self._note_health(message)
             case "emergency":
-                self.emergency = str(message["engaged"])
+                self.emergency = _emergency(message)
             case "motion":
                 self._follow(message)
             case "frame":
@@ -199,6 +211,10 @@ class ControlLink:
                 self.lost = self.lost or str(message["reason"])
             case _:
                 pass
+
+    def _note_health(self, values: Mapping[str, Any]) -> None:
+        self.defects = tuple(map(str, values["defects"]))
+        self.reservations = tuple(map(str, values["reservations"]))
 
     def _note_verdict(self, message: Mapping[str, Any]) -> None:
         verdict: Verdict = True
@@ -228,6 +244,12 @@ class ControlLink:
             handle.status, handle.reason = MotionStatus.CANCELED, self.lost
         self._motions.clear()
         raise ControlLostError(self.lost)
+
+
+def _emergency(values: Mapping[str, Any]) -> EmergencyStop | None:
+    if not values["engaged"]:
+        return None
+    return EmergencyStop(float(values["t_s"]), int(values["category"]), str(values["engaged"]))
 
 
 def _event(message: Mapping[str, Any]) -> ControlEvent | None:

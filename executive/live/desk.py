@@ -35,8 +35,15 @@ class Cancel:
     reason: str
 
 
-DeskMessage = Say | Cancel | GetStatus
-_MESSAGES: Mapping[str, type] = {"say": Say, "cancel": Cancel, "status": GetStatus}
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to the question that is open."""
+
+    text: str
+
+
+DeskMessage = Say | Cancel | Answer | GetStatus
+_MESSAGES: Mapping[str, type] = {"say": Say, "cancel": Cancel, "answer": Answer, "status": GetStatus}
 
 
 def write_desk_message(message: DeskMessage) -> bytes:
@@ -52,6 +59,8 @@ def write_desk_message(message: DeskMessage) -> bytes:
             )
         case Cancel(reason):
             return write_message("cancel", reason=reason)
+        case Answer(text):
+            return write_message("answer", text=text)
         case GetStatus():
             return write_message("status")
 
@@ -81,6 +90,11 @@ class Desk:
         cancel: Called with the reason when what is under way shall be halted.
         status: Gives the answer to the question how things stand.
         is_stop: Whether a sentence is the spoken stop, which cancels what is under way.
+
+    Attributes:
+        current: The sentence that is being carried out.
+        asking: Whether a question is open.
+        given: Answers that have come, the oldest first.
     """
 
     def __init__(
@@ -94,6 +108,8 @@ class Desk:
         self._server = SocketServer(path, self._take, self._ended)
         self._waiting: deque[Order] = deque()
         self.current: Order | None = None
+        self.asking = False
+        self.given: list[str] = []
 
     def poll(self) -> None:
         """Take in what has arrived."""
@@ -122,6 +138,10 @@ class Desk:
                 if under_way:
                     self._cancel(reason or "cancelled")
                 connection.send(write_message("done", under_way=under_way))
+            case Answer(text):
+                if self.asking:
+                    self.given.append(text)
+                connection.send(write_message("done", asked=self.asking))
             case Say():
                 self._queue(Order(message, connection))
 

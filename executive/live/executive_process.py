@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 from types import FrameType
 
+from executive.command_parser import parse
 from executive.live.control_link import AttachRefusedError, ControlLostError
 from executive.live.live_executive import LiveExecutive
 from kinematics.robot_model import RobotModel
@@ -21,6 +22,7 @@ from robots.live.errors import LiveError, NotServedError
 from robots.live.runtime_folder import RuntimeFolder
 from trees.world_model import WorldModel
 
+_FIRST_SENTENCE = "pick up the red cup on the table"
 _AGAIN_S = 0.5
 _PATIENCE = 40
 """Attempts to become the commander, half a second apart."""
@@ -32,6 +34,7 @@ def serve(folder: RuntimeFolder, robot: str, record: Path) -> int:
     model = RobotModel(load_description(robot))
     planning = ChildProcess("executive.live.planning_process", [robot])
     world = WorldModel()
+    parse(_FIRST_SENTENCE)  # loads now what the first order would wait for
     refused = 0
     try:
         while refused < _PATIENCE:

@@ -11,21 +11,26 @@ import numpy as np
 from executive.command_parser import parse
 from executive.events import Event
 from executive.exit_codes import ExitCode
-from executive.feedback import result_line, result_line_of_all
 from executive.live.control_link import ControlLink, ControlLostError
 from executive.live.desk import Desk, Order, Say
+from executive.live.live_attendant import LiveAttendant
+from executive.live.live_guard import LiveGuard
 from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps
 from executive.live.motion_client import GripperClient, MotionClient
 from executive.live.planning_client import LivePlanning, Worker
-from executive.meaning import Command, Parsed, StopCommand
+from executive.meaning import Parsed, StopCommand
 from executive.outputs.display import PlainDisplay
 from executive.outputs.report import Report, SafetyCounts
 from executive.run_log import RunLog
-from executive.session import TASK_TIMEOUT_S, Session
+from executive.script_run import run_statements, settled, verdict
+from executive.session import Session
+from executive.statement import Statement
+from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
+from executive.understanding import understand
 from kinematics.robot_model import RobotModel
 from robots.live.runtime_folder import RuntimeFolder
-from trees.build import NoSkillError, TaskTree, has_skill
+from trees.build import TaskTree
 from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -77,7 +82,16 @@ class LiveExecutive:
             events=self._note,
             rng=rng,
         )
-        self._session = Session(toolbox, self._steps, self._planning, self._note, on_tick=self._show)
+        self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
+        self._engaged = self._cancelled = False
+        self._session = Session(
+            toolbox,
+            self._steps,
+            self._planning,
+            self._note,
+            on_tick=self._show,
+            supervisor=self._supervisor,
+        )
 
     def run(self) -> None:
         """Carry out order after order.
@@ -90,7 +104,7 @@ class LiveExecutive:
                 order = self._desk.next_order()
                 if order is None:
                     self._session.hold(_IDLE_S)
-                    self._desk.poll()
+                    self._meanwhile()
                     continue
                 try:
                     self._carry_out(order)
@@ -110,12 +124,13 @@ class LiveExecutive:
     def status(self) -> Mapping[str, Any]:
         """How things stand, as JSON values."""
         current = self._order.said.text if self._order is not None else None
-        return {"task": current, "t_s": round(self._link.now_s, 3), "emergency": self._link.emergency or None}
+        state = self._supervisor.lifecycle.state.value
+        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state}
 
     # ---------------------------------------------------------------- an order
 
     def _carry_out(self, order: Order) -> None:
-        self._order, self._stops = order, ()
+        self._order, self._stops, self._cancelled = order, (), False
         self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
         said = order.said
         about = self._link.about
@@ -144,42 +159,29 @@ class LiveExecutive:
             self._steps.busy = False
 
     def _results(self, said: Say) -> tuple[str, str, ExitCode, list[TaskResult]]:
-        if self._link.emergency:
-            engaged = f"refused: the emergency stop is engaged ({self._link.emergency}); `executive reset`"
-            return engaged, "refused", ExitCode.UNSAFE, []
-        parsed = _understood(said)
-        if parsed.refusal is not None:
-            return f"refused: {parsed.refusal}", "refused", ExitCode.INVALID, []
-        if parsed.question is not None:
-            return f"question: {parsed.question.text}", "question", ExitCode.QUESTION, []
-        for command in parsed.commands:
-            if not isinstance(command, StopCommand) and not has_skill(command):
-                return f"refused: {NoSkillError(command)}", "refused", ExitCode.INVALID, []
-        results: list[TaskResult] = []
-        for command in parsed.commands:
-            results.append(self._run(command, said.timeout_s or TASK_TIMEOUT_S))
-            if results[-1].outcome != "done":
-                break
-        last = results[-1]
-        if len(results) == 1:
-            return result_line(last), last.outcome, last.exit_code, results
-        return result_line_of_all(results), last.outcome, last.exit_code, results
-
-    def _run(self, command: Command, timeout_s: float) -> TaskResult:
+        statement = _statement(said)
         self._steps.busy = True
-        try:
-            return self._session.run_task(command, timeout_s)
-        finally:
-            self._steps.busy = False
+        attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
+        statement = settled(statement, attendant, "ask", self._note)
+        if self._cancelled:
+            return "cancelled: before anything moved", "cancelled", ExitCode.CANCELLED, []
+        results = run_statements([statement], self._session, attendant, "ask", self._note)
+        line, outcome, code = verdict([statement], results)
+        return line, outcome, code, [result for _, said_results in results for result in said_results]
 
     # ---------------------------------------------------------------- on the way
 
     def _meanwhile(self) -> None:
         self._desk.poll()
-        if self._link.emergency and self._steps.busy:
-            self._cancel(f"emergency stop: {self._link.emergency}")
+        engaged = self._link.emergency is not None
+        if engaged and not self._engaged:
+            self._supervisor.stopped()
+        elif self._engaged and not engaged:
+            self._supervisor.reset("a person")
+        self._engaged = engaged
 
     def _cancel(self, reason: str) -> None:
+        self._cancelled = True
         self._session.cancel(reason)
 
     def _note(self, event: Event) -> None:
@@ -211,11 +213,12 @@ class _LineStream:
         pass
 
 
-def _understood(said: Say) -> Parsed:
+def _statement(said: Say) -> Statement:
     if said.text:
-        return parse(said.text)
+        understood = understand(said.text)
+        return Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
     text = f"move at {said.linear_m_s:g} m/s and {said.angular_rad_s:g} rad/s"
-    return Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),))
+    return Statement(Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),)))
 
 
 def _is_stop(text: str) -> bool:

@@ -25,6 +25,11 @@ class MotionClient:
         self._count = 0
         self._admitted: list[tuple[CheckedTrajectory, int]] = []
 
+    @property
+    def period_s(self) -> float:
+        """The control period."""
+        return float(self._link.about["period_s"])
+
     def admitted(self, checked: CheckedTrajectory, number: int) -> None:
         """Know under which number the other side admitted a trajectory."""
         self._admitted = [*self._admitted, (checked, number)][-_KEPT:]

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from executive.events import PlanningAnswered
 from executive.live.control_link import ControlLink
 from executive.live.motion_client import MotionClient
-from executive.live.planning_process import Planned
+from executive.live.planning_service import Planned
 from kinematics.requests import PlanRequest
 from kinematics.trajectory import CheckedTrajectory
 from robots.live.errors import LiveError

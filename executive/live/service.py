@@ -89,6 +89,11 @@ class Service:
         self.close()
         return 0 if self.control.returncode == 0 else 1
 
+    def start_another_executive(self) -> None:
+        """Start a new executive in the place of one that is gone, or does nothing any more."""
+        self._started += 1
+        self.executive = self._start_executive()
+
     def close(self) -> None:
         """End what is still there."""
         if self.executive.poll() is None:
@@ -140,11 +145,9 @@ class Service:
         )
 
     def _replace_executive(self) -> None:
-        if self._started > _RESTARTS:
-            return
-        self._say(f"the executive ended ({self.executive.returncode}); a new one takes its place")
-        self._started += 1
-        self.executive = self._start_executive()
+        if self._started <= _RESTARTS:
+            self._say(f"the executive ended ({self.executive.returncode}); a new one takes its place")
+            self.start_another_executive()
 
 
 def _control_command(request: ServiceRequest) -> list[str]:

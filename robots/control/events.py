@@ -73,6 +73,19 @@ class ResetRefused:
     reason: str
 
 
+@dataclass(frozen=True, slots=True)
+class HealthChanged:
+    """Something is wrong with the robot from now on, or no longer."""
+
+    t_s: float
+    ailment: str
+    part: str
+    value: float
+    bound: float
+    response: str
+    present: bool
+
+
 ControlEvent = (
     MotionStarted
     | MotionEnded
@@ -81,5 +94,6 @@ ControlEvent = (
     | EmergencyStopped
     | EmergencyReset
     | ResetRefused
+    | HealthChanged
 )
 ControlSink = Callable[[ControlEvent], None]

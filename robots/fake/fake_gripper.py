@@ -44,10 +44,10 @@ class FakeGripper:
 
     def close(self) -> MotionHandle:
         """Close on what is between the fingers."""
+        found = self._world.between(self._pose_of(self._gripper.tcp_frame), self._gripper.max_opening_m)
         self._handle = self._motion.note(f"close {self._gripper.hand} gripper")
         if not self._handle.finished:
             self._goal_rad = self._gripper.closed_rad
-            found = self._world.between(self._pose_of(self._gripper.tcp_frame), self._gripper.max_opening_m)
             if found is not None and not self.empty:
                 self.holding = found.name
                 self._goal_rad = self._angle_rad(diameter_m(found.shape))

@@ -16,12 +16,12 @@ from kinematics.robot_description import Hand
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.clock import Clock
 from robots.control.control_loop import ControlLoop
+from robots.control.emergency_stop import PersonsReset
 from robots.control.events import ControlEvent
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.watchdog import Watchdog
 from robots.live.admission import AdmissionDesk, Asks, Verdict
 from robots.live.connection import Connection
-from robots.live.emergency import Emergency
 from robots.live.errors import ProtocolError
 from robots.live.frame_message import write_frame
 from robots.live.framing import VERSION, Frame, FrameKind
@@ -63,7 +63,6 @@ class ControlServer:
 
     Attributes:
         ending: Whether somebody asked for the end.
-        latch: The emergency latch.
     """
 
     def __init__(
@@ -99,8 +98,7 @@ class ControlServer:
         self._number, self._world_version = 0, 0
         self._busy = self._looking = False
         self._frame, self._polls = -1, 0
-        self.latch = Emergency(loop)
-        self._told_emergency = ""
+        self._told_emergency, self._told_health = self._emergency(), self._health_now()
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
@@ -123,7 +121,7 @@ class ControlServer:
             self._loop.stop(1, reason)
             self._commander.send(write_message("error", reason=reason))
             self._commander.close(reason)
-        self._tell_emergency()
+        self._tell_condition()
         self._tell_events()
         self._tell_motions()
         self._show_frame()
@@ -166,10 +164,10 @@ class ControlServer:
     def _obey(self, connection: Connection, message: ControlMessage) -> None:
         match message:
             case Stop(category, reason):
-                self.latch.engage(category, reason)
+                self._loop.emergency_stop(reason or "no reason was given", category)
                 connection.send(write_message("done"))
-            case Reset():
-                wrong = self.latch.reset()
+            case Reset(person):
+                wrong = self._loop.reset(PersonsReset(person or "somebody"))
                 connection.send(write_message("done") if wrong is None else _refused(0, wrong))
             case GetStatus():
                 connection.send(write_message("status", **self.status()))
@@ -206,7 +204,8 @@ class ControlServer:
             connection.allow_documents()
         self._listeners.append(connection)
         welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
-        connection.send(write_message("welcome", role=role, emergency=self.latch.engaged, **welcome))
+        condition = {"emergency": self._emergency(), "health": self._health_now()}
+        connection.send(write_message("welcome", role=role, **condition, **welcome))
 
     def _hear(self, connection: Connection, message: Heartbeat) -> None:
         self._require_commander(connection)
@@ -261,8 +260,8 @@ class ControlServer:
         connection.send(_motion(message.motion, MotionStatus.REFUSED, 0.0, wrong or ""))
 
     def _why_not(self, message: Start | Guarded) -> str | None:
-        if self.latch.engaged:
-            return f"the emergency stop is engaged: {self.latch.engaged}"
+        if self._loop.emergency is not None:
+            return str(self._loop.emergency)
         if self.ending:
             return "the robot is being shut down"
         if message.motion in self._motions or len(self._motions) >= MAX_MOTIONS:
@@ -273,6 +272,17 @@ class ControlServer:
             if message.hand not in self._loop.grippers:
                 return f"no gripper in the {message.hand!r} hand"
         return None
+
+    def _emergency(self) -> dict[str, Any]:
+        """The latch as it is told; ``engaged`` is empty when it is not."""
+        engaged = self._loop.emergency
+        if engaged is None:
+            return {"engaged": "", "category": 0, "t_s": 0.0}
+        return {"engaged": engaged.reason, "category": engaged.category, "t_s": engaged.t_s}
+
+    def _health_now(self) -> dict[str, list[str]]:
+        """What is wrong with the robot: so that it must not move, so that it takes no new task."""
+        return {"defects": list(self._loop.defects), "reservations": list(self._loop.reservations)}
 
     def _running(self) -> list[MotionHandle]:
         return [handle for handle in self._motions.values() if not handle.finished]
@@ -285,7 +295,8 @@ class ControlServer:
         return {
             **self._about,
             "t_s": round(self._clock.now_s(), 3),
-            "emergency": self.latch.engaged or None,
+            "emergency": None if self._loop.emergency is None else self._emergency(),
+            **self._health_now(),
             "resting": self._loop.motion.resting,
             "under_way": self.under_way,
             "motions": [handle.name for handle in self._running()],
@@ -311,13 +322,14 @@ class ControlServer:
                 told = write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])
         self._commander.send(told)
 
-    def _tell_emergency(self) -> None:
-        if self.latch.engaged == self._told_emergency:
-            return
-        self._told_emergency = self.latch.engaged
-        told = write_message("emergency", engaged=self.latch.engaged)
-        for listener in self._listeners:
-            listener.send(told)
+    def _tell_condition(self) -> None:
+        engaged, health = self._emergency(), self._health_now()
+        told = [] if engaged == self._told_emergency else [write_message("emergency", **engaged)]
+        told += [] if health == self._told_health else [write_message("health", **health)]
+        self._told_emergency, self._told_health = engaged, health
+        for message in told:
+            for listener in self._listeners:
+                listener.send(message)
 
     def _tell_events(self) -> None:
         events, self._events = self._events, []

@@ -40,10 +40,12 @@ class SocketServer:
         self._path, self._may_end = path, may_end
         self._on_frame, self._on_end = on_frame, on_end
         self._listening = listen_at(path)
+        self._inode = path.lstat().st_ino
         self.connections: list[Connection] = []
 
     def poll(self) -> None:
         """Accept, read, hand on, and send what waits."""
+        self._forget_closed()
         waiting: list[Any] = [self._listening, *self.connections]
         readable, _, _ = select.select(waiting, [], [], 0.0)
         for connection in list(self.connections):
@@ -66,7 +68,11 @@ class SocketServer:
             connection.flush()
             connection.close("")
         self._listening.close()
-        self._path.unlink(missing_ok=True)
+        try:
+            if self._path.lstat().st_ino == self._inode:  # another one may listen there by now
+                self._path.unlink()
+        except FileNotFoundError:
+            pass
 
     def _accept(self) -> None:
         try:

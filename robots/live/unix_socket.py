@@ -13,7 +13,9 @@ from robots.live.errors import NotServedError
 
 UnixSocket = socket.socket
 _CREDENTIALS = struct.Struct("3i")
-_BACKLOG = 16
+_BACKLOG = 64
+_CONNECT_WITHIN_S = 3.0
+"""A process that hangs accepts nobody; whoever knocks must not hang with it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +52,7 @@ def connect_to(path: Path) -> UnixSocket:
         NotServedError: Nobody does, or another user.
     """
     connected = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    connected.settimeout(_CONNECT_WITHIN_S)
     try:
         connected.connect(os.fspath(path))
     except OSError:

@@ -28,6 +28,10 @@ class SimulatedRobot:
 
     Attributes:
         taken: How many setpoints were taken, from whomever: for those who judge.
+        encoder_offset: Added to what the encoders of the actuated joints read, rad, shape (n,); the
+            servos go by the encoders. For the fault injector.
+        gyro_bias: Added to what the gyro reads, rad/s, shape (3,). For the fault injector.
+        battery: Share of the charge that is left.
     """
 
     def __init__(
@@ -56,6 +60,7 @@ class SimulatedRobot:
         self._ctrl[:] = self._target
         self._commanded = False
         self.taken = 0
+        self.encoder_offset, self.gyro_bias, self.battery = np.zeros(self._count), np.zeros(3), 1.0
         self._steps = 0
         self._reading: RobotState | None = None
 
@@ -82,12 +87,13 @@ class SimulatedRobot:
             )
             self._reading = RobotState(
                 stamp_s=self._steps * _TIMESTEP_NS * 1e-9,
-                q=noise[:n],
+                q=noise[:n] + self.encoder_offset,
                 v=noise[n : 2 * n],
                 effort=noise[2 * n : 3 * n],
-                gyro=noise[3 * n : 3 * n + 3],
+                gyro=noise[3 * n : 3 * n + 3] + self.gyro_bias,
                 accelerometer=noise[3 * n + 3 : 3 * n + 6],
                 foot_wrench=noise[3 * n + 6 :].reshape(-1, 6),
+                battery=self.battery,
             )
         return self._reading
 
@@ -137,7 +143,7 @@ class SimulatedRobot:
         model, data, ctrl, force = self._model, self._data, self._ctrl, self._force
         change = (self._target - self._former) / steps
         effort = np.zeros(self._count)
-        ctrl[:] = self._former
+        ctrl[:] = self._former - self.encoder_offset
         for _ in range(steps):
             ctrl += change
             mujoco.mj_step(model, data)

@@ -273,6 +273,20 @@ class SimulatorTruth:
         """What of the robot touches furniture now."""
         return self._contacts(_ROBOT, (Role.FURNITURE,))
 
+    def furniture_force_on_robot(self) -> NDArray[np.float64]:
+        """Sum of the forces of furniture and handles on the robot in the last physics step, N, shape (3,)."""
+        physics, data, pairs = self._physics, self._physics.data, self._contact_geoms()
+        total = np.zeros(3)
+        roles = physics.geom_role[pairs]
+        robot = np.isin(roles, _ROBOT)
+        theirs = (roles == Role.FURNITURE) | (roles == Role.HANDLE)
+        for i in np.flatnonzero(robot.any(axis=1) & theirs.any(axis=1)):
+            mujoco.mj_contactForce(physics.model, data, int(i), self._wrench)
+            force = data.contact.frame[i].reshape(3, 3).T @ self._wrench[:3]
+            # MuJoCo's force acts on the second geom.
+            total += force if robot[i, 1] else -force
+        return total
+
     def contacts_with_people(self) -> tuple[TrueContact, ...]:
         """What of the robot touches a person now."""
         return self._contacts(_ROBOT, (Role.PERSON,))

@@ -1,96 +1,44 @@
 """Several commands in order: references, several objects, questions, and nothing half done."""
 
-import numpy as np
 import pytest
-from py_trees.blackboard import Blackboard
 
 from executive.clarification import OpenQuestion
 from executive.errand import Errand, drive
 from executive.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.meaning import StopCommand
-from executive.planning_jobs import PlanningJobs
-from executive.session import Session
 from executive.task_result import Provenance
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory
-from robots.description import load_description
-from robots.fake.fake_world import FakeWorld, cup, table
-from trees.policy import TreePolicy
+from robots.fake.fake_world import cup
 from trees.tasks import GoHomeTask, ObjectDescription, ObjectOf, OpenTask, PickTask
-from trees.toolbox import Toolbox
-from trees.world_model import WorldModel
 
-QUICK = TreePolicy(look_frames=2, look_timeout_s=0.4, hold_s=0.2, grasp_settle_s=0.04, motion_slack_s=0.2)
 A_CUP = PickTask("pick up the cup", ObjectDescription("cup"))
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
-
-
-def believed(request):
-    checked = object.__new__(CheckedTrajectory)
-    for name, value in {
-        "trajectory": request.trajectory, "scene_version": request.scene.version, "min_distance_m": 0.02,
-        "min_com_margin_m": 0.03, "seal": None,
-    }.items():  # fmt: skip
-        object.__setattr__(checked, name, value)
-    return checked
-
-
-class Loop:
-    """Steps the fake robot once every ten control periods."""
-
-    def __init__(self, fake):
-        self.fake, self.sensing, self.count = fake, fake.sensing, 0
-
-    def step(self):
-        self.count += 1
-        if self.count % 10 == 0:
-            self.fake.step()
+LEFT, RIGHT = cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))
 
 
 class Stage:
-    def __init__(self, model, *things):
-        self.fake, self.events = FakeWorld(model, believed, [table(), *things]), []
-        toolbox = Toolbox(
-            clock=self.fake.clock, model=model, motion=self.fake.motion, sensing=self.fake.sensing,
-            grippers=self.fake.grippers, detector=self.fake.detector, planning=self.fake.planning,
-            world=WorldModel(), events=self.events.append, rng=np.random.default_rng(1), policy=QUICK,
-        )  # fmt: skip
-        planning = PlanningJobs(None, self.fake.clock, self.events.append)
-        self.session = Session(toolbox, Loop(self.fake), planning, self.events.append)
+    """A session with a fake robot, and somebody who answers."""
+
+    def __init__(self, fake):
+        self.fake, self.of, self.arms_moved = fake, fake.of, fake.arms_moved
         self.moved_when_asked = []
 
     def run(self, *commands, answers=(), **options):
-        left = list(answers)
+        self.questions, self.answers = [], list(answers)
+        session = self.fake.session
+        return drive(Errand(session, commands, **options).steps(), self, session)
 
-        def ask(question):
-            self.moved_when_asked.append(self.arms_moved())
-            self.questions.append(question)
-            return left.pop(0) if left else None
+    def answer(self, question):
+        self.moved_when_asked.append(self.arms_moved())
+        self.questions.append(question)
+        return self.answers.pop(0) if self.answers else None
 
-        self.questions = []
-        return drive(Errand(self.session, commands, **options).steps(), ask)
-
-    def arms_moved(self):
-        model, q = self.fake.model, self.fake.motion.reference()[7:]
-        arms = [i for i, name in enumerate(model.joints) if name.startswith("arm_")]
-        return len(arms) == 14 and bool(np.abs(q - model.q_home[7:])[arms].max() > 1e-6)
-
-    def of(self, kind):
-        return [event for event in self.events if isinstance(event, kind)]
-
-
-@pytest.fixture(scope="module")
-def model():
-    return RobotModel(load_description("talos"))
+    def attend(self, session):
+        pass
 
 
 @pytest.fixture
-def stage(model):
-    yield lambda *things: Stage(model, *things)
-    Blackboard.clear()
-
-
-LEFT, RIGHT = cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))
+def stage(fake_stage):
+    return lambda *things: Stage(fake_stage(*things))
 
 
 @pytest.mark.requirement("L6")
@@ -124,6 +72,19 @@ def test_an_answer_may_describe_what_the_choices_do_not_say(stage):
 
     assert on.questions[1].tried == "'the purple one' is none of the choices"
     assert result.acted_on == "blue cup"
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [("the leftmost one", "red cup"), ("the rightmost", "blue cup"), ("nearest", "red cup")],
+)
+def test_an_answer_may_compare_the_choices(stage, answer, name):
+    on = stage(cup("a", "red", (0.45, 0.1)), RIGHT)
+
+    [result] = on.run(A_CUP, answers=[answer])
+
+    assert len(on.questions) == 1
+    assert result.acted_on == name
 
 
 def test_a_withdrawn_task_is_cancelled_and_nothing_after_it_begins(stage):

@@ -1,12 +1,16 @@
 """Runs are recorded, found again, and faults of the disk told in one line."""
 
 import json
+import os
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from executive.errors import NotWritableError, UnknownRunError
-from executive.run_log import RunLog, recorded_run, recorded_runs, require_writable
+from executive.run_log import RunLog, recorded_events, recorded_run, recorded_runs, require_writable
 from trees.events import NodeChanged
 
 EVENT = NodeChanged(0.1, "pick", "running", "")
@@ -82,3 +86,49 @@ def test_asking_whether_a_file_can_be_written_leaves_no_trace(tmp_path):
 
     with pytest.raises(NotWritableError):
         require_writable(tmp_path / "none" / "report.json")
+
+
+WRITER = """
+import pathlib, sys
+from executive.run_log import RunLog
+from trees.events import NodeChanged
+
+with RunLog(pathlib.Path(sys.argv[1]), {"input": "killed"}) as log:
+    number = 0
+    while True:
+        number += 1
+        log.add(NodeChanged(0.02 * number, "pick", "running", "x" * (number % 200)))
+        print(number, flush=True)
+"""
+
+
+@pytest.mark.requirement("S9", "F8")
+@pytest.mark.parametrize("at", [1, 500, 1777])
+def test_a_log_whose_writer_was_killed_opens_and_holds_every_event_that_was_told(tmp_path, at):
+    with subprocess.Popen(
+        [sys.executable, "-c", WRITER, str(tmp_path)], stdout=subprocess.PIPE, text=True
+    ) as writer:
+        for line in writer.stdout:
+            told = int(line)
+            if told >= at:
+                os.kill(writer.pid, signal.SIGKILL)
+                break
+
+    run = recorded_run(tmp_path, "latest")
+    events = recorded_events(tmp_path / run.name)
+
+    assert run.report == {}
+    assert len(events) >= told
+    assert [event["t_s"] for event in events[:told]] == [0.02 * (k + 1) for k in range(told)]
+
+
+def test_a_torn_last_line_is_left_out_and_a_damaged_one_is_told(tmp_path):
+    log = record(tmp_path)
+    events = log.path / "events.jsonl"
+    whole = events.read_text()
+    events.write_text(whole + whole[:-5])
+    assert len(recorded_events(log.path)) == 1
+
+    events.write_text(whole[:-5] + "\n" + whole)
+    with pytest.raises(ValueError, match="line 1"):
+        recorded_events(log.path)

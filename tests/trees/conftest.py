@@ -132,6 +132,12 @@ def model():
     return RobotModel(load_description("talos"))
 
 
+@pytest.fixture(scope="session")
+def new_stage(model):
+    """Makes stages; whoever takes it clears the blackboard himself."""
+    return lambda *objects, **options: Stage(model, list(objects) or None, **options)
+
+
 @pytest.fixture
 def quick():
     """The policy of the stage: the same behavior as the product's, with shorter times."""

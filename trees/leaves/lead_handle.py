@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.opening_measure import moved_by
@@ -11,13 +15,15 @@ from robots.control.motion_handle import MotionHandle
 from robots.control.yielding_hand import YieldingHand
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.handles import SHUT
+from trees.handles import OPEN_TO, SHUT
 from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
 
 _MOST_S = 40.0
+_SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.15
+"""A hand that loses its hold at such a pull, with so little of the way made, slipped off what stood."""
 
 
 class LeadHandle(MotionLeaf):
@@ -42,7 +48,7 @@ class LeadHandle(MotionLeaf):
         """Begin to lead."""
         held: HeldHandle = self.get_input("held")
         target, toolbox = held.target, self.toolbox
-        self._points: list[np.ndarray[tuple[int, ...], np.dtype[np.float64]]] = []
+        self._points: list[NDArray[np.float64]] = []
         lead_to: float = self.get_input("lead_to")
         closing = lead_to < target.opening
         self._motion = YieldingHand(
@@ -55,7 +61,6 @@ class LeadHandle(MotionLeaf):
             held.path,
             target.opening,
             lead_to,
-            period_s=toolbox.motion.period_s,
             bias=held.bias,
             stop_from=_STOP_FROM[target.kind] if closing else None,
         )
@@ -65,7 +70,7 @@ class LeadHandle(MotionLeaf):
         """Follow the motion, and remember where the hand has been."""
         outcome = super().step()
         held: HeldHandle = self.get_input("held")
-        if outcome is RUNNING and self._motion is not None:
+        if outcome is RUNNING:
             self._points.append(tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q))
         return outcome
 
@@ -73,11 +78,10 @@ class LeadHandle(MotionLeaf):
         """Judge how it ended."""
         held: HeldHandle = self.get_input("held")
         target, report = held.target, self._motion.report
-        moved = moved_by(np.array(self._points), held.path)
-        opening = target.opening + moved
+        opening = target.opening + moved_by(np.array(self._points), held.path)
         self._tell_world(held, opening)
-        shown = {f"opening_{target.unit}": round(target.shown(opening), 4)}
-        felt = {
+        shown: dict[str, Any] = {f"opening_{target.unit}": round(target.shown(opening), 4)}
+        felt: dict[str, Any] = {
             "peak_force_n": round(report.peak_force_n, 1),
             "peak_pull_n": round(report.peak_pull_n, 1),
         }
@@ -85,6 +89,9 @@ class LeadHandle(MotionLeaf):
         self.feedback_message = f"{target.shown(opening):.2f} {target.unit}, {report.peak_pull_n:.0f} N"
         if report.outcome == "stuck":
             return Failure.execution(f"the {target.part} is stuck", **shown, **felt)
+        slipped = report.peak_pull_n >= _SLIPPED_AT_N and opening < _SLIPPED_SHARE * OPEN_TO[target.kind]
+        if report.outcome == "lost" and slipped:
+            return Failure.execution(f"the {target.part} is stuck: the hand slips off it", **shown, **felt)
         if report.outcome == "lost":
             return Failure.execution(f"the hand lost the handle of the {target.part}", **shown, **felt)
         self._set_output("opening", opening)
@@ -92,10 +99,18 @@ class LeadHandle(MotionLeaf):
         return DONE
 
     def _tell_world(self, held: HeldHandle, opening: float) -> None:
+        """Turn the door in the world model; the handle is where the hand has it."""
         world, target = self.toolbox.world, held.target
         parts = tuple(name for name in (target.part, target.handle) if name in world.scene.objects)
-        if parts and opening != target.opening:
-            world.update(scene_at(world.scene, parts, target.path, target.opening, opening))
+        if not parts or opening == target.opening:
+            return
+        scene = scene_at(world.scene, parts, target.path, target.opening, opening)
+        if target.handle in scene.objects:
+            bar = scene.objects[target.handle]
+            pose = bar.world_T_object.copy()
+            pose[:2, 3] = tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]
+            scene = scene.with_object(replace(bar, world_T_object=pose))
+        world.update(scene)
 
 
 _STOP_FROM = {kind: 3.0 * shut for kind, shut in SHUT.items()}

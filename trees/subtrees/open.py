@@ -17,6 +17,7 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.grasp_handle import GraspHandle
 from trees.leaves.lead_handle import LeadHandle
 from trees.leaves.look_at import LookAt
+from trees.leaves.look_at_handle import LookAtHandle
 from trees.leaves.plan_handle import PlanHandle
 from trees.leaves.release import Release
 from trees.leaves.step_back import StepBack
@@ -34,6 +35,8 @@ GAZES = (
     Gaze("low", tilt_rad=0.77),
     Gaze("far left", tilt_rad=0.6, pan_rad=0.9),
     Gaze("far right", tilt_rad=0.6, pan_rad=-0.9),
+    Gaze("beside left", tilt_rad=0.7, pan_rad=1.2),
+    Gaze("beside right", tilt_rad=0.7, pan_rad=-1.2),
 )
 """Handles are before the chest, up to an arm's length to the sides."""
 
@@ -58,16 +61,24 @@ def _sequence(name: str, *children: Behaviour) -> _Sequence:
 
 
 def _search(name: str, toolbox: Toolbox) -> Alternatives:
+    """Look until the handle is seen; where one is known to be first."""
     looks = [
-        _sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectHandle("detect handle", toolbox))
-        for gaze in GAZES
+        _sequence(
+            "look there", LookAtHandle("look", toolbox, between=0.0), DetectHandle("detect handle", toolbox)
+        ),
+        *(
+            _sequence(
+                f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectHandle("detect handle", toolbox)
+            )
+            for gaze in GAZES
+        ),
     ]
     return Alternatives(name, looks, hopeless=_looking_elsewhere_is_useless)
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:
-    attempt = _sequence(
-        "attempt",
+    move = _sequence(
+        "move",
         _sequence(
             "plan",
             PlanHandle("plan handle", toolbox),
@@ -83,20 +94,39 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         _sequence("grasp", GraspHandle("grasp handle", toolbox)),
         _sequence("lead", LeadHandle("lead handle", toolbox)),
         _sequence("let go", Release("release", toolbox), StepBack("step back", toolbox)),
-        _sequence("leave", GoHome("go home", toolbox)),
+        _sequence("leave", *_going(toolbox)),
         Alternatives(
             "verify",
             [
-                _sequence(
-                    f"look {gaze.name}", LookAt("look", toolbox, gaze), VerifyOpening("verify", toolbox)
-                )
-                for gaze in GAZES[:3]
+                _sequence("look there", LookAtHandle("look", toolbox), VerifyOpening("verify", toolbox)),
+                *(
+                    _sequence(
+                        f"look {gaze.name}", LookAt("look", toolbox, gaze), VerifyOpening("verify", toolbox)
+                    )
+                    for gaze in GAZES[:3]
+                ),
             ],
             hopeless=defect,
         ),
     )
+    move.transparent = True
+    attempt = Alternatives("attempt", [VerifyOpening("see whether it is so", toolbox), move])
     attempt.transparent = True
     return attempt
+
+
+def _going(toolbox: Toolbox) -> list[Behaviour]:
+    """See where the door is now, for the arm has to get past it, and go home.
+
+    A door that stands wide open may be where a hand is at home; then the arm stays clear of it where it is.
+    """
+    seen = _sequence("see it", LookAtHandle("look", toolbox), DetectHandle("detect", toolbox, _ELSEWHERE))
+    clear = BestEffort(StepBack("step clear", toolbox, clear=True))
+    return [clear, BestEffort(seen), BestEffort(GoHome("go home", toolbox))]
+
+
+_ELSEWHERE = {"handle": "handle_now"}
+"""What is seen on the way back must not replace what was planned for."""
 
 
 def _recover(toolbox: Toolbox) -> Behaviour:
@@ -106,8 +136,8 @@ def _recover(toolbox: Toolbox) -> Behaviour:
         ExcludeGrasp("exclude grasp", toolbox, {"tried_now": "tried"}),
         Release("release", toolbox),
         BestEffort(StepBack("step back", toolbox)),
-        BestEffort(GoHome("go home", toolbox)),
-        _search("look again", toolbox),
+        BestEffort(_sequence("leave", *_going(toolbox))),
+        BestEffort(_search("look again", toolbox)),
     )
 
 
@@ -117,7 +147,7 @@ def _leave(toolbox: Toolbox) -> Behaviour:
         "give up",
         BestEffort(Release("release", toolbox)),
         BestEffort(StepBack("step back", toolbox)),
-        GoHome("go home", toolbox),
+        *_going(toolbox),
     )
 
 
@@ -128,7 +158,12 @@ def _looking_elsewhere_is_useless(failure: Failure) -> bool:
 def _hopeless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or bool(failure.choices) or twice or "is stuck" in failure.message
+    slipped_again = before is not None and _SLIPS in before.message and _SLIPS in failure.message
+    stuck = "is stuck" in failure.message and _SLIPS not in failure.message
+    return defect(failure) or bool(failure.choices) or twice or stuck or slipped_again
+
+
+_SLIPS = "the hand slips off"
 
 
 def _tidying_helps(failure: Failure) -> bool:

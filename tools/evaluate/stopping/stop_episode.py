@@ -185,6 +185,7 @@ class _Stopper:
             settle_s=judge.settle_s,
             late_rad_s=judge.late_rad_s[0],
             late_joint=judge.late_rad_s[1],
+            finger_rad_s=judge.finger_rad_s,
             acceleration=judge.acceleration[0],
             acceleration_joint=judge.acceleration[1],
             jerk=judge.jerk[0],
@@ -192,7 +193,8 @@ class _Stopper:
             held=tuple(sorted(judge.held)),
             dropped=tuple(sorted(judge.dropped)),
             fell=judge.fell,
-            foreign=tuple(sorted(judge.foreign)),
+            # a cancelled motion brakes under its own name; after a stop nobody else's name may appear
+            foreign=tuple(sorted(judge.foreign)) if self._order.suite == "stop" else (),
             bypassed=judge.bypassed,
             moved=judge.moved,
             compute_ms=self._compute_ms,

@@ -46,6 +46,7 @@ class StopRecord:
     settle_s: float = 0.0
     late_rad_s: float = 0.0
     late_joint: str = ""
+    finger_rad_s: float = 0.0
     acceleration: float = 0.0
     acceleration_joint: str = ""
     jerk: float = 0.0
@@ -123,6 +124,8 @@ class StopSummary:
         compute = [record.compute_ms for record in self.records] or [0.0]
         return {
             "settle_s_p50": round(float(np.percentile(settle, 50)), 3),
+            "late_rad_s_max": round(max((r.late_rad_s for r in self.records), default=0.0), 4),
+            "finger_present_rad_s_max": round(max((r.finger_rad_s for r in self.records), default=0.0), 4),
             "settle_s_max": round(max(settle), 3),
             "acceleration_share_max": round(max((r.acceleration for r in self.records), default=0.0), 4),
             "jerk_share_max": round(max((r.jerk for r in self.records), default=0.0), 4),

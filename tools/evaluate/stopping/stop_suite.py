@@ -22,6 +22,9 @@ def run_stop_suite(options: argparse.Namespace, messages: Console) -> int:
     for found in run_each(orders, options.jobs, run_stops, died):
         records.extend(found)
         bad = sum(bool(record.faults) for record in records)
+        for record in found:
+            if record.faults:
+                messages.print(_line(record), markup=False)
         messages.print(f"{len(records)} of {options.episodes} instants, {bad} with a fault")
     records.sort(key=lambda record: (record.seed, record.t_s))
     summary = StopSummary(options.suite, options.seed, records)
@@ -43,11 +46,16 @@ def _print(summary: StopSummary, console: Console) -> None:
     console.print(table)
     bad = [record for record in summary.records if record.faults]
     for record in bad[:_SHOWN]:
-        what = ", ".join(record.faults)
-        more = f"{record.next_task}: {record.next_reason}" if record.next_reason else ""
-        line = f"seed {record.seed} at {record.t_s:.2f} s ({record.phase}): {what}. {more}"
-        console.print(line.strip(), markup=False)
+        console.print(_line(record), markup=False)
         if record.error:
             console.print(record.error.strip().splitlines()[-1], markup=False)
     if len(bad) > _SHOWN:
         console.print(f"and {len(bad) - _SHOWN} more, all in the JSON")
+
+
+def _line(record: StopRecord) -> str:
+    what = ", ".join(record.faults)
+    more = f"{record.next_task}: {record.next_reason}" if record.next_reason else ""
+    if record.late_joint and "still moving" in record.faults:
+        what += f" ({record.late_joint} {record.late_rad_s:.3f} rad/s)"
+    return f"seed {record.seed} at {record.t_s:.2f} s ({record.phase}): {what}. {more}".strip()

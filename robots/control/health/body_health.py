@@ -1,0 +1,95 @@
+"""Gyro, feet, battery and the loop's own pace."""
+
+from __future__ import annotations
+
+from collections import deque
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.poses import vector_from_rotation
+from kinematics.robot_model import RobotModel
+from robots.control.health.finding import Ailment, Finding
+from robots.interface import RobotState
+from robots.sensed_state import SensedState
+
+Array = NDArray[np.float64]
+
+_GYRO_WINDOW_S = 1.0
+_GYRO_STEP_S = 0.1
+"""Turning is compared over such steps: short enough that the gyro's axes hardly turn on the way."""
+_FOOT_TIME_S = 0.1
+_PACE_TIME_S = 1.0
+
+
+class BodyHealth:
+    """Judges what belongs to no joint, once a control period."""
+
+    def __init__(self, model: RobotModel, period_s: float) -> None:
+        description = model.description
+        self._limits = description.health
+        self._soles = [sole.link for sole in description.soles]
+        self._model, self._imu = model, description.imu
+        self._period_s = period_s
+        self._step = round(_GYRO_STEP_S / period_s)
+        self._gyro_sum, self._periods = np.zeros(3), 0
+        self._facing: Array | None = None
+        self._excess: deque[Array] = deque(maxlen=round(_GYRO_WINDOW_S / _GYRO_STEP_S))
+        self._unloaded_s = [0.0] * len(self._soles)
+        self._late_share = 0.0
+
+    def forget(self) -> None:
+        """Begin anew."""
+        self._gyro_sum[:], self._periods, self._facing = 0.0, 0, None
+        self._excess.clear()
+
+    def note_late(self, late_s: float) -> None:
+        """Tell by how much the present period began too late; 0 in lockstep."""
+        late = 1.0 if late_s > self._period_s else 0.0
+        self._late_share += min(1.0, self._period_s / _PACE_TIME_S) * (late - self._late_share)
+
+    def judge(self, sensed: SensedState, standing: bool) -> list[Finding]:
+        """Take one period's readings.
+
+        Args:
+            sensed: Readings, and the configuration estimated from them.
+            standing: Whether both soles are meant to carry.
+        """
+        state, limits, found = sensed.readings, self._limits, []
+        if self._imu is not None:
+            found += self._gyro(sensed, self._imu)
+        if self._soles:
+            found += self._feet(state, standing)
+        if state.battery < limits.battery_low:
+            found.append(Finding(Ailment.BATTERY_LOW, "battery", state.battery, limits.battery_low))
+        if self._late_share > limits.late_share:
+            found.append(Finding(Ailment.OVERRUNS, "control loop", self._late_share, limits.late_share))
+        return found
+
+    def _gyro(self, sensed: SensedState, imu: str) -> list[Finding]:
+        self._gyro_sum += sensed.readings.gyro
+        self._periods += 1
+        if self._periods >= self._step or self._facing is None:
+            facing = self._model.frame_pose(sensed.q, imu)[:3, :3]
+            if self._facing is not None:
+                passed_s = self._periods * self._period_s
+                turned = vector_from_rotation(self._facing.T @ facing) / passed_s
+                self._excess.append(self._gyro_sum / self._periods - turned)
+            self._facing = facing
+            self._gyro_sum, self._periods = np.zeros(3), 0
+        bound = self._limits.gyro_bias_rad_s
+        if len(self._excess) == self._excess.maxlen:
+            bias = float(np.linalg.norm(np.mean(self._excess, axis=0)))
+            if bias > bound:
+                return [Finding(Ailment.GYRO_BIAS, "gyro", bias, bound)]
+        return []
+
+    def _feet(self, state: RobotState, standing: bool) -> list[Finding]:
+        found, bound = [], self._limits.foot_force_n
+        for i, sole in enumerate(self._soles):
+            force = float(state.foot_wrench[i, 2])
+            unloaded = standing and force < bound
+            self._unloaded_s[i] = self._unloaded_s[i] + self._period_s if unloaded else 0.0
+            if self._unloaded_s[i] > _FOOT_TIME_S:
+                found.append(Finding(Ailment.FOOT_CONTACT_LOST, sole, force, bound))
+        return found

@@ -1,0 +1,84 @@
+"""What the health monitor finds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Ailment(Enum):
+    """What is wrong."""
+
+    STUCK = "joint stuck"
+    OFFLINE = "motor offline"
+    WEAK = "motor weak"
+    ENCODER_OFFSET = "encoder offset"
+    GYRO_BIAS = "gyro bias"
+    FOOT_CONTACT_LOST = "foot contact lost"
+    BATTERY_LOW = "battery low"
+    OVERRUNS = "control periods late"
+
+
+class Response(Enum):
+    """What follows from it."""
+
+    STOP = "stop"
+    """Brake and hold; no motion is taken while it lasts."""
+    REFUSE = "refuse"
+    """What is under way is finished; no new task is begun while it lasts."""
+
+
+RESPONSES = {
+    Ailment.STUCK: Response.STOP,
+    Ailment.OFFLINE: Response.STOP,
+    Ailment.WEAK: Response.STOP,
+    Ailment.ENCODER_OFFSET: Response.STOP,
+    Ailment.GYRO_BIAS: Response.REFUSE,
+    Ailment.FOOT_CONTACT_LOST: Response.STOP,
+    Ailment.BATTERY_LOW: Response.REFUSE,
+    Ailment.OVERRUNS: Response.REFUSE,
+}
+
+_UNITS = {
+    Ailment.STUCK: "rad",
+    Ailment.OFFLINE: "Nm",
+    Ailment.WEAK: "Nm",
+    Ailment.ENCODER_OFFSET: "rad",
+    Ailment.GYRO_BIAS: "rad/s",
+    Ailment.FOOT_CONTACT_LOST: "N",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that is wrong.
+
+    Attributes:
+        ailment: What.
+        part: Which joint, sole or sensor.
+        value: What was measured: the distance that a stuck joint did not follow, the effort that a motor
+            does not give, the offset, the bias, the foot's force, the battery's charge, the share of late
+            periods.
+        bound: What it had to keep to.
+    """
+
+    ailment: Ailment
+    part: str
+    value: float
+    bound: float
+
+    @property
+    def response(self) -> Response:
+        """What follows from it."""
+        return RESPONSES[self.ailment]
+
+    @property
+    def key(self) -> tuple[Ailment, str]:
+        """Equal for findings of the same thing."""
+        return self.ailment, self.part
+
+    def __str__(self) -> str:
+        unit = _UNITS.get(self.ailment, "")
+        return f"{self.ailment.value}: {self.part} ({self.value:.3g} {unit}".rstrip() + (
+            f", bound {self.bound:.3g})"
+        )

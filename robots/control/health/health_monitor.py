@@ -1,0 +1,83 @@
+"""What is wrong with the robot now."""
+
+from __future__ import annotations
+
+from kinematics.robot_model import RobotModel
+from robots.control.health.body_health import BodyHealth
+from robots.control.health.finding import Ailment, Finding, Response
+from robots.control.health.joint_health import JointHealth
+from robots.interface import JointSetpoint
+from robots.sensed_state import SensedState
+
+_ALARMING = 2
+"""So many judgements in a row must find the same before it counts."""
+_CLEARED_S = 1.0
+"""What was not found for so long is over."""
+_STAYS = frozenset({Ailment.STUCK, Ailment.ENCODER_OFFSET})
+"""These show only while something moves, so they stay until a person has looked at the robot."""
+
+
+class HealthMonitor:
+    """Remembers what the judges found, from when it counts until it is over.
+
+    Attributes:
+        findings: What is wrong now.
+    """
+
+    def __init__(self, model: RobotModel, period_s: float) -> None:
+        self.findings: dict[tuple[Ailment, str], Finding] = {}
+        self._joints = JointHealth(model.description, period_s)
+        self._body = BodyHealth(model, period_s)
+        self._period_s = period_s
+        self._counts: dict[tuple[Ailment, str], int] = {}
+        self._seen_s: dict[tuple[Ailment, str], float] = {}
+
+    def note_late(self, late_s: float) -> None:
+        """Tell by how much the present control period began too late."""
+        self._body.note_late(late_s)
+
+    def judge(
+        self, sensed: SensedState, setpoint: JointSetpoint, standing: bool
+    ) -> tuple[list[Finding], list[Finding]]:
+        """Take one period's readings.
+
+        Args:
+            sensed: The newest readings.
+            setpoint: What the robot followed while they were made.
+            standing: Whether both soles are meant to carry.
+
+        Returns:
+            What counts from now on, and what is over.
+        """
+        now_s = sensed.readings.stamp_s
+        found = self._joints.judge(sensed.readings, setpoint) + self._body.judge(sensed, standing)
+        new = []
+        for finding in found:
+            key = finding.key
+            recent = now_s - self._seen_s.get(key, -1.0) < 0.1
+            self._counts[key] = self._counts.get(key, 0) + 1 if recent else 1
+            self._seen_s[key] = now_s
+            if self._counts[key] >= _ALARMING and key not in self.findings:
+                self.findings[key] = finding
+                new.append(finding)
+        over = [
+            finding
+            for key, finding in self.findings.items()
+            if key[0] not in _STAYS and now_s - self._seen_s[key] > _CLEARED_S
+        ]
+        for finding in over:
+            del self.findings[finding.key]
+        return new, over
+
+    def acknowledge(self) -> list[Finding]:
+        """A person has looked at the robot: what stayed is over, and will be found again if it is not."""
+        self._joints.forget()
+        self._body.forget()
+        over = [finding for key, finding in self.findings.items() if key[0] in _STAYS]
+        for finding in over:
+            del self.findings[finding.key]
+        return over
+
+    def reasons(self, response: Response) -> tuple[str, ...]:
+        """For people: what calls for a response now."""
+        return tuple(str(finding) for finding in self.findings.values() if finding.response is response)

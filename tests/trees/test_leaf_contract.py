@@ -1,0 +1,367 @@
+"""Whatever happens to a leaf, it leaves the robot as its contract declares; for every leaf that exists.
+
+Leaves are found in ``trees.leaves``, taken out of the trees of the skills that use them, and put on a
+stage with the inputs and the posture that they had in a real run of the skill. A leaf is then halted at
+each of its ticks, and everything around it fails, hangs, raises, is stale or is missing.
+"""
+
+import dataclasses
+import importlib
+import inspect
+import pkgutil
+
+import numpy as np
+import pytest
+from py_trees.blackboard import Blackboard
+from py_trees.common import Status
+
+import trees.leaves
+from kinematics.requests import NoPlan
+from robots.fake.fake_world import cup, table
+from trees.build import SKILLS, build_tree
+from trees.failures import FailureKind
+from trees.leaf import Leaf
+from trees.tasks import GoHomeTask, ObjectDescription, PickTask
+
+# One task for every skill; a new skill adds a row.
+TASKS = {
+    PickTask: PickTask("pick up the red cup", ObjectDescription("cup", "red")),
+    GoHomeTask: GoHomeTask("go home"),
+}
+
+LEAVES = [
+    item
+    for module in pkgutil.iter_modules(trees.leaves.__path__)
+    for _, item in inspect.getmembers(importlib.import_module(f"trees.leaves.{module.name}"), inspect.isclass)
+    if issubclass(item, Leaf) and item.__module__ == f"trees.leaves.{module.name}"
+]
+LONGEST = 400
+AFTERWARDS = 25
+
+
+def slips(stage):
+    """After the lift the cup is gone: the skill recovers."""
+    stage.when("verify lift", lambda: stage.fake.world.remove("red cup"))
+
+
+def misses(stage):
+    """The fingers miss: the skill backs out and tries again."""
+    for gripper in stage.fake.grippers.values():
+        gripper.empty = True
+
+
+def fades(stage):
+    """The hold is lost from sight: the skill puts the cup back."""
+    stage.when("verify lift", lambda: stage.fake.detector.offset_m.update({"red cup": (0.0, 0.0, -0.2)}))
+
+
+class Context:
+    """What a leaf found when it began: the skill that it is taken from, inputs, posture and world."""
+
+    def __init__(self, task, values, q, scene):
+        self.task, self.values, self.q, self.scene = task, values, q, scene
+
+
+@pytest.fixture(scope="module")
+def contexts(new_stage):
+    """For each leaf class the context of its first beginning in any run; a richer posture wins."""
+    found = {}
+    for kind in SKILLS:
+        task = TASKS.get(kind)
+        assert task is not None, f"the contract test needs a {kind.__name__}: add one to TASKS"
+        for upset in (lambda stage: None, slips, misses, fades):
+            stage = new_stage(table(), cup())
+            upset(stage)
+            tree = build_tree(task, stage.toolbox)
+            before = {type(node): node for node in tree.root.iterate() if isinstance(node, Leaf)}
+            for leaf in before:
+                found.setdefault(leaf, Context(task, {}, stage.fake.motion.reference(), stage.told.scene))
+            _follow(stage, tree, task, found)
+            Blackboard.clear()
+    return found
+
+
+def _follow(stage, tree, task, found):
+    for _ in range(LONGEST * 4):
+        if tree.status != "running":
+            return
+        before, earlier = _ports(), stage.told.scene
+        q = stage.fake.motion.reference()
+        tree.tick()
+        # What leaves before it in this very tick have seen counts; what it took away itself does not.
+        scene = max(stage.told.scene, earlier, key=lambda scene: len(scene.objects))
+        values = {**_ports(), **before}
+        for node in tree.root.iterate():
+            known = found.get(type(node))
+            began = isinstance(node, Leaf) and node.status is not Status.INVALID
+            if began and (not known.values or (node.status is Status.RUNNING and not hasattr(known, "ran"))):
+                found[type(node)] = Context(task, values, q, scene)
+                if node.status is Status.RUNNING:
+                    found[type(node)].ran = True
+        stage._run_hooks(tree)
+        stage.fake.step()
+
+
+def _ports():
+    return {key.rsplit("/", 1)[-1]: value for key, value in Blackboard.storage.items()}
+
+
+class Trial:
+    """One leaf on a fresh stage, and what it does to the robot."""
+
+    def __init__(self, stage, kind, context):
+        self.stage, self.kind = stage, kind
+        stage.fake.motion._q = context.q.copy()
+        if context.scene.version > stage.told.scene.version:
+            stage.told.update(context.scene)
+        stage.fake.step()
+        root = SKILLS[type(context.task)](stage.toolbox)
+        self.leaf = next(node for node in root.iterate() if type(node) is kind)
+        self.leaf.parent = None
+        stage.ready(self.leaf)
+        for key, value in {**context.values, "task": context.task}.items():
+            Blackboard.set(f"/stage/{key}", value)
+        self.body = stage.fake.motion.reference()
+        self.fingers = self.finger_positions()
+        self.started = len(stage.fake.motion.started)
+
+    def finger_positions(self):
+        return [gripper.position_rad for gripper in self.stage.fake.grippers.values()]
+
+    def run(self, ticks=LONGEST):
+        """Tick until the leaf ends, or so often; returns how often it was ticked."""
+        for tick in range(1, ticks + 1):
+            if self.stage.tick(self.leaf) is not Status.RUNNING:
+                return tick
+        return ticks
+
+    def halt(self):
+        self.leaf.halt_reason = "by the test"
+        self.leaf.stop(Status.INVALID)
+
+    def require_kept(self):
+        """The robot is stopped or holding, and nothing moved that the leaf does not declare to move."""
+        fake, moves = self.stage.fake, self.kind.CONTRACT.moves
+        assert not fake.motion.moving, "something is still under way"
+        assert all(job.canceled or job.done for job in fake.planning.jobs), "a job was left behind"
+        q, fingers = fake.motion.reference(), self.finger_positions()
+        for _ in range(AFTERWARDS):
+            fake.step()
+        np.testing.assert_array_equal(fake.motion.reference(), q, "the body moves on")
+        assert self.finger_positions() == fingers, "the fingers move on"
+        if moves != "body":
+            np.testing.assert_array_equal(q, self.body, "the body was moved by a leaf that moves none")
+        if moves != "gripper":
+            assert fingers == self.fingers, "the fingers were moved by a leaf that moves none"
+        if moves == "nothing":
+            assert len(fake.motion.started) == self.started, "something was set in motion"
+
+    def require_failed(self, *kinds):
+        assert self.leaf.status is Status.FAILURE
+        assert self.leaf.failure is not None
+        assert self.leaf.failure.message
+        if kinds:
+            assert self.leaf.failure.kind in kinds, self.leaf.failure
+        self.require_kept()
+
+
+@pytest.fixture
+def trial(new_stage, contexts):
+    yield lambda kind: Trial(new_stage(table(), cup()), kind, contexts[kind])
+    Blackboard.clear()
+
+
+def test_every_leaf_is_used_by_a_skill(contexts):
+    assert not [leaf.__name__ for leaf in LEAVES if leaf not in contexts]
+
+
+every_leaf = pytest.mark.parametrize("kind", LEAVES, ids=lambda kind: kind.__name__)
+
+
+@pytest.mark.requirement("S7")
+@every_leaf
+def test_a_leaf_halted_at_any_of_its_ticks_leaves_the_robot_at_rest(trial, kind):
+    ticks = trial(kind).run()
+
+    for at in range(1, ticks):
+        halted = trial(kind)
+        halted.run(at)
+        halted.halt()
+
+        assert halted.leaf.status is Status.INVALID
+        assert halted.leaf.failure.kind is FailureKind.CANCELED
+        assert halted.leaf.failure.message == "by the test"
+        halted.require_kept()
+
+
+@every_leaf
+def test_a_leaf_that_runs_undisturbed_ends_and_leaves_the_robot_at_rest(trial, kind):
+    run = trial(kind)
+    run.run()
+
+    assert run.leaf.status is not Status.RUNNING
+    if run.leaf.status is Status.SUCCESS:
+        assert run.leaf.failure is None
+    run.require_kept()
+
+
+def no_plan(fake):
+    fake.planning.no_plan = NoPlan("no goal", {})
+
+
+def motion_refused(fake):
+    fake.motion.refuse = "the emergency stop is engaged: by the test"
+
+
+def motion_refused_midway(fake):
+    fake.motion.refuse_midway = "position limit of arm_left_2_joint"
+
+
+def blind(fake):
+    fake.detector.blind = True
+
+
+def empty_hand(fake):
+    for gripper in fake.grippers.values():
+        gripper.empty = True
+
+
+FAILING = (no_plan, motion_refused, motion_refused_midway, blind, empty_hand)
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("fault", FAILING, ids=lambda fault: fault.__name__)
+@every_leaf
+def test_a_leaf_around_which_something_fails_ends_and_leaves_the_robot_at_rest(trial, kind, fault):
+    run = trial(kind)
+    fault(run.stage.fake)
+    run.run()
+
+    assert run.leaf.status is not Status.RUNNING
+    run.require_kept()
+
+
+def planning_hangs(fake):
+    fake.planning.hangs = True
+
+
+def motion_hangs(fake):
+    fake.motion.advance = lambda: None
+
+
+def fingers_hang(fake):
+    for gripper in fake.grippers.values():
+        gripper._gripper = dataclasses.replace(gripper._gripper, closing_speed_rad_s=0.0)
+
+
+def camera_hangs(fake):
+    fake.detector.frozen = True
+
+
+HANGING = (planning_hangs, motion_hangs, fingers_hang, camera_hangs)
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("fault", HANGING, ids=lambda fault: fault.__name__)
+@every_leaf
+def test_a_leaf_that_hangs_gives_up_at_its_deadline_and_leaves_the_robot_at_rest(trial, kind, fault):
+    run = trial(kind)
+    fault(run.stage.fake)
+    began_s = run.stage.fake.clock.now_s()
+    run.run(round((run.leaf.deadline_s + 2.0) / 0.02))
+
+    assert run.leaf.status is not Status.RUNNING
+    assert run.stage.fake.clock.now_s() - began_s <= run.leaf.deadline_s + 0.1
+    if run.leaf.status is Status.FAILURE:
+        run.require_failed()
+    run.require_kept()
+
+
+def boom(*_arguments):
+    raise OSError("the cable is out")
+
+
+def planning_raises(fake):
+    fake.planning.raises = OSError("the cable is out")
+
+
+def submitting_raises(fake):
+    fake.planning.submit = boom
+
+
+def starting_raises(fake):
+    fake.motion.start = boom
+
+
+def gripper_raises(fake):
+    for gripper in fake.grippers.values():
+        gripper.open = gripper.close = gripper.reading = boom
+
+
+def camera_raises(fake):
+    fake.detector.latest = boom
+
+
+def sensing_raises(fake):
+    fake.sensing.state = fake.sensing.state_at = boom
+
+
+RAISING = (
+    planning_raises,
+    submitting_raises,
+    starting_raises,
+    gripper_raises,
+    camera_raises,
+    sensing_raises,
+)
+
+
+@pytest.mark.requirement("S8")
+@pytest.mark.parametrize("fault", RAISING, ids=lambda fault: fault.__name__)
+@every_leaf
+def test_what_raises_becomes_the_leafs_failure_and_the_robot_is_at_rest(trial, kind, fault):
+    run = trial(kind)
+    fault(run.stage.fake)
+    for _ in range(LONGEST):
+        run.leaf.tick_once()
+        if run.leaf.status is not Status.RUNNING:
+            break
+        run.stage.fake.clock.advance(0.02)
+        run.stage.fake.motion.advance()
+        for gripper in run.stage.fake.grippers.values():
+            gripper.advance(0.02)
+
+    assert run.leaf.status is not Status.RUNNING
+    assert not run.stage.fake.motion.moving
+    if run.leaf.status is Status.FAILURE and run.leaf.failure.kind is FailureKind.ERROR:
+        assert "the cable is out" in run.leaf.failure.message
+
+
+@pytest.mark.requirement("S8")
+@every_leaf
+def test_a_leaf_without_one_of_its_inputs_fails_and_moves_nothing(trial, kind):
+    for port, information in kind.INPUT_PORTS.items():
+        run = trial(kind)
+        key = f"/stage/{run.leaf.wiring.get(port, port)}"
+        if Blackboard.exists(key):
+            Blackboard.unset(key)
+        run.run()
+
+        if information.required and not information.has_default:
+            run.require_failed(FailureKind.ERROR)
+        else:
+            assert run.leaf.status is not Status.RUNNING
+            run.require_kept()
+
+
+@pytest.mark.requirement("S7")
+@every_leaf
+def test_a_world_that_changes_under_a_leaf_leaves_the_robot_at_rest(trial, kind):
+    run = trial(kind)
+    run.run(1)
+    scene = run.stage.told.scene
+    run.stage.told.update(scene.allowing([("a", "b")]))
+    run.run()
+
+    assert run.leaf.status is not Status.RUNNING
+    run.require_kept()
