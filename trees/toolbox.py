@@ -45,11 +45,6 @@ class MotionControl(Protocol):
         """Where the feet stand."""
         ...
 
-    @property
-    def period_s(self) -> float:
-        """The control period: how often a guarded motion is asked for a setpoint."""
-        ...
-
 
 class Walking(Protocol):
     """The way to the feet; while a walk is under way nothing else moves the body."""

@@ -97,14 +97,17 @@ def plan_path(
     )
     needed = np.minimum(clearance, max(least, 0.0) + from_ends)
     free = (distance > needed).reshape(size[0], size[1])
-    cell = lambda p: (round((p.x_m - low[0]) / _CELL_M), round((p.y_m - low[1]) / _CELL_M))  # noqa: E731
-    first, last = cell(start), cell(goal)
+    first, last = _cell(start, low), _cell(goal, low)
     free[first] = free[last] = True
     way = _search(free, first, last)
     if way is None:
         return None
     points = [start, *(PlanarPose(float(xs[i]), float(ys[j])) for i, j in way[1:-1]), goal]
     return tuple(_cut(points, free, low))
+
+
+def _cell(point: PlanarPose, low: Array) -> tuple[int, int]:
+    return round((point.x_m - float(low[0])) / _CELL_M), round((point.y_m - float(low[1])) / _CELL_M)
 
 
 def _search(

@@ -140,11 +140,6 @@ class MotionStreamer:
         self._stance = stance
         self._track = BodyTrack(self._model, stance, q, self._period_s)
 
-    @property
-    def period_s(self) -> float:
-        """The control period."""
-        return self._period_s
-
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
         return self._keepers[hand]

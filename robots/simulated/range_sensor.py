@@ -35,7 +35,9 @@ class SimulatedRangeSensor:
         physics = self._physics
         physics.refresh()
         base = physics.body_pose(physics.base_body)
-        turned = np.ascontiguousarray(self._directions @ poses.rotation_z(poses.yaw_of(base[:3, :3])).T).ravel()
+        turned = np.ascontiguousarray(
+            self._directions @ poses.rotation_z(poses.yaw_of(base[:3, :3])).T
+        ).ravel()
         found = []
         for height_m in _HEIGHTS_M:
             start = np.array((base[0, 3], base[1, 3], height_m))

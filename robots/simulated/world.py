@@ -24,8 +24,8 @@ class SimulatedWorld:
         robot: The body, as the control loop knows it.
         truth: What really is the case; for the perception stub, evaluation and tests only.
         faults: Things that go wrong on purpose.
-        ranging: The range sensor.
         body_faults: The same, of the robot's own body.
+        ranging: The range sensor.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 

@@ -82,7 +82,8 @@ class JointHealth:
             return []
         motors = self._motors(state, setpoint, room)
         blamed = {finding.part for finding in motors}  # a joint without effort does not follow either
-        followers = [finding for finding in self._followers(state, setpoint, room) if finding.part not in blamed]
+        followers = self._followers(state, setpoint, room)
+        followers = [finding for finding in followers if finding.part not in blamed]
         return [*motors, *followers, *self._encoders(state)]
 
     def _motors(self, state: RobotState, setpoint: JointSetpoint, room: float) -> list[Finding]:
@@ -98,7 +99,7 @@ class JointHealth:
         bound *= room
         found = []
         for i in np.flatnonzero(missing > bound).tolist():
-            dead = abs(self._given[i]) < _OFFLINE_SHARE * self._effort[i]
+            dead = abs(state.effort[i]) < _OFFLINE_SHARE * self._effort[i]
             ailment = Ailment.OFFLINE if dead else Ailment.WEAK
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found

@@ -1,5 +1,7 @@
 """Ways around things, judged point by point."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -23,7 +25,7 @@ def box(name, x, y, size=(0.6, 1.2, 0.9)):
 def nearest_m(path, obstacles):
     """Least distance of the whole way, looked at each centimetre."""
     least = np.inf
-    for a, b in zip(path[:-1], path[1:], strict=True):
+    for a, b in pairwise(path):
         for share in np.linspace(0.0, 1.0, max(2, int(100 * a.distance_m(b)))):
             at = PlanarPose(a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m))
             least = min(least, clearance_m(obstacles, at))
