@@ -129,7 +129,6 @@ class _Motionless:
 
     def __init__(self, toolbox: Toolbox) -> None:
         self.reference, self.stance = toolbox.motion.reference, toolbox.motion.stance
-        self.period_s = toolbox.motion.period_s
 
     def start(self, _motion: Any) -> Any:
         raise RuntimeError("a rehearsal moves nothing")
