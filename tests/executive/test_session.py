@@ -38,7 +38,7 @@ class Loop:
 
 class Toolbox:
     def __init__(self, clock):
-        self.clock = clock
+        self.clock, self.walking = clock, None
 
 
 class Tree:
