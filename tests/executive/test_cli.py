@@ -143,7 +143,7 @@ def test_an_object_that_is_not_there_is_a_failure_with_its_reason(executive):
 
     assert result.exit_code == 1
     assert result.stdout.startswith("failed: could not pick up the yellow ball")
-    why = executive("why").stdout
+    why = executive("why", "--full").stdout
     assert "yellow ball" in why
     assert "└─" in why
 
