@@ -11,7 +11,6 @@ import typer
 
 from executive.config import runs_directory
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
-from executive.terminal_attendant import TerminalAttendant
 from executive.trust import THRESHOLD, Trust
 
 if TYPE_CHECKING:
@@ -86,6 +85,8 @@ def run(
     )
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
     display = _display(quiet, plain)
+    from executive.terminal_attendant import TerminalAttendant
+
     attendant = TerminalAttendant(sys.stdin, display.note)
     try:
         performance = perform(request, display, attendant)

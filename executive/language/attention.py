@@ -12,7 +12,18 @@ from executive.language.arranging import Parts, arranged, clause, guarded, troub
 from executive.language.going import target
 from executive.language.lattice import Word
 from executive.language.nominals import words
-from executive.language.phrases import Bundle, Clause, Draft, Hand, Item, Items, Meaning, Nominal, Trouble, draft
+from executive.language.phrases import (
+    Bundle,
+    Clause,
+    Draft,
+    Hand,
+    Item,
+    Items,
+    Meaning,
+    Nominal,
+    Trouble,
+    draft,
+)
 
 _NO_SPEECH = """
 to not your my what whatever how why who whom where when whether if which something anything nothing about it
