@@ -7,6 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
+from executive.config import cache_directory, config_files
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import Rule, load_rules
 from executive.language.lattice import Lattice
@@ -29,9 +30,17 @@ Outcome = tuple[Command, ...] | Trouble
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
 
-def parse(text: str) -> Parsed:
-    """Understand one text. It is untrusted: any string gives an answer."""
-    return parser_with().parse(text)
+def parse(text: str, config: Path | None = None) -> Parsed:
+    """Understand one text. It is untrusted: any string gives an answer.
+
+    Args:
+        text: What was said.
+        config: A file with words of the user's own, besides that of the configuration folder.
+
+    Raises:
+        VocabularyError: A file of words is malformed.
+    """
+    return parser_with(config_files(config)).parse(text)
 
 
 def parse_selection(text: str) -> ObjectDescription | None:
@@ -39,7 +48,7 @@ def parse_selection(text: str) -> ObjectDescription | None:
 
     None when it is no such answer.
     """
-    return parser_with().parse_selection(text)
+    return parser_with(config_files()).parse_selection(text)
 
 
 @lru_cache(maxsize=4)
@@ -54,7 +63,7 @@ def parser_with(user_files: tuple[Path, ...] = ()) -> CommandParser:
 
 @lru_cache(maxsize=1)
 def _rules() -> Mapping[str, Rule]:
-    return load_rules()
+    return load_rules(cache_directory())
 
 
 class CommandParser:

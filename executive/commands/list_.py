@@ -49,11 +49,15 @@ def _lines(what: What) -> Iterator[str]:
 
 
 def _words() -> Iterator[str]:
+    """Canonical words with their synonyms; verb forms and plurals follow from them and are left out."""
+    from executive.config import config_files
     from executive.vocabulary import load_vocabulary
 
-    vocabulary = load_vocabulary()
-    for name, word_class in sorted(vocabulary.classes.items()):
+    for name, word_class in sorted(load_vocabulary(config_files()).classes.items()):
+        if word_class.derived:
+            continue
         note = " (understood, and refused)" if word_class.refusal else ""
         yield f"{name.lower()}{note}"
         for meaning, phrases in word_class.words.items():
-            yield f"  {meaning}: {', '.join(phrases)}"
+            if ":" not in meaning:
+                yield f"  {meaning}: {', '.join(phrases)}"
