@@ -29,6 +29,7 @@ class PerfectRobot:
         self._effort = np.zeros_like(self._q)
         self._stamp_ns = 0
         self._followed = None
+        self._damping = np.array([description.gains[name].damping for name in description.actuated])
         self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
 
     def read(self):
@@ -55,6 +56,8 @@ class PerfectRobot:
             effort[i] = np.clip(self._stiffness[i] * (q[i] - place), -limit, limit)
             q[i] = place
         arrived = setpoint is self._followed  # it holds what it was told before
+        if arrived:
+            effort += self._damping * setpoint.v
         self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else setpoint.v, effort
         self._followed = setpoint
 
