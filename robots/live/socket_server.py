@@ -15,6 +15,7 @@ from robots.live.messages import write_message
 from robots.live.unix_socket import listen_at, peer_of
 
 MAX_CONNECTIONS = 16
+_ACCEPTED_A_POLL = 8
 _FRAMES_A_POLL = 16
 """Of one connection: one that talks much must not keep the others, or the robot, waiting."""
 
@@ -52,7 +53,9 @@ class SocketServer:
             if connection in readable or connection.more:
                 self._read(connection)
         if self._listening in readable:
-            self._accept()
+            for _ in range(_ACCEPTED_A_POLL):
+                if not self._accept():
+                    break
         for connection in self.connections:
             connection.flush()
         self._forget_closed()
@@ -74,22 +77,24 @@ class SocketServer:
         except FileNotFoundError:
             pass
 
-    def _accept(self) -> None:
+    def _accept(self) -> bool:
+        """Take one more connection; tells whether there was one."""
         try:
             accepted, _ = self._listening.accept()
         except OSError:
-            return
+            return False
         if peer_of(accepted).uid not in (os.geteuid(), 0):
             accepted.close()
-            return
+            return True
         if len(self.connections) >= MAX_CONNECTIONS:
             spared = next((item for item in self.connections if self._may_end(item)), None)
             if spared is None:
                 accepted.close()
-                return
+                return True
             spared.close("too many connections")
             self._forget_closed()
         self.connections.append(Connection(accepted))
+        return True
 
     def _forget_closed(self) -> None:
         for connection in [item for item in self.connections if item.closed]:

@@ -17,6 +17,7 @@ from robots.errors import RobotsError
 from robots.scene_file import load_scene
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.kill import run_kill
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
@@ -44,6 +45,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
+    if options.suite == "fuzz":
+        return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
     if options.suite in OPENING_SUITES:

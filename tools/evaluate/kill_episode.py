@@ -108,6 +108,7 @@ class _Episode:
         self._slot = StateSlotReader(self._folder.state_slot)
         self._now_s, self._resting = 0.0, True
         self._events: list[dict[str, Any]] = []
+        self._ended: list[dict[str, Any]] = []
 
     def run(self) -> KillRecord:
         hung: subprocess.Popen[bytes] | None = None
@@ -181,9 +182,15 @@ class _Episode:
         return [event for event in self._events if event["event"] == "MotionStarted"]
 
     def _idle(self) -> bool:
-        """Whether the task has ended before the motion that was waited for."""
-        ended = [event for event in self._events if event["event"] == "MotionEnded"]
-        return bool(ended) and self._now_s - float(ended[-1]["t_s"]) > 40.0
+        """Whether the task was done before the motion that was waited for.
+
+        Raises:
+            LiveError: It was not done.
+        """
+        self._ended += self._task.arrived("result")
+        if self._ended and self._ended[0]["exit_code"] != 0:
+            raise LiveError(f"the task did not come so far: {self._ended[0]['text']}")
+        return bool(self._ended)
 
     def _look(self) -> float:
         """Take in what has been told; returns control time."""
