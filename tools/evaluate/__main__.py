@@ -29,7 +29,7 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "stop", "cancel", "kill", *OPENING_SUITES, *SKILL_SUITES)
+SUITES = ("pick", "stop", "cancel", "kill", "fuzz", *OPENING_SUITES, *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
