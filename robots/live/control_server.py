@@ -40,7 +40,7 @@ from robots.live.messages import (
     read_control_message,
     write_message,
 )
-from robots.live.socket_server import SocketServer
+from robots.live.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector
 
 MAX_AGE_S = 0.5
@@ -90,7 +90,7 @@ class ControlServer:
         """
         self._loop, self._clock, self._detector = loop, clock, detector
         self._about, self._health = dict(about), health
-        self._server = SocketServer(path, self._take, self._ended, lambda one: one is not self._commander)
+        self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
         self._commander: Connection | None = None
@@ -150,6 +150,10 @@ class ControlServer:
         self._busy = self._looking = False
         self._motions.clear()
         self._admission.forget()
+
+    def _rank(self, connection: Connection) -> int:
+        """Strangers make room first, then observers; the commander never."""
+        return KEPT if connection is self._commander else int(connection in self._listeners)
 
     def _let_go(self, reason: str) -> None:
         """Give the place of a commander who is silent to another one."""

@@ -255,6 +255,7 @@ def test_a_reset_while_the_robot_still_moves_is_refused(live):
 
 def test_a_stop_gets_through_when_all_connections_are_taken(live):
     client = moving(live, live.client("commander"))
+    observer = live.client("observer")
     for _ in range(40):
         live.client()
         live.run(0.002, beats(live, client))
@@ -264,8 +265,9 @@ def test_a_stop_gets_through_when_all_connections_are_taken(live):
     live.run(0.02, beats(live, client))
 
     assert live.loop.emergency.reason == "through the crowd"
-    client.listen()
-    assert not client.connection.closed
+    for known in (client, observer):
+        known.listen()
+        assert not known.connection.closed
 
 
 def test_the_status_tells_how_things_stand(live):
