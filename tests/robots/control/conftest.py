@@ -44,21 +44,22 @@ class PerfectRobot:
     def advance(self, period_s):
         self._stamp_ns += round(period_s * 1e9)
         setpoint = self.commands[-1]
-        q, effort = setpoint.q.copy(), setpoint.tau.copy()
+        q, v, effort = setpoint.q.copy(), setpoint.v.copy(), setpoint.tau.copy()
         for joint, limit in self.obstacle_rad.items():
             i = self.description.actuated.index(joint)
             if q[i] < limit:
                 effort[i] += self._stiffness[i] * (q[i] - limit)
-                q[i] = limit
+                q[i], v[i] = limit, 0.0
         for joint, place in self.stuck_rad.items():
             i = self.description.actuated.index(joint)
             limit = self.description.limits[joint].effort
-            effort[i] = np.clip(self._stiffness[i] * (q[i] - place), -limit, limit)
-            q[i] = place
+            damping = self.description.gains[joint].damping * v[i]
+            effort[i] = np.clip(effort[i] + self._stiffness[i] * (q[i] - place) + damping, -limit, limit)
+            q[i], v[i] = place, 0.0
         arrived = setpoint is self._followed  # it holds what it was told before
         if arrived:
-            effort += self._damping * setpoint.v
-        self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else setpoint.v, effort
+            effort += self._damping * v
+        self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else v, effort
         self._followed = setpoint
 
 
