@@ -19,6 +19,7 @@ from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.kill import run_kill
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
@@ -32,7 +33,18 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "question", "replay", "stop", "cancel", "fault", "kill", *OPENING_SUITES, *SKILL_SUITES)
+SUITES = (
+    "pick",
+    "question",
+    "replay",
+    "stop",
+    "cancel",
+    "fault",
+    "kill",
+    "fuzz",
+    *OPENING_SUITES,
+    *SKILL_SUITES,
+)
 
 _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
 """Suites whose episodes are judged like a skill's and made in a way of their own."""
@@ -56,6 +68,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_fault_suite(options, messages)
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
+    if options.suite == "fuzz":
+        return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
     if options.suite in OPENING_SUITES:
