@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from executive.event_hub import EventHub
 from executive.events import EventSink
 from executive.planning_jobs import PlanningJobs
 from executive.session import PERIOD_S, Session, TreeBuilder
@@ -89,6 +90,7 @@ def assemble(
         DescriptionError: The robot's data are incomplete, or it lacks a part that tasks need.
         SceneError: The scene cannot be a world.
     """
+    sink = EventHub(sink)
     for_world, for_perception, for_trees = (
         np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(3)
     )

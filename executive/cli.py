@@ -8,12 +8,38 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from executive.commands import check, doctor, list_, parse, run, runs, tree, why
+from executive.commands import (
+    answer,
+    cancel,
+    check,
+    doctor,
+    list_,
+    parse,
+    replay,
+    reset,
+    run,
+    runs,
+    send,
+    serve,
+    shutdown,
+    status,
+    stop,
+    tree,
+    why,
+)
 from executive.errors import UserError
 from executive.exit_codes import ExitCode
 from robots.errors import DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError
+from robots.live.errors import LiveError
 
-_ENVIRONMENT = (UserError, DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError)
+_ENVIRONMENT = (
+    UserError,
+    DescriptionError,
+    LiveError,
+    RenderingUnavailableError,
+    SceneError,
+    UnknownRobotError,
+)
 """Faults of what was asked or of the machine: one line and exit code 2."""
 
 
@@ -59,10 +85,19 @@ app.command("run")(run.run)
 app.command("parse")(parse.parse)
 app.command("tree")(tree.tree)
 app.command("check")(check.check)
+app.command("replay")(replay.replay)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("list")(list_.list_)
 app.command("doctor")(doctor.doctor)
+app.command("serve")(serve.serve)
+app.command("send")(send.send)
+app.command("answer")(answer.answer)
+app.command("status")(status.status)
+app.command("cancel")(cancel.cancel)
+app.command("stop")(stop.stop)
+app.command("reset")(reset.reset)
+app.command("shutdown")(shutdown.shutdown)
 
 
 def main() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 APPLICATION = "humanoid-executive"
@@ -34,3 +35,11 @@ def leave_opengl_to_the_renderer() -> None:
     pictures are drawn with whichever library is there.
     """
     os.environ.pop("MUJOCO_GL", None)
+
+
+def runtime_directory() -> Path:
+    """Where the sockets of a served robot are: a folder of this user alone."""
+    given = os.environ.get("XDG_RUNTIME_DIR")
+    if given and Path(given).is_dir():
+        return Path(given) / APPLICATION
+    return Path(tempfile.gettempdir()) / f"{APPLICATION}-{os.geteuid()}"

@@ -87,7 +87,11 @@ def compile_kernel(tell: Callable[[str], None] = lambda _: None) -> None:
     Args:
         tell: Is told what is being done.
     """
+    from executive.run_request import DEFAULT_ROBOT
+    from kinematics import warming
     from kinematics.kernel import cache, readiness
+    from kinematics.robot_model import RobotModel
+    from robots.description import load_description
 
     if readiness.ready():
         return
@@ -95,7 +99,7 @@ def compile_kernel(tell: Callable[[str], None] = lambda _: None) -> None:
         tell("the cache folder cannot be written: planning goes on without the compiled kernel, slower")
         return
     tell("compiling the motion kernel, once: a minute or two")
-    readiness.warm(tell)
+    warming.warm(RobotModel(load_description(DEFAULT_ROBOT)), tell)
 
 
 def _python() -> Finding:

@@ -47,6 +47,24 @@ class QuestionAsked:
     t_s: float
     text: str
     question: str
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class InputTaken:
+    """Somebody's input took effect: an answer, a cancel, an emergency stop, a reset.
+
+    Together with what was asked for, the seed and the scene these make a run repeatable.
+
+    Attributes:
+        t_s: Simulated time at which it took effect.
+        what: "answer", "cancel", ...
+        value: The answer's words, the reason of a cancel; "" for a question that nobody answered.
+    """
+
+    t_s: float
+    what: str
+    value: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +101,7 @@ SessionEvent = (
     TaskAccepted
     | TaskRefused
     | QuestionAsked
+    | InputTaken
     | TaskEnded
     | PlanningAnswered
     | SensorsNoted

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from executive.events import (
     Event,
+    InputTaken,
     PlanningAnswered,
     QuestionAsked,
     SensorsNoted,
@@ -25,7 +26,7 @@ from robots.control.events import (
     SetpointRefused,
     StopStarted,
 )
-from trees.events import LeafFailed, Measured, NodeChanged
+from trees.events import LeafFailed, Measured, NodeChanged, Said
 from trees.failures import Failure, Number
 
 _UNITS = (
@@ -48,12 +49,20 @@ def line_for(event: Event) -> str | None:
             return f"accepted: {_meaning(event.meaning)}"
         case TaskRefused():
             return f"refused: {event.message}"
-        case QuestionAsked():
-            return f"question: {event.question}"
+        case QuestionAsked(choices=choices):
+            return f"question: {event.question}" + (f": {_either(choices)}" if choices else "")
+        case InputTaken(what="answer", value=answer):
+            return f"answer: {answer}" if answer else "nobody answered"
+        case InputTaken():
+            return None
         case NodeChanged(status="running") if event.where:
             return f"EXECUTING: {event.where}"
+        case LeafFailed(failure=failure) if failure.choices:
+            return None  # the question is told
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"
+        case Said():
+            return f"says{' to ' + event.to if event.to else ''}: {event.text}"
         case SetpointRefused():
             numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
@@ -80,7 +89,9 @@ def line_for(event: Event) -> str | None:
 
 def sentence(failure: Failure) -> str:
     """One link of a failure chain as a sentence with its numbers and place."""
-    numbers = ", ".join(f"{quantity(key, value)}" for key, value in failure.numbers.items())
+    numbers = ", ".join(
+        f"{quantity(key, value)}" for key, value in failure.numbers.items() if key != "objects"
+    )
     place = f" [{failure.kind.value}{' at ' + failure.where if failure.where else ''}]"
     return failure.message + (f" ({numbers})" if numbers else "") + place
 
@@ -127,12 +138,16 @@ def result_line(result: TaskResult) -> str:
     if not links:
         return f"{result.outcome}: {result.text}{times}"
     if result.outcome == "question" and result.failure is not None:
-        choices = result.failure.choices
-        return f"question: {links[-1].message}: {', '.join(choices[:-1])} or {choices[-1]}{times}"
+        return f"question: {links[-1].message}: {_either(result.failure.choices)}{times}"
     reason = links[0].message
     if links[-1] is not links[0] and links[-1].message not in reason:
         reason += f", because {links[-1].message}"
     return f"{result.outcome}: {reason} [{links[-1].kind.value}]{times}"
+
+
+def _either(choices: Sequence[str]) -> str:
+    """Join words with commas and a last "or"."""
+    return f"{', '.join(choices[:-1])} or {choices[-1]}" if len(choices) > 1 else "".join(choices)
 
 
 def _claim(result: TaskResult) -> str:

@@ -10,18 +10,17 @@ from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING
 
+from executive.attendant import Attendant, Nobody
 from executive.config import leave_opengl_to_the_renderer
 from executive.errors import NotWritableError
-from executive.events import Event, QuestionAsked, TaskRefused
+from executive.events import Event
 from executive.exit_codes import ExitCode
-from executive.feedback import result_line, result_line_of_all
 from executive.meaning import shortened
+from executive.outputs.junit import write_junit
 from executive.outputs.report import Report, SafetyCounts
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
-from executive.session import TASK_TIMEOUT_S
-from executive.statement import Statement
-from executive.task_result import TaskResult
+from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
 from kinematics.trajectory_document import StoredTrajectory, write_trajectory
 from robots.control.events import SetpointRefused, StopStarted
 from robots.description import load_description_for_tasks
@@ -29,7 +28,6 @@ from robots.scene_description import SceneDescription
 from robots.scene_file import known_scenes, load_scene
 
 if TYPE_CHECKING:
-    from executive.assembly import Assembly
     from executive.outputs.display import Display
     from executive.outputs.pictures import Pictures
 
@@ -61,8 +59,19 @@ class _Tally:
             self.stops = (*self.stops, event.reason)
 
 
-def perform(request: RunRequest, display: Display) -> Performance:
+def perform(
+    request: RunRequest,
+    display: Display,
+    attendant: Attendant | None = None,
+    on_event: Callable[[Event], None] | None = None,
+) -> Performance:
     """Carry a request out.
+
+    Args:
+        request: What to do.
+        display: Shows what goes on.
+        attendant: Who answers questions and may cancel; nobody when left out.
+        on_event: Hears of every event as well.
 
     Everything that can be wrong with it, or with the machine, is found before anything moves.
 
@@ -75,22 +84,28 @@ def perform(request: RunRequest, display: Display) -> Performance:
     pictures = _pictures(request)
     header = {
         "input": shortened(request.input),
+        "text": request.input,
         "robot": request.robot,
         "scene": request.scene,
         "seed": request.seed,
+        "on_question": request.on_question,
+        "confidence": request.trust.threshold,
+        "policy": request.trust.policy,
     }
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     tally = _Tally()
-    with RunLog(request.record, header, scene_path) as log:
+    with RunLog(request.record, header, scene_path, request.script) as log:
 
         def sink(event: Event) -> None:
             log.add(event)
             tally.add(event)
             display.event(event)
+            if on_event is not None:
+                on_event(event)
 
         keep = log if request.keep_trajectories else None
-        results, checked = _results(request, scene, sink, display, pictures, keep)
-        line, outcome, code = _verdict(request, results)
+        results, checked = _results(request, scene, attendant or Nobody(), sink, display, pictures, keep)
+        line, outcome, code = verdict(request.statements, results)
         report = Report(
             input=request.input,
             seed=request.seed,
@@ -102,6 +117,7 @@ def perform(request: RunRequest, display: Display) -> Performance:
             events_sha256=log.digest.hexdigest(),
             tasks=[result for _, results_of in results for result in results_of],
             safety=SafetyCounts(checked, tally.refused, tally.stops),
+            left_out=tuple(step for statement, _ in results for step in statement.skipped),
         )
         log.finish(report.to_json())
     if log.complaint is not None:
@@ -111,18 +127,19 @@ def perform(request: RunRequest, display: Display) -> Performance:
             write_report(request.report, report.to_json())
         except NotWritableError as failed:  # it was writable before the robot moved; the result stands
             display.note(str(failed))
+    if request.junit is not None:
+        try:
+            write_junit(request.junit, request.input, results)
+        except OSError as failed:
+            display.note(f"cannot write {request.junit}: {failed.strerror or failed}")
     return Performance(line, code, report, log.name)
-
-
-Said = tuple[Statement, list[TaskResult]]
-"""A statement with the results of its tasks."""
 
 
 def _preflight(request: RunRequest) -> SceneDescription:
     """Find what is wrong with the request before anything is built."""
     load_description_for_tasks(request.robot)
     scene = load_scene(request.scene)
-    for path in (request.report, request.snapshot, request.video):
+    for path in (request.report, request.snapshot, request.video, request.junit):
         if path is not None:
             require_writable(path)
     return scene
@@ -139,16 +156,17 @@ def _pictures(request: RunRequest) -> Pictures | None:
 def _results(
     request: RunRequest,
     scene: SceneDescription,
+    attendant: Attendant,
     sink: Callable[[Event], None],
     display: Display,
     pictures: Pictures | None,
     keep: RunLog | None,
 ) -> tuple[list[Said], int]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
-    spoiled = [one for one in request.statements if not _may_start(one)]
-    if spoiled or not any(one.parsed.commands for one in request.statements):
-        statements = spoiled[:1] or request.statements
-        return [(one, [_not_understood(one, 0.0, sink)]) for one in statements], 0
+    statements = [settled(one, attendant, request.on_question, sink) for one in request.statements]
+    spoiled = [one for one in statements if not may_start(one)]
+    if spoiled or not any(one.parsed.commands for one in statements):
+        return [(one, [not_understood(one, 0.0, sink)]) for one in spoiled[:1] or statements], 0
     from executive.assembly import assemble
 
     def judged(stored: StoredTrajectory, safe: bool) -> None:
@@ -162,75 +180,15 @@ def _results(
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
-    results: list[Said] = []
+    attendant.begin(assembly.session)
     with _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
-        for statement in request.statements:
-            said = _run_statement(statement, assembly, sink)
-            results.append((statement, said))
-            if said[-1].outcome == "cancelled":
-                break
-            if said[-1].outcome != statement.expect and statement.on_failure != "continue":
-                break
+        results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
         pictures.finish(assembly.world)
         for complaint in pictures.complaints:
             display.note(complaint)
     return results, assembly.planning.checked
-
-
-def _may_start(statement: Statement) -> bool:
-    outcome = statement.parsed.outcome
-    return outcome == "tasks" or outcome == statement.expect
-
-
-def _run_statement(
-    statement: Statement, assembly: Assembly, sink: Callable[[Event], None]
-) -> list[TaskResult]:
-    if not statement.parsed.commands:
-        return [_not_understood(statement, assembly.session.now_s, sink)]
-    results: list[TaskResult] = []
-    for _ in range(2 if statement.on_failure == "retry" else 1):
-        for command in statement.parsed.commands:
-            results.append(assembly.session.run_task(command, statement.timeout_s or TASK_TIMEOUT_S))
-            if results[-1].outcome != "done":
-                break
-        if results[-1].outcome in (statement.expect, "cancelled"):
-            break
-    return results
-
-
-def _not_understood(statement: Statement, now_s: float, sink: Callable[[Event], None]) -> TaskResult:
-    parsed = statement.parsed
-    text = parsed.to_json()["text"]
-    if parsed.refusal is not None:
-        sink(TaskRefused(now_s, text, str(parsed.refusal), parsed.refusal.word))
-        return TaskResult(text, "none", "refused")
-    question = parsed.question.text if parsed.question is not None else ""
-    sink(QuestionAsked(now_s, text, question))
-    return TaskResult(text, "none", "question")
-
-
-def _verdict(request: RunRequest, results: list[Said]) -> tuple[str, str, ExitCode]:
-    """The line for people, the outcome, and the exit code of the first unexpected result."""
-    for statement, said in results:
-        last = said[-1]
-        if last.outcome != statement.expect:
-            code = last.exit_code if last.exit_code is not ExitCode.DONE else ExitCode.FAILED
-            return _line(statement, last), last.outcome, code
-    statement, said = results[-1]
-    line = _line(statement, said[-1]) if len(said) == 1 else result_line_of_all(said)
-    if len(request.statements) > 1:
-        line = f"script done: {len(results)} statements as expected; last {line}"
-    return line, "done", ExitCode.DONE
-
-
-def _line(statement: Statement, result: TaskResult) -> str:
-    if result.outcome == "refused" and statement.parsed.refusal is not None:
-        return f"refused: {statement.parsed.refusal}"
-    if result.outcome == "question" and statement.parsed.question is not None:
-        return f"question: {statement.parsed.question.text}"
-    return result_line(result)
 
 
 @contextmanager

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from executive.check_report import CheckReport, MotionVerdict, Outcome
-from executive.command_parser import parse
 from executive.config import leave_opengl_to_the_renderer
 from executive.exit_codes import ExitCode
 from executive.meaning import wording
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.statement import Statement
 from executive.task_result import TaskResult, chain
-from executive.task_script import TaskScript, is_script, load_script
+from executive.task_script import script_for
 from kinematics.requests import CheckRequest, PickPlan, PlanRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.description import load_description_for_tasks
@@ -47,7 +45,7 @@ def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) 
         UserError: The script cannot be one.
         RobotsError: There is no such robot or scene.
     """
-    script = load_script(Path(text)) if is_script(text) else TaskScript((Statement(parse(text)),))
+    script = script_for(text)
     robot, scene = robot or script.robot or DEFAULT_ROBOT, scene or script.scene or DEFAULT_SCENE
     seed = next(value for value in (seed, script.seed, 0) if value is not None)
     world = load_scene(scene)

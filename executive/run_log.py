@@ -1,8 +1,8 @@
 """Recorded runs: a folder each, with what was asked, every event, and the report.
 
-``run.json`` says what was asked of which robot in which scene, ``scene.toml`` is a copy of the scene's
-file, ``events.jsonl`` holds the canonical events, ``report.json`` the report, and ``trajectories``, where
-they were asked for, the motions that the checker judged.
+``run.json`` says what was asked of which robot in which scene, ``scene.toml`` and ``script.toml`` are copies
+of the scene's and the script's file, ``events.jsonl`` holds the canonical events, ``report.json`` the report,
+and ``trajectories``, where they were asked for, the motions that the checker judged.
 
 Each event is handed to the operating system as soon as it is written, so that a program that is killed
 loses none of them; only the last line may be torn, and is left out when the log is read.
@@ -39,7 +39,13 @@ class RunLog:
         NotWritableError: The folder cannot be made or written.
     """
 
-    def __init__(self, directory: Path, header: Mapping[str, Any], scene_file: Path | None = None) -> None:
+    def __init__(
+        self,
+        directory: Path,
+        header: Mapping[str, Any],
+        scene_file: Path | None = None,
+        script_file: Path | None = None,
+    ) -> None:
         self.digest = EventDigest()
         self.complaint: str | None = None
         self._motions = 0
@@ -49,6 +55,8 @@ class RunLog:
             _write_json(self.path / "run.json", {"started": when, **header})
             if scene_file is not None:
                 shutil.copyfile(scene_file, self.path / "scene.toml")
+            if script_file is not None:
+                shutil.copyfile(script_file, self.path / "script.toml")
             self._file: TextIO = (self.path / EVENTS).open("w", encoding="utf-8", buffering=1)
         except OSError as failed:
             raise _not_writable(directory, failed) from failed
@@ -102,9 +110,14 @@ class RunLog:
 class RecordedRun:
     """A run on disk; ``report`` is empty when it was cut off."""
 
-    name: str
+    path: Path
     header: Mapping[str, Any]
     report: Mapping[str, Any]
+
+    @property
+    def name(self) -> str:
+        """The run's name: that of its folder."""
+        return self.path.name
 
 
 def recorded_runs(directory: Path) -> list[RecordedRun]:
@@ -196,7 +209,7 @@ def _read(path: Path) -> RecordedRun | None:
     header = _read_json(path / "run.json")
     if header is None:
         return None
-    return RecordedRun(path.name, header, _read_json(path / "report.json") or {})
+    return RecordedRun(path, header, _read_json(path / "report.json") or {})
 
 
 def _read_json(path: Path) -> dict[str, Any] | None:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from executive.statement import Statement
+from executive.trust import OnQuestion, Trust
+
+if TYPE_CHECKING:
+    from executive.statement import Statement
 
 DEFAULT_ROBOT = "talos"
 DEFAULT_SCENE = "tabletop"
@@ -26,6 +30,10 @@ class RunRequest:
         snapshot: Where to write a picture of the end, or None.
         video: Where to write a film, or None.
         keep_trajectories: Whether the recorded run holds the motions that were judged.
+        on_question: What becomes of questions.
+        trust: How far a model's output is trusted.
+        script: The task script that the statements come from, or None.
+        junit: Where to write a JUnit report, or None.
     """
 
     input: str
@@ -38,3 +46,7 @@ class RunRequest:
     snapshot: Path | None = None
     video: Path | None = None
     keep_trajectories: bool = False
+    on_question: OnQuestion = "ask"
+    trust: Trust = field(default_factory=Trust)
+    script: Path | None = None
+    junit: Path | None = None

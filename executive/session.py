@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
-from typing import Protocol
+import json
+from collections.abc import Callable, Generator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from executive.events import EventSink, SensorsNoted, TaskAccepted, TaskEnded
+from executive.event_hub import EventHub
+from executive.events import Event, EventSink, InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.meaning import Command, StopCommand, command_json
-from executive.planning_jobs import PlanningJobs
 from executive.supervisor import Supervisor
 from executive.task_result import Outcome, TaskResult, TaskTimes
+from executive.trust import USUAL_TRUST, OnQuestion, Trust
 from robots.clock import Clock, WallClock
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.leaf import from_exception
 from trees.tasks import PickTask, Task
 from trees.toolbox import Sensing, Toolbox
+
+if TYPE_CHECKING:
+    from executive.ticket import Ticket
 
 PERIOD_S = 0.002
 """The control period."""
@@ -39,6 +44,18 @@ TASK_TIMEOUT_S = 180.0
 
 TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
+R = TypeVar("R")
+
+
+def ended(steps: Generator[object, None, R]) -> R:
+    """Let steps go on to their end, and return what they return."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            result: R = end.value
+            return result
+
 
 class Steps(Protocol):
     """What lets one control period pass: the control loop."""
@@ -51,6 +68,12 @@ class Steps(Protocol):
     def step(self) -> None:
         """Let one control period pass."""
         ...
+
+
+class PlanningTimes(Protocol):
+    """What is asked of the planning service for the report."""
+
+    wall_s: float
 
 
 class Session:
@@ -72,7 +95,7 @@ class Session:
         self,
         toolbox: Toolbox,
         loop: Steps,
-        planning: PlanningJobs,
+        planning: PlanningTimes,
         sink: EventSink,
         *,
         tick_sensors: Callable[[], None] | None = None,
@@ -82,7 +105,8 @@ class Session:
         supervisor: Supervisor | None = None,
     ) -> None:
         self._supervisor = supervisor
-        self._toolbox, self._loop, self._planning, self._sink = toolbox, loop, planning, sink
+        self._toolbox, self._loop, self._planning = toolbox, loop, planning
+        self._sink = sink if isinstance(sink, EventHub) else EventHub(sink)
         self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
         self._on_tick = on_tick
         self._build = build
@@ -90,11 +114,52 @@ class Session:
         self._ticks = 0
         self._settled = False
         self._cancel_reason: str | None = None
+        self._stop_asked = ""
+        self._last_ticket: Ticket | None = None
 
     @property
     def now_s(self) -> float:
         """Simulated time."""
         return self._clock.now_s()
+
+    @property
+    def toolbox(self) -> Toolbox:
+        """What the trees' leaves may call; holds what the robot believes."""
+        return self._toolbox
+
+    def tell(self, event: Event) -> None:
+        """Put an event among the session's own."""
+        self._sink(event)
+
+    def submit(
+        self,
+        request: str | Sequence[Mapping[str, Any] | str] | Mapping[str, Any],
+        *,
+        trust: Trust = USUAL_TRUST,
+        on_question: OnQuestion = "ask",
+        timeout_s: float = TASK_TIMEOUT_S,
+    ) -> Ticket:
+        """Take a request; it begins when somebody waits for the ticket.
+
+        Args:
+            request: A sentence, a model's JSON text, or the steps of one as Python values.
+            trust: How far a model's steps are trusted.
+            on_question: What becomes of questions.
+            timeout_s: Simulated time that each task may take.
+        """
+        from executive.statement import Statement
+        from executive.ticket import Ticket
+        from executive.understanding import understand
+
+        text = request if isinstance(request, str) else json.dumps(request)
+        statement = Statement.of(understand(text, trust))
+        self._last_ticket = Ticket(self, statement, self._last_ticket, on_question, timeout_s)
+        return self._last_ticket
+
+    @property
+    def events(self) -> EventHub:
+        """Where every layer's events go; others may listen for a time."""
+        return self._sink
 
     def cancel(self, reason: str) -> None:
         """Ask for the running task to be halted; safe to call from a signal handler."""
@@ -107,6 +172,7 @@ class Session:
             RuntimeError: Nothing supervises this session.
         """
         self._supervised().emergency_stop(reason, category)
+        self._stop_asked = f"{category} {reason}"
 
     def reset(self, person: str) -> str | None:
         """Leave the emergency stop on a person's explicit request; returns what stands against it.
@@ -137,6 +203,12 @@ class Session:
 
         Whatever happens, the robot is left standing, and holding still or at rest.
         """
+        return ended(self.task_steps(command, timeout_s))
+
+    def task_steps(
+        self, command: Command, timeout_s: float = TASK_TIMEOUT_S
+    ) -> Generator[None, None, TaskResult]:
+        """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
         wall = WallClock()
         self._settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
@@ -150,19 +222,32 @@ class Session:
             outcome = "refused", refusal
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
-            outcome = self._run_guarded(tree, began_s + timeout_s)
+            outcome = yield from self._run_guarded(tree, began_s + timeout_s)
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
         self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
         times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
         subject = str(command.object) if isinstance(command, PickTask) else ""
-        return TaskResult(command.text, command.action, status, attempts, failure, evidence, times, subject)
+        return TaskResult(
+            command.text,
+            command.action,
+            status,
+            attempts,
+            failure,
+            evidence,
+            times,
+            subject,
+            acted_on=None if tree is None else tree.acted_on,
+            others=() if tree is None else tree.others,
+        )
 
-    def _run_guarded(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+    def _run_guarded(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         """Run, and draw the conclusions: a defect anywhere below fails the task and leads to ERROR."""
         try:
-            outcome, failure = self._run(tree, deadline_s)
+            outcome, failure = yield from self._run(tree, deadline_s)
         except Exception as defect:
             if self._supervisor is None:
                 raise
@@ -176,9 +261,12 @@ class Session:
             self._supervisor.note_defect(root.message)
         return outcome, failure
 
-    def _run(self, tree: TaskTree, deadline_s: float) -> tuple[Outcome, Failure | None]:
+    def _run(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         self._show(tree)
         while True:
+            yield
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
                 self._cancel_reason = None
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, stopped)
@@ -188,6 +276,7 @@ class Session:
                 return "failed", failure
             if self._cancel_reason is not None:
                 reason, self._cancel_reason = self._cancel_reason, None
+                self._sink(InputTaken(self.now_s, "cancel", reason))
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
             if self.now_s >= deadline_s:
                 return "failed", self._halt(tree, FailureKind.TIMEOUT, "the task took longer than allowed")
@@ -232,6 +321,9 @@ class Session:
     def _advance(self) -> None:
         for _ in range(PERIODS_A_TICK):
             if self._supervisor is not None:
+                if self._stop_asked:
+                    self._sink(InputTaken(self.now_s, "emergency_stop", self._stop_asked))
+                    self._stop_asked = ""
                 self._supervisor.before_period()
             self._loop.step()
             for call in self._periodic:

@@ -22,6 +22,25 @@ class TaskTimes:
 
 
 @dataclass(frozen=True, slots=True)
+class Provenance:
+    """Where a task comes from when a model asked for it.
+
+    Attributes:
+        step: Index of the step in the model's output.
+        confidence: That the model gave for it.
+        form: Whether the step was a sentence or a structured action.
+    """
+
+    step: int
+    confidence: float
+    form: Literal["sentence", "action"]
+
+    def to_json(self) -> dict[str, Any]:
+        """As the report writes it."""
+        return {"step": self.step, "confidence": self.confidence, "form": self.form}
+
+
+@dataclass(frozen=True, slots=True)
 class TaskResult:
     """How a task ended.
 
@@ -34,6 +53,9 @@ class TaskResult:
         evidence: What was measured at the end.
         times: How long it took.
         subject: What was acted on, in words: "red cup"; empty when there is nothing to name.
+        acted_on: Its name in the planning scene, or None.
+        others: Names of further objects that the command means and that are still to be acted on.
+        provenance: Which step of a model's output it comes from, or None.
     """
 
     text: str
@@ -44,6 +66,9 @@ class TaskResult:
     evidence: Mapping[str, Number] = field(default_factory=dict)
     times: TaskTimes = field(default_factory=TaskTimes)
     subject: str = ""
+    acted_on: str | None = None
+    others: tuple[str, ...] = ()
+    provenance: Provenance | None = None
 
     @property
     def exit_code(self) -> ExitCode:
@@ -62,6 +87,7 @@ class TaskResult:
 
     def to_json(self) -> dict[str, Any]:
         """As the report writes a task."""
+        provenance = {} if self.provenance is None else {"provenance": self.provenance.to_json()}
         return {
             "text": self.text,
             "action": self.action,
@@ -74,6 +100,7 @@ class TaskResult:
                 "wall": round(self.times.wall_s, 4),
             },
             "evidence": dict(self.evidence),
+            **provenance,
         }
 
 

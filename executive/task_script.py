@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
-from executive.command_parser import parse
 from executive.errors import ScriptError
 from executive.statement import Expectation, OnFailure, Statement
+from executive.trust import USUAL_TRUST, Trust
+from executive.understanding import understand
 
 MAX_BYTES = 1_000_000
 _TOP_KEYS = ("scene", "robot", "seed", "task")
@@ -39,7 +40,18 @@ def is_script(argument: str) -> bool:
         return False
 
 
-def load_script(path: Path) -> TaskScript:
+def script_for(argument: str, trust: Trust = USUAL_TRUST) -> TaskScript:
+    """What an argument of the command line asks for: a script's statements, or one statement.
+
+    Raises:
+        ScriptError: It names a script that cannot be one.
+    """
+    if is_script(argument):
+        return load_script(Path(argument), trust)
+    return TaskScript((Statement.of(understand(argument, trust)),))
+
+
+def load_script(path: Path, trust: Trust = USUAL_TRUST) -> TaskScript:
     """Read a script and understand all of its sentences, before anything moves.
 
     Raises:
@@ -57,7 +69,7 @@ def load_script(path: Path) -> TaskScript:
     tasks = data.get("task")
     if not isinstance(tasks, list) or not tasks or not all(isinstance(item, dict) for item in tasks):
         raise ScriptError(source, "task", "must be a list of [[task]] tables")
-    statements = tuple(_statement(source, f"task[{index}]", item) for index, item in enumerate(tasks))
+    statements = tuple(_statement(source, f"task[{index}]", item, trust) for index, item in enumerate(tasks))
     scene = data.get("scene")
     if scene is not None and scene.endswith(".toml") and not Path(scene).is_absolute():
         scene = str(path.parent / scene)
@@ -79,7 +91,7 @@ def _read(path: Path) -> dict[str, Any]:
         raise ScriptError(str(path), "", "is nested too deeply") from failed
 
 
-def _statement(source: str, place: str, item: Mapping[str, Any]) -> Statement:
+def _statement(source: str, place: str, item: Mapping[str, Any], trust: Trust) -> Statement:
     _known_keys(source, place, item, _TASK_KEYS)
     say = item.get("say")
     if not isinstance(say, str):
@@ -91,7 +103,8 @@ def _statement(source: str, place: str, item: Mapping[str, Any]) -> Statement:
         is_number = isinstance(timeout_s, (int, float)) and not isinstance(timeout_s, bool)
         if not is_number or not math.isfinite(timeout_s) or timeout_s <= 0.0:
             raise ScriptError(source, f"{place}.timeout_s", "must be a number of seconds above 0")
-    return Statement(parse(say), on_failure, expect, timeout_s)
+    understood = understand(say, trust)
+    return Statement(understood.parsed, on_failure, expect, timeout_s).meaning(understood)
 
 
 def _known_keys(source: str, place: str, table: Mapping[str, Any], known: Sequence[str]) -> None:

@@ -8,8 +8,9 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_certificate import Course, Limbs, PairList, certify, running_lengths
+from kinematics.check_certificate import Limbs, PairList, certify
 from kinematics.check_collision import CollisionCheck
+from kinematics.check_course import Course, running_lengths
 from kinematics.check_pairs import Pairs
 from kinematics.check_poses import CompiledKinematics
 from kinematics.check_settings import CheckSettings

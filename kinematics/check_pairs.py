@@ -81,6 +81,8 @@ class PairBuilder:
             for pair in geometry.collisionPairs
             if self.robot[pair.first].body != self.robot[pair.second].body
         ]
+        self._self_names = [frozenset((self.robot[i].name, self.robot[j].name)) for i, j in self._self_pairs]
+        self._own = list(range(len(self._self_pairs)))
         self._robot_rates: dict[tuple[int, int], Array] = {}
         self._meetings: dict[tuple[int, int], int] = {}
         self._last: tuple[PlanningScene, Pairs] | None = None
@@ -114,29 +116,27 @@ class PairBuilder:
         ]
         solids = [*robot, *held, *world]
         first_held, first_world = len(robot), len(robot) + len(held)
+        names = [solid.name for solid in solids]
         allowed = scene.allowed
-
-        def may_touch(i: int, j: int) -> bool:
-            return bool(allowed) and frozenset((solids[i].name, solids[j].name)) in allowed
-
-        own = [k for k, (i, j) in enumerate(self._self_pairs) if not may_touch(i, j)]
+        own = [k for k, pair in enumerate(self._self_names) if pair not in allowed] if allowed else self._own
         pairs = [self._self_pairs[k] for k in own]
         clearance = [0.0] * len(pairs)
         kinds = [FindingKind.SELF_COLLISION] * len(pairs)
         others: list[tuple[int, int]] = []
+        may_touch: dict[str, set[str]] = {}
+        for pair in allowed:
+            for name in pair:
+                may_touch.setdefault(name, set()).update(pair)
         touching = list(scene.attached.values())
         for i in range(first_held, first_world):
-            touch_links = touching[i - first_held].touch_links
-            others += [(j, i) for j in range(i) if solids[j].name not in touch_links and not may_touch(i, j)]
+            free = {*touching[i - first_held].touch_links, *may_touch.get(names[i], ())}
+            others += [(j, i) for j in range(i) if names[j] not in free]
         clearance += [0.0] * len(others)
         for i in range(first_world, len(solids)):
-            standing = self._sole_links if solids[i].name == FLOOR else frozenset()
-            margin_m = things[i - first_world].margin_m
-            with_it = [
-                (j, i) for j in range(first_world) if solids[j].name not in standing and not may_touch(i, j)
-            ]
+            free = {*may_touch.get(names[i], ()), *(self._sole_links if names[i] == FLOOR else ())}
+            with_it = [(j, i) for j in range(first_world) if names[j] not in free]
             others += with_it
-            clearance += [margin_m] * len(with_it)
+            clearance += [things[i - first_world].margin_m] * len(with_it)
         for j, i in others:
             by_hand = j >= first_held or first_held <= i < first_world
             kinds.append(FindingKind.HELD_OBJECT_COLLISION if by_hand else FindingKind.SCENE_COLLISION)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_certificate import Links, place_all
 from kinematics.check_kinematics import WORLD, BatchedKinematics, BodyPoses
+from kinematics.check_placing import Links, place_all
 from kinematics.check_timeline import Configurations
 from kinematics.robot_model import RobotModel
 

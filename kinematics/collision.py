@@ -175,6 +175,10 @@ class HandCollision:
             if isinstance(item.shape, Box)
         ]
 
+    def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:
+        """``collides`` of many poses, shape (n, 4, 4), shape (n,)."""
+        return np.array([self.collides(pose) for pose in world_T_tcp], dtype=bool)
+
     def collides(self, world_T_tcp: Transform) -> bool:
         """Tell whether the open hand, TCP at a pose, is too near to anything but the target."""
         if self._corner_in_a_box(world_T_tcp):

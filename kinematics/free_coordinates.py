@@ -6,6 +6,7 @@ welded base does not move: its robot has its joints alone.
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -65,8 +66,8 @@ class FreeCoordinates:
         vector, w = q[3:6], q[6]
         if w < 0.0:
             vector, w = -vector, -w
-        norm = float(np.linalg.norm(vector))
-        turn = 2.0 * vector if norm < 1e-12 else vector * (2.0 * np.arctan2(norm, w) / norm)
+        norm = math.sqrt(vector @ vector)
+        turn = 2.0 * vector if norm < 1e-12 else vector * (2.0 * math.atan2(norm, w) / norm)
         return np.concatenate([q[:3], turn, q[self._columns]])
 
     def to_q(self, x: Array) -> tuple[Array, NDArray[np.bool_]]:

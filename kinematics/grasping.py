@@ -8,7 +8,7 @@ A grasp is a TCP pose: x along the approach, y along the opening. Candidates tur
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -41,6 +41,8 @@ ABOVE_MIDDLE = 0.12
 OTHER_HEIGHTS = (0.28, 0.4, 0.0)
 # Flat pads along the object hold it better than the edges of two pads that it stands between.
 STRADDLE_COST = 1.0
+# Half a turn about the approach: signs of a rotation's columns.
+_HALF_TURN = np.array([1.0, -1.0, -1.0])
 # An object that stands is upright to within this; a lying one is grasped like a box.
 UPRIGHT_COSINE = math.cos(math.radians(20))
 
@@ -76,23 +78,39 @@ def grasp_candidates(
     """
     # the arm prefers to come from its own outer side: the elbow stays off the trunk
     outward = 1.0 if gripper.hand == "right" else -1.0
+    widest = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
+    leans = {tilt: poses.rotation_y(tilt) for tilt in TILTS_RAD}
+    kinds = [
+        (tilt, height)
+        for tilt, height in product(TILTS_RAD, heights)
+        # from above, palm and fingertips leave no choice of height
+        if height == ABOVE_MIDDLE or tilt <= _STEEPEST_RAD
+    ]
+    round_ones = {kind: _round_spot(item, gripper, *kind, widest) for kind in kinds}
+    is_round = _is_round(item)
     found = []
-    for yaw, tilt, height in product(YAWS_RAD, TILTS_RAD, heights):
-        if height != ABOVE_MIDDLE and tilt > _STEEPEST_RAD:
-            continue  # from above, palm and fingertips leave no choice of height
-        where = "" if height == ABOVE_MIDDLE else f" at {0.5 + height:.2f}"
-        for placed in _placements(item, gripper, natural_yaw_rad + outward * yaw, tilt, height):
-            degrees = f"yaw {math.degrees(outward * yaw):+.0f} tilt {math.degrees(tilt):.0f}"
-            label = f"{degrees}{where}{placed.suffix}"
-            grasp = Grasp(
-                hand=gripper.hand,
-                label=label,
-                world_T_tcp=placed.world_T_tcp,
-                approach_m=approach_m,
-                diameter_m=placed.diameter_m,
-            )
-            cost = abs(yaw - math.radians(10)) + 0.6 * abs(tilt - math.radians(20)) + placed.cost
-            found.append(GraspCandidate(grasp, cost))
+    for yaw in YAWS_RAD:
+        heading = poses.rotation_z(natural_yaw_rad + outward * yaw)
+        turned = f"yaw {math.degrees(outward * yaw):+.0f} tilt "
+        for tilt, height in kinds:
+            placements: Iterable[_Placement]
+            rotation = heading @ leans[tilt]
+            if is_round:
+                spot = round_ones[tilt, height]
+                placements = [] if spot is None else _rolled(rotation, *spot)
+            else:
+                placements = _box_placements(item, gripper, rotation, tilt, height, widest)
+            where = "" if height == ABOVE_MIDDLE else f" at {0.5 + height:.2f}"
+            for placed in placements:
+                grasp = Grasp(
+                    hand=gripper.hand,
+                    label=f"{turned}{math.degrees(tilt):.0f}{where}{placed.suffix}",
+                    world_T_tcp=placed.world_T_tcp,
+                    approach_m=approach_m,
+                    diameter_m=placed.diameter_m,
+                )
+                cost = abs(yaw - math.radians(10)) + 0.6 * abs(tilt - math.radians(20)) + placed.cost
+                found.append(GraspCandidate(grasp, cost))
     return sorted(found, key=lambda candidate: candidate.cost)
 
 
@@ -109,29 +127,30 @@ class _Placement:
     cost: float
 
 
-def _placements(
-    item: SceneObject, gripper: GripperDescription, yaw: float, tilt: float, height: float
-) -> Iterator[_Placement]:
-    rotation = poses.rotation_z(yaw) @ poses.rotation_y(tilt)
-    up = item.world_T_object[:3, 2]
-    centre = item.world_T_object[:3, 3]
-    limit = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
-    if isinstance(item.shape, Ball):
-        if gripper.pad_gap_m < 2.0 * item.shape.radius_m <= limit:
-            yield from _rolled(rotation, centre, _straddled_opening(item.shape.radius_m, gripper))
-        return
-    if isinstance(item.shape, Cylinder) and abs(up[2]) >= UPRIGHT_COSINE:
-        diameter = 2.0 * item.shape.radius_m
-        if diameter <= limit:
-            depth = _reach_in(item.shape.height_m, height, item.shape.radius_m, tilt, gripper)
-            place = centre + np.array([0.0, 0.0, depth])
-            if not _straddled(tilt, gripper):
-                yield from _rolled(rotation, place, diameter)
-            elif item.shape.radius_m > 0.5 * gripper.pad_gap_m:
-                opening = _straddled_opening(item.shape.radius_m, gripper)
-                yield from _rolled(rotation, place, opening, STRADDLE_COST)
-        return
-    yield from _box_placements(item, gripper, rotation, tilt, height, limit)
+def _is_round(item: SceneObject) -> bool:
+    """Whether a hand may come from any side alike: a ball, or a cylinder that stands."""
+    if isinstance(item.shape, Cylinder):
+        return bool(abs(item.world_T_object[2, 2]) >= UPRIGHT_COSINE)
+    return isinstance(item.shape, Ball)
+
+
+def _round_spot(
+    item: SceneObject, gripper: GripperDescription, tilt: float, height: float, limit: float
+) -> tuple[Array, float, float] | None:
+    """Place of the TCP, opening and cost on something round, or None when it cannot be held so."""
+    centre, shape = item.world_T_object[:3, 3], item.shape
+    if isinstance(shape, Ball):
+        if gripper.pad_gap_m < 2.0 * shape.radius_m <= limit:
+            return centre, _straddled_opening(shape.radius_m, gripper), 0.0
+        return None
+    if not isinstance(shape, Cylinder) or 2.0 * shape.radius_m > limit:
+        return None
+    place = centre + np.array([0.0, 0.0, _reach_in(shape.height_m, height, shape.radius_m, tilt, gripper)])
+    if not _straddled(tilt, gripper):
+        return place, 2.0 * shape.radius_m, 0.0
+    if shape.radius_m > 0.5 * gripper.pad_gap_m:
+        return place, _straddled_opening(shape.radius_m, gripper), STRADDLE_COST
+    return None
 
 
 def _box_placements(
@@ -194,7 +213,11 @@ def _straddled_opening(radius: float, gripper: GripperDescription) -> float:
     return radius + math.sqrt(radius**2 - (0.5 * gripper.pad_gap_m) ** 2)
 
 
-def _rolled(rotation: Array, centre: Array, opening: float, cost: float = 0.0) -> Iterator[_Placement]:
-    half_turn = poses.rotation_x(math.pi)
-    yield _Placement(poses.transform(rotation, centre), opening, "", cost)
-    yield _Placement(poses.transform(rotation @ half_turn, centre), opening, " rolled", cost + 0.3)
+def _rolled(rotation: Array, centre: Array, opening: float, cost: float = 0.0) -> list[_Placement]:
+    both = np.zeros((2, 4, 4))
+    both[:, :3, 3], both[:, 3, 3] = centre, 1.0
+    both[0, :3, :3], both[1, :3, :3] = rotation, rotation * _HALF_TURN
+    return [
+        _Placement(both[0], opening, "", cost),
+        _Placement(both[1], opening, " rolled", cost + 0.3),
+    ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -76,6 +77,7 @@ class InverseKinematics(Protocol):
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
         q_preferred: Array | None = None,
+        upright: bool = False,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -85,6 +87,7 @@ class InverseKinematics(Protocol):
             tolerance: The search ends when the TCP is this near.
             iterations: Most steps of the solver.
             q_preferred: Posture to stay near where there is a choice; home when left out.
+            upright: Give up, and quickly, where the knees would have to bend.
         """
         ...
 
@@ -128,6 +131,6 @@ def along_line(
 
 def errors_between(actual: Transform, wanted: Transform) -> tuple[float, float]:
     """Distance, m, and angle, rad, between two poses."""
-    offset = actual[:3, 3] - wanted[:3, 3]
-    trace = float(np.sum(actual[:3, :3] * wanted[:3, :3]))
-    return float(np.sqrt(offset @ offset)), float(np.arccos(min(1.0, max(-1.0, (trace - 1.0) / 2.0))))
+    distance = math.dist(actual[:3, 3].tolist(), wanted[:3, 3].tolist())
+    trace = float((actual[:3, :3] * wanted[:3, :3]).sum())
+    return distance, math.acos(min(1.0, max(-1.0, (trace - 1.0) / 2.0)))

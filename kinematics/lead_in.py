@@ -13,6 +13,8 @@ _EXACT = 1e-9
 """A start nearer than this needs no lead-in."""
 _GENTLE = 0.1
 """Share of the acceleration limits that the lead-in uses."""
+_LEAST_S = 0.05
+"""A cubic over a gap of micrometres that only kept the acceleration would be too short for the jerk."""
 
 
 def lead_in(trajectory: Trajectory, q_start: Array, acceleration: Array) -> Trajectory:
@@ -34,7 +36,7 @@ def lead_in(trajectory: Trajectory, q_start: Array, acceleration: Array) -> Traj
     if gap.max() <= _EXACT:
         return trajectory
     # A cubic between two rests accelerates with at most 6 * gap / duration^2.
-    duration_s = float(np.sqrt(6.0 * gap.max() / (_GENTLE * acceleration.min())))
+    duration_s = max(_LEAST_S, float(np.sqrt(6.0 * gap.max() / (_GENTLE * acceleration.min()))))
     return Trajectory(
         joints=trajectory.joints,
         stance=trajectory.stance,

@@ -11,6 +11,8 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
+from kinematics.gesture_planner import GesturePlanner
+from kinematics.handle_planner import HandlePlanner
 from kinematics.ik import along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
@@ -20,12 +22,18 @@ from kinematics.pick_planner import (
     REACH_PACE,
     PickPlanner,
 )
+from kinematics.place_planner import PlacePlanner
+from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
+    CheckRequest,
+    HandlePlan,
+    HandleRequest,
     MovePlan,
     MoveRequest,
     NoPlan,
     PickPlan,
     PickRequest,
+    PlacePlan,
     PlannedStep,
     PlanRequest,
     RetreatRequest,
@@ -36,7 +44,7 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
 
-Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
 
 
 class MotionPlanner:
@@ -45,6 +53,9 @@ class MotionPlanner:
     def __init__(self, model: RobotModel) -> None:
         self._model = model
         self._pick = PickPlanner(model)
+        self._gestures = GesturePlanner(model)
+        self._place = PlacePlanner(model)
+        self._handle = HandlePlanner(model)
         self._checker = TrajectoryChecker(model)
 
     def answer(self, request: PlanRequest) -> Answer:
@@ -55,7 +66,13 @@ class MotionPlanner:
             return self._move(request)
         if isinstance(request, RetreatRequest):
             return self._retreat(request)
-        return self._checker.check(request.trajectory, request.scene)
+        if isinstance(request, HandleRequest):
+            return self._handle.plan(request)
+        if isinstance(request, PlaceRequest):
+            return self._place.plan(request)
+        if isinstance(request, CheckRequest):
+            return self._checker.check(request.trajectory, request.scene)
+        return self._gestures.plan(request)
 
     def _move(self, request: MoveRequest) -> MovePlan | NoPlan:
         model = self._model

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
-from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
@@ -27,11 +26,12 @@ from kinematics.path_planner import PathPlanner
 from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
 from kinematics.start_state import relaxed_at
+from kinematics.support import supports_of as supports_of
 from kinematics.timing import Pace
-from kinematics.validity import validity
+from kinematics.validity import HandJudge, hand_judge, validity
 
 Array = NDArray[np.float64]
 
@@ -81,12 +81,13 @@ class PickPlanner:
 
         Of the first few grasps that a straight reach comes to, the best one is taken: by reach,
         clearance and balance. Only when there is none are detours searched, and only when there is
-        no such grasp at all, those at other heights and with less room.
+        no such grasp at all, those at other heights, with less room and with bent knees.
         """
-        usual = _PickTask(self._model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M)
+        usual = _PickTask(self._model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True)
         if (plan := self._best(usual)) is not None:
             return plan
-        thorough = _PickTask(self._model, request, (ABOVE_MIDDLE, *OTHER_HEIGHTS), LEAST_RESERVE_M)
+        heights = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+        thorough = _PickTask(self._model, request, heights, LEAST_RESERVE_M, upright=False)
         if (plan := self._best(thorough)) is not None:
             return plan
         hands = " or ".join(request.hands)
@@ -140,14 +141,20 @@ class _PickTask:
     """
 
     def __init__(
-        self, model: RobotModel, request: PickRequest, heights: Sequence[float], reserve_m: float
+        self,
+        model: RobotModel,
+        request: PickRequest,
+        heights: Sequence[float],
+        reserve_m: float,
+        upright: bool,
     ) -> None:
         self._model, self._request, self._target = model, request, request.scene.objects[request.target]
-        self._heights, self._reserve_m = heights, reserve_m
+        self._heights, self._reserve_m, self._upright = heights, reserve_m, upright
         self._space = free_coordinates(model, request.stance)
         self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
-        self._hands: dict[Hand, HandCollision] = {}
+        self._hands: dict[Hand, HandJudge] = {}
+        self._hand_fits: dict[str, bool] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
@@ -165,18 +172,38 @@ class _PickTask:
                 self.reasons["out of reach"] += 1
 
     def candidates(self) -> list[GraspCandidate]:
-        """Grasps of all allowed hands, most natural first; nothing is judged yet."""
+        """Grasps of all allowed hands, most natural first; nothing but the room for the hand is judged."""
         found = []
         for hand, offset in self._in_reach.items():
             gripper = self._model.description.grippers[hand]
             distance = float(np.linalg.norm(offset[:2]))
             natural = float(np.arctan2(offset[1], offset[0]))
+            mine = []
             for candidate in grasp_candidates(self._target, gripper, natural, APPROACH_M, self._heights):
                 if key_of(hand, candidate.grasp.label) in self._request.excluded:
                     self.reasons["tried before"] += 1
                 else:
-                    found.append(GraspCandidate(candidate.grasp, candidate.cost + 2.0 * distance))
+                    mine.append(GraspCandidate(candidate.grasp, candidate.cost + 2.0 * distance))
+            self._judge_room(hand, mine)
+            found += mine
         return sorted(found, key=lambda candidate: candidate.cost)
+
+    def _judge_room(self, hand: Hand, candidates: Sequence[GraspCandidate]) -> None:
+        """Note for which grasps the hand alone has room: open, closed, and where the approach is solved."""
+        if not candidates:
+            return
+        scene = self._request.scene
+        judge = hand_judge(self._model, hand, scene, self._target.name, self._reserve_m)
+        self._hands[hand] = judge
+        places = np.array([candidate.grasp.world_T_tcp for candidate in candidates])
+        advance_m = self._model.description.grippers[hand].closing_advance_m
+        advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1]]
+        fits = np.ones(len(places), dtype=bool)
+        for along_m in advances_m:
+            left = np.flatnonzero(fits)
+            fits[left] = ~judge.collisions(places[left] @ poses.translation(float(along_m), 0.0, 0.0))
+        for candidate, has_room in zip(candidates, fits, strict=True):
+            self._hand_fits[key_of(hand, candidate.grasp.label)] = bool(has_room)
 
     def solve(self, candidate: GraspCandidate) -> _Goal | None:
         """Find curves for approach and lift of a grasp; a failure is counted with its reason."""
@@ -222,12 +249,11 @@ class _PickTask:
 
     def _solve(self, candidate: GraspCandidate) -> _Goal | str:
         grasp = candidate.grasp
-        clearance_m = self._hand_clearance_m(grasp)
-        if clearance_m <= 0.0:
+        if not self._hand_fits[key_of(grasp.hand, grasp.label)]:
             return "hand collides at the grasp"
         ik = self._ik_of(grasp.hand)
         grasp_scene, near = self._grasp_planner(grasp.hand)
-        first = ik.solve(grasp.world_T_tcp, self._seed)
+        first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the grasp"
         if not near.is_free(self._space.from_q(first.q)):
@@ -236,18 +262,20 @@ class _PickTask:
         back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
+        gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
+        points = self._gazing(back[::-1], gaze)
+        if not self._reach_planner.is_free(points[0]):
+            return "collision before the approach"
+        approach = PolynomialCurve(points)
+        if not near.curve_is_free(approach):
+            return "approach collides"
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
         up = along_line(ik, first.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS)
         if up is None:
             return "no straight lift"
-        gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
-        points = self._gazing(back[::-1], gaze)
-        approach, lift = PolynomialCurve(points), PolynomialCurve(self._gazing(up, gaze))
-        if not self._reach_planner.is_free(points[0]):
-            return "collision before the approach"
-        if not near.curve_is_free(approach):
-            return "approach collides"
+        lift = PolynomialCurve(self._gazing(up, gaze))
         lift_scene = self._lift_scene(grasp, grasp_scene)
+        clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
         balance_m = self._polygon.com_margin_m(self._model.com(first.q))
         cost = (
             candidate.cost
@@ -255,18 +283,6 @@ class _PickTask:
             + BALANCE_COST * max(0.0, 1.0 - balance_m / ENOUGH_BALANCE_M)
         )
         return _Goal(grasp, cost, approach, lift, points[0], lift_scene)
-
-    def _hand_clearance_m(self, grasp: Grasp) -> float:
-        """Room of the hand alone, open and with the fingertips where the closing takes them."""
-        hand = grasp.hand
-        if hand not in self._hands:
-            scene = self._request.scene
-            self._hands[hand] = HandCollision(self._model, hand, scene, self._target.name, self._reserve_m)
-        advance_m = self._model.description.grippers[hand].closing_advance_m
-        closing = grasp.world_T_tcp @ poses.translation(advance_m, 0.0, 0.0)
-        if self._hands[hand].collides(closing) or self._hands[hand].collides(grasp.world_T_tcp):
-            return 0.0
-        return self._hands[hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
 
     def _gazing(self, configurations: Array, gaze: Mapping[str, float]) -> Array:
         """Free coordinates of configurations, with the head turned to the target."""
@@ -305,18 +321,3 @@ class _PickTask:
         joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])
         name = next(f.name for f in self._model.pin.frames if f.parentJoint == joint)
         return self._model.frame_pose(self._request.q_start, name)[:3, 3]
-
-
-def supports_of(target: SceneObject, scene: PlanningScene, reach_m: float = 0.03) -> list[str]:
-    """Furniture right under an object: what it may touch when it is lifted off."""
-    bottom = target.world_T_object[2, 3] - 0.5 * target.shape.height_m
-    names = []
-    for item in scene.objects.values():
-        if item.movable or item.name == target.name:
-            continue
-        local = poses.inverse(item.world_T_object) @ np.append(target.world_T_object[:3, 3], 1.0)
-        half = 0.5 * np.array(getattr(item.shape, "size_m", (0.0, 0.0, 0.0)))
-        top = item.world_T_object[2, 3] + 0.5 * item.shape.height_m
-        if np.all(np.abs(local[:2]) <= half[:2] + 0.02) and abs(bottom - top) <= reach_m:
-            names.append(item.name)
-    return names

@@ -103,6 +103,7 @@ class PlacoIk:
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
         q_preferred: Array | None = None,
+        upright: bool = False,  # noqa: ARG002
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -114,6 +115,7 @@ class PlacoIk:
             tolerance: The search ends when the TCP is this near.
             iterations: Most steps of the solver.
             q_preferred: Posture to stay near where there is a choice; home when left out.
+            upright: Makes no difference: this solver bends knees only where it must.
         """
         home = self._model.q_home if q_preferred is None else q_preferred
         self._posture.set_joints(dict(zip(self._model.joints, home[7:].tolist(), strict=True)))

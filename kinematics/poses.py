@@ -92,6 +92,23 @@ def quaternion_from_rotation(rotation: NDArray[np.float64]) -> NDArray[np.float6
     return np.asarray(q / np.linalg.norm(q), dtype=np.float64)
 
 
+def quaternions_from_rotations(rotations: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Unit quaternions (x, y, z, w) of rotation matrices, shape (n, 3, 3) to (n, 4), by Shepperd's method."""
+    (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(rotations, 0, 2)
+    # four times the outer product of each quaternion with itself: the largest row is well conditioned
+    outer = np.array(
+        [
+            [1.0 + a - e - i, b + d, c + g, h - f],
+            [b + d, 1.0 - a + e - i, f + h, c - g],
+            [c + g, f + h, 1.0 - a - e + i, d - b],
+            [h - f, c - g, d - b, 1.0 + a + e + i],
+        ]
+    )
+    largest = np.argmax(np.einsum("kkn->kn", outer), axis=0)
+    rows = outer[largest, :, np.arange(len(rotations))]
+    return np.asarray(rows / np.linalg.norm(rows, axis=1, keepdims=True), dtype=np.float64)
+
+
 def rotation_from_quaternion(xyzw: ArrayLike) -> NDArray[np.float64]:
     """Rotation matrix of a quaternion (x, y, z, w), normalised first."""
     q = np.asarray(xyzw, dtype=np.float64)
@@ -112,9 +129,12 @@ def angle_between(rotation_a: NDArray[np.float64], rotation_b: NDArray[np.float6
 
 def interpolate(a: Transform, b: Transform, fraction: float) -> Transform:
     """Straight line in position, constant-axis rotation, at ``fraction`` in [0, 1]."""
+    place = (1.0 - fraction) * a[:3, 3] + fraction * b[:3, 3]
+    if np.array_equal(a[:3, :3], b[:3, :3]):
+        return transform(a[:3, :3], place)
     turn = vector_from_rotation(a[:3, :3].T @ b[:3, :3])
     rotation = a[:3, :3] @ rotation_from_vector(fraction * turn)
-    return transform(rotation, (1.0 - fraction) * a[:3, 3] + fraction * b[:3, 3])
+    return transform(rotation, place)
 
 
 def yaw_of(rotation: NDArray[np.float64]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,7 @@ from kinematics.trajectory import Stance
 
 if TYPE_CHECKING:
     from kinematics.kernel.coordinates import Limits
-    from kinematics.kernel.reach import ReachSpace
+    from kinematics.kernel.reach_problem import ReachSpace
 
 Array = NDArray[np.float64]
 
@@ -33,6 +34,7 @@ BASE_BELOW = np.array([0.25, 0.25, 0.45, 0.6, 0.9, 0.6])
 BASE_ABOVE = np.array([0.25, 0.25, 0.05, 0.6, 0.9, 0.6])
 # Knees bend no more than this lowers the base where the hand gets there without.
 UPRIGHT_M = 0.15
+UPRIGHT_TRIES = 2
 DAMPING = 1e-5
 PULL = 0.03
 # A centimetre more than the limit, so that the checker's view never differs.
@@ -59,14 +61,14 @@ class ReachIk:
 
     def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
         # imported here: they bring the compiler
-        from kinematics.kernel import reach
+        from kinematics.kernel import reach, reach_problem
         from kinematics.kernel.coordinates import standing_coordinates, standing_limits
         from kinematics.kernel.tree import tree_of
 
         description = model.description
         if description.welded:
             raise ModelError("the free coordinates of a welded robot have no base")
-        self._reach = reach
+        self._reach, self._problem = reach.reach, reach_problem
         self._model = model
         self._space = free_coordinates(model, stance)
         self._polygon = SupportPolygon(stance, description.soles)
@@ -89,6 +91,8 @@ class ReachIk:
         )
         margin = description.planning_margin_rad
         self._joint_lower, self._joint_upper = model.lower_rad + margin, model.upper_rad - margin
+        self._least_rad = self._joint_lower - planning_reserve.LIMIT_NOISE_RAD
+        self._most_rad = self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
         home = self._space.from_q(model.home_over(stance))
         columns = self._coordinates.columns - 7
         self._lower = np.concatenate([home[:6] - BASE_BELOW, self._joint_lower[columns]])
@@ -104,7 +108,7 @@ class ReachIk:
         column = np.full(len(self._tree.parent), -1, np.int64)
         column[[model.pin.getJointId(joint) for joint in self._space.joints]] = 6 + np.arange(len(columns))
         self._column = column
-        self._memory = reach.scratch(self._tree, model.nq, self._space.size)
+        self._memory = reach_problem.scratch(self._tree, model.nq, self._space.size)
 
     def solve(
         self,
@@ -113,6 +117,7 @@ class ReachIk:
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
         q_preferred: Array | None = None,
+        upright: bool = False,
         starts: Array | None = None,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
@@ -123,9 +128,10 @@ class ReachIk:
             tolerance: The search ends when the TCP is this near.
             iterations: Most steps from one start.
             q_preferred: Posture to stay near where there is a choice; home when left out.
+            upright: Try only what does not bend the knees: half of the time where nothing is found.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
         """
-        kernel = self._reach
+        kernel = self._problem
         body, offset_R, offset_p = self._tool
         seed = self._space.from_q(q_seed)
         preferred = self._home if q_preferred is None else self._space.from_q(q_preferred)
@@ -148,9 +154,12 @@ class ReachIk:
         )
         taken = 0
         following = q_preferred is not None
-        for limits, lower, start in self._tries(seed, where, starts, tolerance, following):
+        tries = self._tries(seed, where, starts, tolerance, following)
+        if upright and not following:
+            tries = itertools.islice(tries, UPRIGHT_TRIES)
+        for limits, lower, start in tries:
             x = start.copy()
-            steps = kernel.reach(
+            steps = self._reach(
                 self._tree,
                 self._coordinates,
                 limits,
@@ -197,9 +206,7 @@ class ReachIk:
         tcp = pin.updateFramePlacement(model, data, self._tcp_id).homogeneous
         error, turn = errors_between(tcp, world_T_tcp)
         joints = q[7:]
-        inside = (joints >= self._joint_lower - planning_reserve.LIMIT_NOISE_RAD).all() and (
-            joints <= self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
-        ).all()
+        inside = (joints >= self._least_rad).all() and (joints <= self._most_rad).all()
         return IkResult(
             q=q,
             position_error_m=error,

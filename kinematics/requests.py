@@ -11,6 +11,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.gesture_requests import GestureRequest
+from kinematics.opening_path import OpeningPath
+from kinematics.place_requests import PlaceRequest
 from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import PlanningScene
@@ -104,6 +107,55 @@ class RetreatRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class HandleRequest:
+    """Plan to take hold of a handle, with the whole way of it within reach.
+
+    Attributes:
+        q_start: Configuration to start from, shape (nq,).
+        stance: Where the feet stand.
+        scene: What is around; holds the handle and what it opens.
+        handle: Name of the handle's bar in the scene.
+        parts: Names of everything that moves with it, the bar included.
+        path: Where the handle goes.
+        s_from, s_to: How far it is open, and shall be; rad or m.
+        hands: Hands that may be used, the better one first.
+        excluded: Labels of grasps, as "hand label", that were tried in vain.
+        seed: Of everything random in the plan.
+    """
+
+    q_start: Array
+    stance: Stance
+    scene: PlanningScene
+    handle: str
+    parts: tuple[str, ...]
+    path: OpeningPath
+    s_from: float
+    s_to: float
+    hands: tuple[Hand, ...] = HANDS
+    excluded: frozenset[str] = frozenset()
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class HandlePlan:
+    """Reach and approach to a handle; after them the gripper closes and the hand follows the path.
+
+    Attributes:
+        grasp: The chosen grasp.
+        reach, approach: In order.
+        farthest_s: Up to where along the path the hand was found to get; short of ``s_to`` by at most
+            what the request's planner leaves.
+        considered: How many grasps were looked at.
+    """
+
+    grasp: Grasp
+    reach: PlannedStep
+    approach: PlannedStep
+    farthest_s: float
+    considered: int
+
+
+@dataclass(frozen=True, slots=True)
 class CheckRequest:
     """Judge a trajectory against a scene; answered by CheckedTrajectory or Unsafe."""
 
@@ -138,6 +190,26 @@ class PickPlan:
 
 
 @dataclass(frozen=True, slots=True)
+class PlacePlan:
+    """Over the spot, and straight down; the way back of the hand was looked at, and is planned later.
+
+    Attributes:
+        hand: The hand that holds the object.
+        spot: Index of the chosen spot.
+        world_T_object: Where the object will stand, shape (4, 4).
+        transfer, lower: In order; each starts where the one before ends.
+        considered: How many poses were looked at.
+    """
+
+    hand: Hand
+    spot: int
+    world_T_object: Transform
+    transfer: PlannedStep
+    lower: PlannedStep
+    considered: int
+
+
+@dataclass(frozen=True, slots=True)
 class MovePlan:
     """One motion."""
 
@@ -159,4 +231,6 @@ class NoPlan:
     numbers: Mapping[str, float] = field(default_factory=dict)
 
 
-PlanRequest = PickRequest | MoveRequest | RetreatRequest | CheckRequest
+PlanRequest = (
+    PickRequest | MoveRequest | RetreatRequest | HandleRequest | PlaceRequest | GestureRequest | CheckRequest
+)

@@ -194,6 +194,7 @@ class RobotDescription:
         mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
             roll, pitch, yaw about fixed axes.
         cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
+        joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
         health: From when on something counts as wrong with the body.
         planning_margin_rad: Limits are shrunk by this for planning.
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
@@ -225,6 +226,7 @@ class RobotDescription:
     mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cannot_grasp: str = ""
+    joint_viscosity_nms_rad: float = 0.0
     health: HealthLimits = field(default_factory=HealthLimits)
 
     @property

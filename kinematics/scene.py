@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from kinematics import poses
 from kinematics.errors import UnknownNameError
@@ -149,7 +149,20 @@ class PlanningScene:
             allowed=self.allowed if allowed is None else allowed,
         )
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For worker processes: read-only views of dictionaries cannot be sent as they are."""
+        return _scene_from, (self.version, dict(self.objects), dict(self.attached), self.allowed)
+
     @staticmethod
     def _require(name: str, known: Mapping[str, object]) -> None:
         if name not in known:
             raise UnknownNameError("object", name, list(known))
+
+
+def _scene_from(
+    version: int,
+    objects: dict[str, SceneObject],
+    attached: dict[str, AttachedBody],
+    allowed: frozenset[Pair],
+) -> PlanningScene:
+    return PlanningScene(version, _frozen(objects), _frozen(attached), allowed)

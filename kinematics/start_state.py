@@ -7,7 +7,8 @@ touched by that link. Everything else is judged as before.
 
 from __future__ import annotations
 
-from dataclasses import replace
+import functools
+from dataclasses import dataclass, replace
 
 import coal
 import numpy as np
@@ -19,15 +20,15 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
 
+Array = NDArray[np.float64]
+
 # Kept between the distance at the start and the margin that is asked instead, for rounding.
 SLACK_M = 0.001
 # Of the distance at the start that has to be kept: hardly any motion leads straight away from a thing.
 KEPT_SHARE = 0.6
 
 
-def relaxed_at(
-    model: RobotModel, scene: PlanningScene, q: NDArray[np.float64], reserve_m: float = 0.0
-) -> PlanningScene:
+def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: float = 0.0) -> PlanningScene:
     """Lower the margins that a configuration breaks.
 
     Args:
@@ -40,16 +41,18 @@ def relaxed_at(
         The same scene when nothing is too near; else one in which ``q`` is free, unless a link is in
         furniture or in another link.
     """
-    geometry, data = model.geometry(), model.pin.createData()
+    parts = _parts(model)
+    geometry, data = parts.geometry, model.pin.createData()
     placed = geometry.createData()
     pin.updateGeometryPlacements(model.pin, data, geometry, placed, q)
+    centres = np.array([at.act(centre) for at, centre in zip(placed.oMg, parts.centres_m, strict=True)])
     relaxed = scene
     for item in scene.objects.values():
         keep_m = item.margin_m + reserve_m
         distances = {
-            model.link_of(part): _distance(part, at, item)
-            for part, at in zip(geometry.geometryObjects, placed.oMg, strict=True)
-            if _may_be_near(part, at, item, keep_m) and not scene.is_allowed(model.link_of(part), item.name)
+            parts.links[k]: _distance(geometry.geometryObjects[k], placed.oMg[k], item)
+            for k in _near(centres, parts.radii_m, item, keep_m)
+            if not scene.is_allowed(parts.links[k], item.name)
         }
         nearest = min(distances.values(), default=np.inf)
         if nearest >= keep_m:
@@ -62,11 +65,32 @@ def relaxed_at(
     return relaxed
 
 
-def _may_be_near(part: pin.GeometryObject, at: pin.SE3, item: SceneObject, near_m: float) -> bool:
-    """Whether a ball about a part comes near a box about an object."""
-    ball = part.geometry
-    local = (at.act(ball.aabb_center) - item.world_T_object[:3, 3]) @ item.world_T_object[:3, :3]
-    shape = item.shape
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """A robot's collision geometries with a ball about each, in its own frame."""
+
+    geometry: pin.GeometryModel
+    links: tuple[str, ...]
+    centres_m: tuple[Array, ...]
+    radii_m: Array
+
+
+@functools.lru_cache(maxsize=4)
+def _parts(model: RobotModel) -> _Parts:
+    geometry = model.geometry()
+    items = list(geometry.geometryObjects)
+    return _Parts(
+        geometry,
+        tuple(model.link_of(item) for item in items),
+        tuple(np.array(item.geometry.aabb_center) for item in items),
+        np.array([item.geometry.aabb_radius for item in items]),
+    )
+
+
+def _near(centres_m: Array, radii_m: Array, item: SceneObject, near_m: float) -> list[int]:
+    """Which balls come near a box about an object."""
+    pose, shape = item.world_T_object, item.shape
+    local = (centres_m - pose[:3, 3]) @ pose[:3, :3]
     if isinstance(shape, Box):
         half = 0.5 * np.array(shape.size_m)
     elif isinstance(shape, Ball):
@@ -74,7 +98,7 @@ def _may_be_near(part: pin.GeometryObject, at: pin.SE3, item: SceneObject, near_
     else:
         half = np.array([shape.radius_m, shape.radius_m, 0.5 * shape.height_m])
     outside = np.maximum(np.abs(local) - half, 0.0)
-    return bool(np.sqrt(outside @ outside) < ball.aabb_radius + near_m)
+    return [int(k) for k in np.flatnonzero(np.sqrt(np.sum(outside**2, axis=1)) < radii_m + near_m)]
 
 
 def _distance(part: pin.GeometryObject, at: pin.SE3, item: SceneObject) -> float:

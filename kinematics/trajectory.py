@@ -133,7 +133,10 @@ class Unsafe:
 
 
 class _Seal:
-    """Proof of origin: only ``trajectory_check`` holds one."""
+    """Proof of origin: only ``trajectory_check`` holds one; it stays the one when a worker sends it home."""
+
+    def __reduce__(self) -> str:
+        return "_SEAL"
 
 
 _SEAL = _Seal()

@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.collision import CollisionWorld, with_floor
+from kinematics.collision import CollisionWorld, HandCollision, with_floor
 from kinematics.errors import ModelError
 from kinematics.free_coordinates import free_coordinates
 from kinematics.kernel import readiness
 from kinematics.planning_reserve import COM_RESERVE_M, LIMIT_NOISE_RAD
+from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
@@ -67,6 +68,30 @@ class PathSearch(Protocol):
         ...
 
 
+class HandJudge(Protocol):
+    """Tells where an open hand alone has room; see ``HandCollision``."""
+
+    def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:
+        """Tell whether the hand is too near to anything, by pose, shape (n, 4, 4) to (n,)."""
+        ...
+
+    def clearance_m(self, world_T_tcp: Array, enough_m: float) -> float:
+        """Room beyond the margins at one pose; no more than ``enough_m`` is measured."""
+        ...
+
+
+def hand_judge(
+    model: RobotModel, hand: Hand, scene: PlanningScene, target: str, extra_margin_m: float
+) -> HandJudge:
+    """The judge of an open hand, by the kernel where it is compiled; arguments as of ``HandCollision``."""
+    if not _kernel_is_there():
+        return HandCollision(model, hand, scene, target, extra_margin_m)
+    # imported here: it brings the compiler
+    from kinematics.kernel.hand_kernel import HandKernel
+
+    return HandKernel(_hand_arrays(model, hand), scene, target, extra_margin_m)
+
+
 def validity(
     model: RobotModel,
     stance: Stance,
@@ -97,10 +122,9 @@ def validity(
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
 
 
-@functools.cache
 def _kernel_is_there() -> bool:
-    """Asked once, so that one run has one judge: to compile it takes minutes, Coal judges at once."""
-    return readiness.ready()
+    """To compile it takes minutes, Coal judges at once."""
+    return readiness.usable()
 
 
 @functools.lru_cache(maxsize=4)
@@ -108,6 +132,13 @@ def _arrays(model: RobotModel) -> RobotArrays:
     from kinematics.kernel.robot_arrays import humanoid_arrays
 
     return humanoid_arrays(model)
+
+
+@functools.lru_cache(maxsize=8)
+def _hand_arrays(model: RobotModel, hand: Hand) -> RobotArrays:
+    from kinematics.kernel.hand_kernel import hand_arrays
+
+    return hand_arrays(model, hand)
 
 
 class SampledValidity:

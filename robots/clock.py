@@ -45,6 +45,11 @@ class WallClock:
         """Seconds since the clock was made."""
         return time.monotonic() - self._start_s
 
+    def sleep(self, seconds: float) -> None:
+        """Let wall time pass; nothing at all when ``seconds`` is not positive."""
+        if seconds > 0.0:
+            time.sleep(seconds)
+
 
 def utc_timestamp() -> str:
     """The date and time of day in UTC, ISO 8601, for names of runs and reports."""

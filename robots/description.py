@@ -130,6 +130,7 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         imu=body.get("imu_link"),
         noise=SensorNoise(**data["noise"]),
         planning_margin_rad=limits["planning_margin_rad"],
+        joint_viscosity_nms_rad=data.get("friction", {}).get("viscosity_nms_rad", 0.0),
         com_margin_m=limits["com_margin_m"] if "sole" in data else 0.0,
         contact_effort_nm={
             joint: limits["contact"][kind]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Box
+from robots.articulated import ARTICULATED_KINDS, fixed_boxes
 from robots.scene_description import Furniture
 
 TABLE_TOP_M = 0.04
@@ -14,7 +15,7 @@ TABLE_TOP_M = 0.04
 TABLE_LEG_M = 0.05
 """Edge of a table's square legs, flush with the corners of the top."""
 
-FURNITURE_KINDS = ("table",)
+FURNITURE_KINDS = ("table", *ARTICULATED_KINDS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,12 @@ def top_pose(item: Furniture) -> Transform:
 
 
 def solids(item: Furniture) -> tuple[FurnitureSolid, ...]:
-    """The solids of a piece of furniture, the one that carries things first."""
+    """The solids of a piece of furniture that do not move, the one that carries things first."""
+    if item.kind in ARTICULATED_KINDS:
+        return tuple(
+            FurnitureSolid(f"{item.name}/{part}", Box(size), floor_pose(item) @ poses.translation(*place))
+            for part, size, place in fixed_boxes(item)
+        )
     depth, width, height = item.size_m
     world_T_furniture = floor_pose(item)
     leg_height = height - TABLE_TOP_M

@@ -8,6 +8,7 @@ nominal start, x ahead, y to its left. Lengths in m, angles in rad, masses in kg
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
@@ -56,11 +57,41 @@ class PerceptionModel:
 
 
 @dataclass(frozen=True, slots=True)
+class MovingPart:
+    """The door of a fridge, or the top drawer of a chest of drawers.
+
+    Attributes:
+        hinge: On which side a door hangs, seen by who stands before it; None for a drawer.
+        mass_kg: Of the moving part.
+        friction: Of the hinge, Nm, or of the slide, N.
+        seal_n: Pull at the handle that a magnetic seal resists with while a door is nearly closed.
+        locked: It does not open.
+        opening: How far it is open when the scene begins, rad or m.
+        handle_height_m: Of the bar's middle: above the floor on a door, above the front's middle on a drawer.
+        handle_inset_m: From the free edge of a door to the bar.
+        handle_radius_m, handle_length_m: Of the bar.
+        handle_friction: Effective, with the finger pads.
+    """
+
+    hinge: Literal["left", "right"] | None
+    mass_kg: float
+    friction: float
+    seal_n: float = 0.0
+    locked: bool = False
+    opening: float = 0.0
+    handle_height_m: float = 1.0
+    handle_inset_m: float = 0.06
+    handle_radius_m: float = 0.0125
+    handle_length_m: float = 0.36
+    handle_friction: float = 0.9
+
+
+@dataclass(frozen=True, slots=True)
 class Furniture:
-    """A piece of furniture: "table" here, more kinds later.
+    """A piece of furniture: a table, or something that opens (see ``robots.articulated``).
 
     ``size_m`` is depth along its own x, width along y, and the height of the top above the floor;
-    ``position_m`` is its centre on the floor.
+    ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one.
     """
 
     name: str
@@ -69,6 +100,7 @@ class Furniture:
     position_m: tuple[float, float]
     yaw_rad: float = 0.0
     friction: float = 0.7
+    opens: MovingPart | None = None
 
 
 @dataclass(frozen=True, slots=True)

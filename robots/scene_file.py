@@ -28,6 +28,7 @@ from robots.scene_description import (
     SceneDescription,
     SceneItem,
 )
+from robots.scene_parts import part_keys, part_values, read_part
 from robots.scene_rules import validate
 from robots.scene_words import CYLINDER_KINDS, OBJECT_KINDS, nearest_word
 
@@ -123,6 +124,7 @@ def dump(scene: SceneDescription) -> str:
     for piece in scene.furniture:
         lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
         lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
+        lines += _pairs(**part_values(piece))
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad)
@@ -144,6 +146,8 @@ def _pairs(**values: Any) -> list[str]:
 def _toml(value: Any) -> str:
     if isinstance(value, str):
         return json.dumps(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
     if isinstance(value, tuple):
         return "[" + ", ".join(_toml(item) for item in value) + "]"
     return repr(float(value))
@@ -236,6 +240,12 @@ class _Reader:
             raise self.fail(key, f"must be finite, not {value!r}")
         return number
 
+    def flag(self, key: str) -> bool:
+        value = self.data.get(key, False)
+        if not isinstance(value, bool):
+            raise self.fail(key, f"must be true or false, not {value!r}")
+        return value
+
     def numbers(self, key: str, count: int) -> tuple[float, ...]:
         value = self._get(key)
         if not isinstance(value, list) or len(value) != count:
@@ -258,16 +268,18 @@ def _perception(reader: _Reader) -> PerceptionModel:
 
 
 def _furniture(reader: _Reader) -> Furniture:
-    reader.only(("name", "kind", "size_m", "position_m", "yaw_rad", "friction"))
+    kind = reader.word("kind", furniture.FURNITURE_KINDS)
+    reader.only(("name", "kind", "size_m", "position_m", "yaw_rad", "friction", *part_keys(kind)))
     depth, width, height = reader.numbers("size_m", 3)
     x, y = reader.numbers("position_m", 2)
     return Furniture(
         name=reader.text("name"),
-        kind=reader.word("kind", furniture.FURNITURE_KINDS),
+        kind=kind,
         size_m=(depth, width, height),
         position_m=(x, y),
         yaw_rad=reader.number("yaw_rad", 0.0),
         friction=reader.number("friction", 0.7),
+        opens=read_part(reader, kind),
     )
 
 

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
-from robots import furniture
+from robots import articulated, furniture
 from robots.errors import SceneError
+from robots.part_rules import part_defect
 from robots.scene_description import Furniture, PerceptionModel, Person, SceneDescription, SceneItem
 from robots.scene_words import COLORS, OBJECT_KINDS, nearest_word
 
@@ -102,6 +103,8 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     finite = all(map(math.isfinite, (*piece.position_m, piece.yaw_rad)))
     _require(finite, source, f"{key}.position_m", f"{piece.name!r}: must be finite")
     _check_friction(piece.friction, piece.name, source, key)
+    if (defect := part_defect(piece)) is not None:
+        raise SceneError(source, f"{key}.{defect[0]}", f"{piece.name!r}: {defect[1]}")
 
 
 def _check_friction(value: float, name: str, source: str, key: str) -> None:
@@ -180,6 +183,16 @@ def _check_places(scene: SceneDescription, source: str) -> None:
         _Solid(f"furniture {piece.name!r}", part.shape, part.world_T_solid)
         for piece in scene.furniture
         for part in furniture.solids(piece)
+    ]
+    parts += [
+        _Solid(
+            f"furniture {piece.name!r}",
+            solid.shape,
+            articulated.world_T_solid(piece, furniture.floor_pose(piece), solid),
+        )
+        for piece in scene.furniture
+        if piece.opens is not None
+        for solid in articulated.moving_solids(piece)
     ]
     fixed = [*parts, *(solid for _, solid in people), body]
     for i, (key, solid) in enumerate(items):

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from kinematics import poses
+from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Cylinder
-from robots import furniture
-from robots.scene_description import SceneDescription
+from robots import articulated, furniture
+from robots.scene_description import Person, SceneDescription
 from robots.scene_rules import PERSON_HEIGHT_M
 
 PERSON_REACH_M = 0.24
@@ -26,9 +27,26 @@ def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningSc
         for piece in scene.furniture
         for solid in furniture.solids(piece)
     ]
+    solids += [
+        SceneObject(
+            part.name,
+            part.shape,
+            articulated.world_T_solid(piece, furniture.floor_pose(piece), part),
+            margin_m,
+            movable=False,
+        )
+        for piece in scene.furniture
+        if piece.opens is not None
+        for part in articulated.moving_solids(piece)
+    ]
     solids += [SceneObject(item.name, item.shape, item.world_T_object, margin_m) for item in scene.objects]
     for person in scene.people:
-        place = poses.transform(poses.rotation_z(person.yaw_rad), (*person.position_m, 0.5 * PERSON_HEIGHT_M))
-        body = Cylinder(PERSON_REACH_M, PERSON_HEIGHT_M)
+        body, place = person_solid(person)
         solids.append(SceneObject(person.name, body, place, margin_m, movable=False))
     return PlanningScene().with_objects(solids)
+
+
+def person_solid(person: Person) -> tuple[Cylinder, Transform]:
+    """An upright cylinder around a whole person, and its pose: x is where the person faces."""
+    place = poses.transform(poses.rotation_z(person.yaw_rad), (*person.position_m, 0.5 * PERSON_HEIGHT_M))
+    return Cylinder(PERSON_REACH_M, PERSON_HEIGHT_M), place

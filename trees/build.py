@@ -7,16 +7,43 @@ from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
+from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
+from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
+from trees.subtrees.place import place
+from trees.subtrees.talk import say, wait
 from trees.task_tree import TaskTree
-from trees.tasks import GoHomeTask, PickTask, Task
+from trees.tasks import (
+    CloseTask,
+    GoHomeTask,
+    LookAtTask,
+    OpenTask,
+    PickTask,
+    PlaceTask,
+    PointAtTask,
+    SayTask,
+    Task,
+    WaitTask,
+    WaveTask,
+)
 from trees.toolbox import Toolbox
 
 __all__ = ["SKILLS", "NoSkillError", "TaskTree", "build_tree", "has_skill"]
 
 SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
-    {PickTask: pick, GoHomeTask: go_home}
+    {
+        PickTask: pick,
+        PlaceTask: place,
+        GoHomeTask: go_home,
+        OpenTask: open_or_close,
+        CloseTask: open_or_close,
+        WaveTask: wave,
+        PointAtTask: point_at,
+        LookAtTask: look_at,
+        SayTask: say,
+        WaitTask: wait,
+    }
 )
 """What makes the root of each task's tree."""
 

@@ -35,5 +35,14 @@ class Measured:
     numbers: Mapping[str, Number]
 
 
-TreeEvent = NodeChanged | LeafFailed | Measured
+@dataclass(frozen=True, slots=True)
+class Said:
+    """The robot said something; ``to`` names the person, empty when it is for everybody."""
+
+    t_s: float
+    text: str
+    to: str = ""
+
+
+TreeEvent = NodeChanged | LeafFailed | Measured | Said
 TreeSink = Callable[[TreeEvent], None]

@@ -91,10 +91,23 @@ class Failure:
     @property
     def choices(self) -> tuple[str, ...]:
         """What a person has to choose from, when several things fit; at the root of the chain."""
+        return self._listed("choices")
+
+    @property
+    def choice_names(self) -> tuple[str, ...]:
+        """The names that the planning scene has for the ``choices``, in the same order."""
+        return self._listed("objects")
+
+    @property
+    def root(self) -> Failure:
+        """The failure that began the chain."""
         root = self
         while root.cause is not None:
             root = root.cause
-        told = root.numbers.get("choices")
+        return root
+
+    def _listed(self, key: str) -> tuple[str, ...]:
+        told = self.root.numbers.get(key)
         return tuple(str(told).split(CHOICES_JOINED_BY)) if told is not None else ()
 
     def to_json(self) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from typing import Any
 
 from py_trees.common import Status
 
+from kinematics.gesture_requests import GestureRequest
 from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, PlannedStep, RetreatRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -29,9 +30,10 @@ class PlannedMotionLeaf(Leaf):
     _handle: MotionHandle | None = None
     _arrived_by_s: float = 0.0
     _world_version: int = 0
+    _refused: Failure | None = None
 
-    def goal(self) -> MoveRequest | RetreatRequest | None:
-        """What to plan; None when the robot is there already."""
+    def goal(self) -> MoveRequest | RetreatRequest | GestureRequest | Failure | None:
+        """What to plan; None when the robot is there already, or why there is nothing to plan."""
         raise NotImplementedError
 
     @property
@@ -44,13 +46,18 @@ class PlannedMotionLeaf(Leaf):
         """Submit the planning job."""
         self._job = self._step = self._checked = self._handle = None
         self._world_version = self.toolbox.world.scene.version
+        self._refused = None
         goal = self.goal()
-        if goal is not None:
+        if isinstance(goal, Failure):
+            self._refused = goal
+        elif goal is not None:
             self._job = self.toolbox.planning.submit(goal)
             self.feedback_message = "planning"
 
     def step(self) -> Status | Failure:
         """Plan, check, move; whichever is under way."""
+        if self._refused is not None:
+            return self._refused
         if self._handle is not None:
             return self._follow(self._handle)
         if self._job is None:

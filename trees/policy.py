@@ -57,6 +57,21 @@ class TreePolicy:
         in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
+        level_gazes: The order in which people are looked for.
+        wave_swings: How often a waving hand goes from side to side.
+        wave_width_m: From one side to the other.
+        wave_least_m: A swing narrower than this, as measured, does not count.
+        wave_least_swings: Fewer than so many is no waving.
+        pointing_tolerance_m: The line through forearm and hand passes its target nearer than this.
+        pointing_hold_s: How long the arm stays stretched out.
+        centred: What is looked at is this near to the picture's centre, as a share of half the picture.
+        place_attempts: Spots that are tried before a place gives up.
+        touch_n: Lift of the hand that says that what it holds stands on something.
+        rest_s: The hand is felt at rest for so long before it is lowered.
+        early_touch_m: A touch so far above where it should come is one with something else.
+        further_m: How much farther down each further step goes when nothing was touched.
+        retreat_m: How far an opened hand is drawn back.
+        placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -91,4 +106,23 @@ class TreePolicy:
     slip_max_m: float = 0.008
     in_hand_tolerance_m: float = 0.04
     unseen_hold_factor: float = 2.0
+    level_gazes: tuple[Gaze, ...] = (
+        Gaze("level", tilt_rad=0.15),
+        Gaze("level left", tilt_rad=0.15, pan_rad=0.85),
+        Gaze("level right", tilt_rad=0.15, pan_rad=-0.85),
+    )
+    wave_swings: int = 4
+    wave_width_m: float = 0.26
+    wave_least_m: float = 0.15
+    wave_least_swings: int = 3
+    pointing_tolerance_m: float = 0.10
+    pointing_hold_s: float = 1.5
+    centred: float = 0.10
+    place_attempts: int = 3
+    touch_n: float = 6.0
+    rest_s: float = 0.3
+    early_touch_m: float = 0.025
+    further_m: float = 0.008
+    retreat_m: float = 0.10
+    placed_tolerance_m: float = 0.03
     task_timeout_s: float = 120.0

@@ -9,7 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.shapes import Box
+from kinematics.support import half_height_m as half_height_m
+from kinematics.support import lowest_point_m as lowest_point_m
+from kinematics.support import support_of as support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
 
@@ -30,7 +33,9 @@ def kind_of(name: str) -> str:
 
 
 def words_for(estimate: ObjectEstimate) -> str:
-    """How a thing is called: colour, if known, and kind; furniture by its kind alone."""
+    """How a thing is called: colour, if known, and kind; furniture by its kind alone, people by name."""
+    if estimate.category == "person":
+        return estimate.name or estimate.kind
     if estimate.category == "furniture" or estimate.color is None:
         return estimate.kind
     return f"{estimate.color} {estimate.kind}"
@@ -111,48 +116,16 @@ def _free_name(words: str, taken: set[str]) -> str:
 
 
 def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
-    furniture = estimate.category == "furniture"
+    fixed = estimate.category != "object"
     return SceneObject(
         name=name,
         shape=estimate.shape,
         world_T_object=estimate.odom_T_object,
-        margin_m=policy.furniture_margin_m if furniture else policy.object_margin_m,
-        movable=not furniture,
+        margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
+        movable=not fixed,
     )
 
 
 def _extent_m(estimate: ObjectEstimate) -> float:
     """Longest horizontal edge of a box; nothing for what is round."""
     return max(estimate.shape.size_m[:2]) if isinstance(estimate.shape, Box) else 0.0
-
-
-def lowest_point_m(item: SceneObject) -> float:
-    """Height of an object's lowest point."""
-    return float(item.world_T_object[2, 3]) - half_height_m(item)
-
-
-def half_height_m(item: SceneObject) -> float:
-    """Half the vertical extent of an object as it stands or lies."""
-    shape, up = item.shape, item.world_T_object[2, :3]
-    if isinstance(shape, Ball):
-        return shape.radius_m
-    if isinstance(shape, Box):
-        return 0.5 * float(np.abs(up) @ np.array(shape.size_m))
-    if isinstance(shape, Cylinder):
-        lean = float(np.sqrt(max(0.0, 1.0 - up[2] ** 2)))
-        return 0.5 * shape.height_m * abs(float(up[2])) + shape.radius_m * lean
-    raise TypeError(f"no shape {type(shape).__name__}")
-
-
-def support_of(item: SceneObject, scene: PlanningScene, gap_m: float) -> SceneObject | None:
-    """The piece of furniture that an object stands on, as far as the scene knows."""
-    place, bottom = item.world_T_object[:3, 3], lowest_point_m(item)
-    for other in scene.objects.values():
-        if other.movable or not isinstance(other.shape, Box):
-            continue
-        top = float(other.world_T_object[2, 3]) + half_height_m(other)
-        local = other.world_T_object[:3, :3].T @ (place - other.world_T_object[:3, 3])
-        inside = np.all(np.abs(local[:2]) <= 0.5 * np.array(other.shape.size_m[:2]) + gap_m)
-        if inside and abs(bottom - top) <= gap_m:
-            return other
-    return None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinematics.poses import Transform
+from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Shape
 from kinematics.trajectory import CheckedTrajectory, Trajectory
@@ -55,3 +56,20 @@ class CheckedStep:
     name: str
     checked: CheckedTrajectory
     world_version: int
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Where a held object is to stand.
+
+    Attributes:
+        hand: The hand that holds it.
+        odom_T_object: Its pose there, shape (4, 4).
+        touches: Names of what it may touch there.
+        spot: What the spot is remembered by.
+    """
+
+    hand: Hand
+    odom_T_object: Transform
+    touches: tuple[str, ...]
+    spot: tuple[float, float]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, Protocol, runtime_checkable
+from typing import Any, Literal, Protocol, runtime_checkable
 
 from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
@@ -15,6 +15,7 @@ from trees.leaf import Leaf, from_exception
 from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
+from trees.steps import Target
 from trees.tasks import PickTask, Task
 from trees.toolbox import Toolbox
 
@@ -33,6 +34,8 @@ class TaskTree:
         status: "running" until it has ended, then "success" or "failure".
         failure: Why it failed or was halted, the whole chain; None otherwise.
         evidence: What the robot measured that proves the success; empty before.
+        acted_on: Name in the planning scene of the object that it was about; None before one was chosen.
+        others: Names of further objects that the task means, for trees of their own.
     """
 
     def __init__(self, task: Task, root: Behaviour, toolbox: Toolbox) -> None:
@@ -41,6 +44,8 @@ class TaskTree:
         self.status: Literal["running", "success", "failure"] = "running"
         self.failure: Failure | None = None
         self.evidence: dict[str, Number] = {}
+        self.acted_on: str | None = None
+        self.others: tuple[str, ...] = ()
         self._toolbox = toolbox
         self._ticks = 0
         self._nodes = list(root.iterate())
@@ -89,9 +94,7 @@ class TaskTree:
         return TreeSnapshot(t_s, self._ticks, snapshot_of(self.root))
 
     def _succeed(self) -> None:
-        key = f"{self._namespace}/evidence"
-        if Blackboard.exists(key):
-            self.evidence = dict(Blackboard.get(key))
+        self.evidence = dict(self._written("evidence") or {})
         self.status = "success"
         self._forget()
 
@@ -134,8 +137,17 @@ class TaskTree:
                 self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
                 self._told[node] = node.status, message
 
+    def _written(self, port: str) -> Any | None:
+        """What some leaf wrote to a port, or None."""
+        key = f"{self._namespace}/{port}"
+        return Blackboard.get(key) if Blackboard.exists(key) else None
+
     def _forget(self) -> None:
-        """Give the ports' storage back, so that a long session does not fill up."""
+        """Keep what it was about; give the ports' storage back, so that a long session does not fill up."""
+        target = self._written("target")
+        if isinstance(target, Target):
+            self.acted_on = self._toolbox.world.last_acted_on = target.name
+            self.others = tuple(self._written("others") or ())
         for table in (Blackboard.storage, Blackboard.metadata):
             for key in [key for key in table if key.startswith(f"{self._namespace}/")]:
                 del table[key]

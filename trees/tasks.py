@@ -40,7 +40,10 @@ class ObjectDescription:
     relation: Relation | None = None
 
     def __str__(self) -> str:
-        noun = self.name or self.kind or "thing"
+        called = (self.name or "").rstrip(
+            "0123456789 "
+        )  # a name of the scene, "red cup 2", is not for people
+        noun = self.kind if self.kind and called.endswith(self.kind) else self.name or self.kind or "thing"
         words = [word for word in (self.ordinal, self.size, self.color, self.material, noun) if word]
         return " ".join(words) + (f" {self.relation}" if self.relation else "")
 

@@ -43,6 +43,11 @@ class MotionControl(Protocol):
         """Where the feet stand."""
         ...
 
+    @property
+    def period_s(self) -> float:
+        """The control period: how often a guarded motion is asked for a setpoint."""
+        ...
+
 
 class Sensing(Protocol):
     """What the robot knows about itself."""

@@ -9,10 +9,14 @@ class WorldModel:
     """Holds the current planning scene.
 
     Leaves replace the scene; whoever kept an older one sees by its version that it is stale.
+
+    Attributes:
+        last_acted_on: Name of the object that the task before was about; "the other one" is not that.
     """
 
     def __init__(self, scene: PlanningScene | None = None) -> None:
         self._scene = scene or PlanningScene()
+        self.last_acted_on: str | None = None
 
     @property
     def scene(self) -> PlanningScene:

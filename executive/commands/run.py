@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -10,13 +11,30 @@ import typer
 
 from executive.config import runs_directory
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
+from executive.terminal_attendant import TerminalAttendant
+from executive.trust import THRESHOLD, Trust
 
 if TYPE_CHECKING:
     from executive.outputs.display import Display
 
 
+class OnQuestionChoice(StrEnum):
+    """What becomes of a question."""
+
+    ASK = "ask"
+    FAIL = "fail"
+    FIRST = "first"
+
+
+class PolicyChoice(StrEnum):
+    """What happens below the confidence."""
+
+    ASK = "ask"
+    PARTIAL = "partial"
+
+
 def run(
-    text: Annotated[str, typer.Argument(metavar="SENTENCE|SCRIPT.toml", help="What to do.")],
+    text: Annotated[str, typer.Argument(metavar="SENTENCE|JSON|SCRIPT.toml", help="What to do.")],
     robot: Annotated[str | None, typer.Option(help="Name of the robot.", show_default=DEFAULT_ROBOT)] = None,
     scene: Annotated[
         str | None, typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE)
@@ -28,6 +46,16 @@ def run(
     record: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories too.")
     ] = None,
+    junit: Annotated[Path | None, typer.Option(metavar="FILE.xml", help="Write a JUnit report here.")] = None,
+    on_question: Annotated[
+        OnQuestionChoice, typer.Option("--on-question", help="What becomes of a question.")
+    ] = OnQuestionChoice.ASK,
+    confidence: Annotated[
+        float, typer.Option(min=0.0, max=1.0, help="Below it a model's steps are not done unasked.")
+    ] = THRESHOLD,
+    policy: Annotated[
+        PolicyChoice, typer.Option(help="Below the confidence: ask, or do the other steps only.")
+    ] = PolicyChoice.ASK,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
     plain: Annotated[
         bool, typer.Option("--plain", help="Lines instead of a drawing; automatic in a pipe.")
@@ -36,15 +64,10 @@ def run(
     """Carry out one sentence, or a task script."""
     from executive.diagnosis import compile_kernel
     from executive.performance import perform
-    from executive.statement import Statement
-    from executive.task_script import TaskScript, is_script, load_script
+    from executive.task_script import is_script, script_for
 
-    if is_script(text):
-        script = load_script(Path(text))
-    else:
-        from executive.command_parser import parse
-
-        script = TaskScript((Statement(parse(text)),))
+    trust = Trust(confidence, policy.value)
+    script = script_for(text, trust)
     request = RunRequest(
         input=text,
         statements=script.statements,
@@ -56,11 +79,16 @@ def run(
         report=report,
         snapshot=snapshot,
         video=video,
+        on_question=on_question.value,
+        trust=trust,
+        script=Path(text) if is_script(text) else None,
+        junit=junit,
     )
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
     display = _display(quiet, plain)
+    attendant = TerminalAttendant(sys.stdin, display.note)
     try:
-        performance = perform(request, display)
+        performance = perform(request, display, attendant)
     finally:
         display.close()
     typer.echo(_sayable(performance.line))

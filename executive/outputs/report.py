@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from executive.events import plain
 from executive.meaning import shortened
 from executive.task_result import TaskResult
+
+if TYPE_CHECKING:
+    from executive.understanding import SkippedStep
 
 SCHEMA = 1
 
@@ -36,6 +39,7 @@ class Report:
     events_sha256: str
     tasks: Sequence[TaskResult] = ()
     safety: SafetyCounts = field(default_factory=SafetyCounts)
+    left_out: Sequence[SkippedStep] = ()
 
     def to_json(self) -> dict[str, Any]:
         """The document."""
@@ -55,7 +59,16 @@ class Report:
                     "refused_setpoints": self.safety.refused_setpoints,
                     "stops": list(self.safety.stops),
                 },
+                **self._left_out(),
                 "events_sha256": self.events_sha256,
             }
         )
         return document
+
+    def _left_out(self) -> dict[str, Any]:
+        """Steps of a model's output that were left out; the key is absent when there are none."""
+        steps = [
+            {"text": step.text, "reason": step.reason, "provenance": step.provenance.to_json()}
+            for step in self.left_out
+        ]
+        return {"left_out": steps} if steps else {}

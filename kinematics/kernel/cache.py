@@ -1,8 +1,10 @@
 """Where compiled code is kept: one folder for each state of this package's sources.
 
 Numba notices that a compiled function's own file changed, not that a function it calls did. The hash
-of every source of the package, and of the compiler's version, is therefore the folder's name: code
-that was compiled from other sources is never found.
+of every source of the package that compiled code is made from, and of the compiler's version, is
+therefore the folder's name: code that was compiled from other sources is never found. What counts is
+the sources' content, not their place or time: a second checkout and an installed copy find what the
+first one compiled.
 """
 
 from __future__ import annotations
@@ -11,13 +13,18 @@ import hashlib
 import importlib.metadata
 import json
 import platform
+import re
 import shutil
 from functools import cache
 from pathlib import Path
 
 _SOURCES = Path(__file__).parent
+_MARKER = "complete.json"
+# What a source with compiled code imports.
+_COMPILES = b"kernel.compiler import"
+_IMPORTED = re.compile(rb"^ *from kinematics\.kernel\.(\w+) import", re.MULTILINE)
 # Folders of other sources that are left: of other versions or checkouts in use.
-_KEPT = 5
+_KEPT = 12
 
 
 @cache
@@ -29,9 +36,21 @@ def source_key() -> str:
         *map(importlib.metadata.version, ("numba", "llvmlite", "numpy")),
     ):
         digest.update(version.encode() + b"\0")
-    for source in sorted(_SOURCES.glob("*.py")):
+    for source in _compiled_sources():
         digest.update(source.name.encode() + b"\0" + source.read_bytes() + b"\0")
     return digest.hexdigest()[:16]
+
+
+def _compiled_sources() -> list[Path]:
+    """Sources of this package with compiled code, and all that they import from it, in order of name."""
+    content = {source.stem: source.read_bytes() for source in _SOURCES.glob("*.py")}
+    needed: set[str] = set()
+    more = {name for name, text in content.items() if _COMPILES in text}
+    while more:
+        needed |= more
+        found = {match.decode() for name in more for match in _IMPORTED.findall(content[name])}
+        more = (found & content.keys()) - needed
+    return [_SOURCES / f"{name}.py" for name in sorted(needed)]
 
 
 @cache
@@ -53,7 +72,7 @@ def mark_complete() -> None:
     place = folder()
     if place is None:
         return
-    _marker(place).write_text(json.dumps(_stamp()))
+    (place / _MARKER).write_text(json.dumps(_stamp()))
     others = [other for other in place.parent.glob("kernel-*") if other != place]
     for old in sorted(others, key=lambda other: other.stat().st_mtime)[:-_KEPT]:
         shutil.rmtree(old, ignore_errors=True)
@@ -65,24 +84,28 @@ def is_complete() -> bool:
     if place is None:
         return False
     try:
-        return bool(json.loads(_marker(place).read_text()) == _stamp())
+        return bool(json.loads((place / _MARKER).read_text()) == _stamp())
     except (OSError, ValueError):
         return False
 
 
-def _marker(place: Path) -> Path:
-    """One for each place of the sources: an installed copy must not unmake a checkout's."""
-    return place / f"complete-{hashlib.sha256(str(_SOURCES.resolve()).encode()).hexdigest()[:12]}.json"
+@cache
+def stamp_of(folder_of_sources: Path) -> str:
+    """Hash of all sources in a folder that hold compiled code: one may call what another defines."""
+    digest = hashlib.sha256()
+    for source in sorted(folder_of_sources.glob("*.py")):
+        content = source.read_bytes()
+        if _COMPILES in content:
+            digest.update(source.name.encode() + b"\0" + content + b"\0")
+    return digest.hexdigest()
 
 
 def _stamp() -> dict[str, object]:
-    """What numba compares beside the sources: their place and times, and the processor."""
+    """Whom the code was compiled for, and the sources outside of this package that were compiled, too."""
     from llvmlite import binding
 
-    files = {source.name: source.stat().st_mtime for source in sorted(_SOURCES.glob("*.py"))}
     features = binding.get_host_cpu_features().flatten()
     return {
-        "place": str(_SOURCES.resolve()),
-        "files": files,
+        "beside": stamp_of(_SOURCES.parent),
         "processor": f"{binding.get_host_cpu_name()} {features}",
     }

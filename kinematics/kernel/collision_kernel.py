@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.kernel import door, judge
+from kinematics.kernel.chains import with_solids
 from kinematics.kernel.coordinates import (
     Coordinates,
     Limits,
@@ -24,9 +25,10 @@ from kinematics.kernel.coordinates import (
     standing_limits,
 )
 from kinematics.kernel.memory import Problem, pack, work_for
-from kinematics.kernel.pairs import pairs_of, scene_solids
+from kinematics.kernel.pairs import grouped, joined, pairs_of
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.kernel.solids import flatten
+from kinematics.kernel.scene_solids import scene_solids
+from kinematics.kernel.solids import with_plain
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
@@ -92,11 +94,15 @@ class CollisionKernel:
         if limits is None:
             free = np.full(len(space.columns), np.inf)
             limits = joint_limits(-free, free, bool(space.floating))
-        found = scene_solids(robot, scene, extra_margin_m, self_margin_m)
-        chains = robot.chains(space, found.solids[: found.moving])
-        own = [pair for pair in found.own if not robot.always_apart(pair.first, pair.second, pair.margin_m)]
-        self._pairs = pairs_of(robot, chains, scene, found, own, extra_margin_m)
-        problem = Problem(tree, chains, space, limits, flatten(found.solids), self._pairs)
+        chains, own = robot.alone(space, self_margin_m)
+        found = scene_solids(robot, scene, extra_margin_m)
+        bodies = [solid.body for solid in (*robot.solids, *found.held)]
+        if found.held:
+            chains = with_solids(chains, found.held)
+            own = joined(own, grouped(found.pairs, bodies, chains))
+        self._pairs = pairs_of(own, robot.limb, chains.limbs, bodies, found.object_margin, found.judged)
+        solids = with_plain(robot.flat, [*found.held, *found.around])
+        problem = Problem(tree, chains, space, limits, solids, self._pairs)
         self._packed = pack(problem, work_for(problem))
         self._names = found.names
         self._nq = len(limits.lower)
@@ -143,6 +149,12 @@ class CollisionKernel:
     def collides(self, q: Array) -> bool:
         """Tell whether any pair that may not touch is nearer than its margin, at ``q``, shape (nq,)."""
         return self._ask(door.AT_CONFIGURATION, q[None])[0] != judge.FREE
+
+    def contacts(self, q: Array) -> NDArray[np.bool_]:
+        """``collides`` of many configurations, shape (n, nq), at once, shape (n,)."""
+        found = np.empty(len(q))
+        self._ask(door.CONTACTS, q, 0.0, found)
+        return np.asarray(found >= 0.0)
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of the first pair that collides, or None."""

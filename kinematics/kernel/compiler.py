@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
+from numba.core import caching
 
 from kinematics.kernel import cache
 
-_config: Any = numba.config
+_caching: Any = caching
 F = TypeVar("F", bound=Callable[..., Any])
 
 
@@ -32,13 +35,40 @@ def inlined(function: F) -> F:
 
 
 def _compiled(function: F, forceinline: bool) -> F:
-    folder = cache.folder()
-    options: dict[str, Any] = {"error_model": "numpy", "forceinline": forceinline}
-    if folder is None:
-        return cast(F, numba.njit(**options)(function))
-    before = _config.CACHE_DIR
-    _config.CACHE_DIR = str(folder)
-    try:
-        return cast(F, numba.njit(cache=True, **options)(function))
-    finally:
-        _config.CACHE_DIR = before
+    made: Any = numba.njit(error_model="numpy", forceinline=forceinline)(function)
+    if cache.folder() is not None and hasattr(made, "_cache"):
+        made._cache = _Kept(function)
+    return cast(F, made)
+
+
+class _Locator(_caching._CacheLocator):  # type: ignore[misc]
+    """Finds what was compiled by the content of the sources, wherever and whenever they were written."""
+
+    def __init__(self, source: Path, line: int) -> None:
+        self._py_file = str(source)
+        self._source, self._line = source, line
+
+    @classmethod
+    def from_function(cls, py_func: Any, _py_file: str) -> _Locator:
+        """Of a function in a file."""
+        return cls(Path(inspect.getfile(py_func)), py_func.__code__.co_firstlineno)
+
+    def get_cache_path(self) -> str:
+        """One folder for each package: file names repeat."""
+        return str(cast(Path, cache.folder()) / self._source.parent.name)
+
+    def get_source_stamp(self) -> str:
+        """What must be the same for code to be found; the kernel's own sources name its folder."""
+        return cache.stamp_of(self._source.parent)
+
+    def get_disambiguator(self) -> str:
+        """Tells functions of one name apart."""
+        return str(self._line)
+
+
+class _Implementation(_caching.CompileResultCacheImpl):  # type: ignore[misc]
+    _locator_classes = (_Locator,)
+
+
+class _Kept(_caching.FunctionCache):  # type: ignore[misc]
+    _impl_class = _Implementation

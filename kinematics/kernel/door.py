@@ -18,7 +18,7 @@ from kinematics.kernel.posture import configuration
 from kinematics.kernel.search import connect, shorten
 from kinematics.kernel.solids import Array, Indices
 
-AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION, CONNECT, SHORTEN = range(7)
+AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION, CONNECT, SHORTEN, CONTACTS = range(8)
 
 
 @compiled
@@ -35,12 +35,13 @@ def ask(
 
     Args:
         floats, ints, table: A packed problem and its memory.
-        question: AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION, CONNECT or SHORTEN.
-        points: One row a point; configurations for AT_CONFIGURATION and DISTANCES; for the last two see
-            ``connect`` and ``shorten``.
+        question: One of the numbers above.
+        points: One row a point; configurations for AT_CONFIGURATION, CONTACTS and DISTANCES; for CONNECT
+            and SHORTEN see ``connect`` and ``shorten``.
         number: Most intervals to look at, for ALONG_POINTS; the cap in metres, for DISTANCES; iterations,
             for CONNECT and SHORTEN.
-        found: Result of DISTANCES, by pair, of TO_CONFIGURATION, shape (nq,), and of CONNECT and SHORTEN.
+        found: Result of DISTANCES, by pair, of TO_CONFIGURATION, shape (nq,), of CONTACTS, a pair or -1 by
+            row, and of CONNECT and SHORTEN.
 
     Returns:
         Verdict; row, or row plus parameter on the edge that begins there, or the number of rows of
@@ -61,6 +62,10 @@ def ask(
         return FREE, -1.0, -1
     if question == DISTANCES:
         distances_at(memory, points[0], number, found)
+        return FREE, -1.0, -1
+    if question == CONTACTS:
+        for row in range(points.shape[0]):
+            found[row] = contact_at(memory, points[row])
         return FREE, -1.0, -1
     if question == CONNECT:
         return FREE, float(connect(memory, points, int(number), found)), -1

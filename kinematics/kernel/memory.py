@@ -6,16 +6,15 @@ therefore packed behind each other, and the compiled code makes its views of the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from kinematics.kernel.chains import Chains
 from kinematics.kernel.compiler import inlined
 from kinematics.kernel.coordinates import Coordinates, Limits
 from kinematics.kernel.pairs import Pairs
 from kinematics.kernel.pointers import floats1, floats2, floats3, ints1, ints2, ints3
-from kinematics.kernel.robot_arrays import Chains
 from kinematics.kernel.solids import Array, Indices, Solids
 from kinematics.kernel.tree import Tree
 
@@ -80,36 +79,44 @@ class Work(NamedTuple):
 
 
 def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
-    """Memory for a problem."""
+    """Memory for a problem: arrays that have a shape and no memory yet, which ``pack`` gives them."""
     tree, pairs = problem.tree, problem.pairs
     n = len(tree.parent)
     size = 6 * problem.space.floating + len(problem.space.columns)
     count = len(pairs.first) + len(pairs.object_margin) * pairs.moving
     return Work(
-        x=np.zeros(size),
-        q=np.zeros(len(problem.limits.lower)),
-        base_R=np.eye(3),
-        R=np.zeros((n, 3, 3)),
-        p=np.zeros((n, 3)),
-        com=np.zeros(3),
-        needed=np.ones(n, np.int64),
-        ball=np.zeros((n, 3)),
-        centre=np.zeros((pairs.moving, 3)),
-        reach=np.zeros(n),
-        moved=np.zeros((n, problem.chains.joint.shape[1] + 1)),
-        axis=np.zeros((count, 3)),
-        S=np.zeros((4, 3)),
-        v=np.zeros(3),
-        first_R=np.zeros((3, 3)),
-        first_p=np.zeros(3),
-        second_R=np.zeros((3, 3)),
-        second_p=np.zeros(3),
-        R_between=np.zeros((3, 3)),
-        p_between=np.zeros(3),
-        open_pairs=np.zeros((2, max(open_pairs, count)), np.int64),
-        spans=np.zeros((2, spans, 4), np.int64),
-        rate=np.zeros(n),
+        x=_floats(size),
+        q=_floats(len(problem.limits.lower)),
+        base_R=_floats(3, 3),
+        R=_floats(n, 3, 3),
+        p=_floats(n, 3),
+        com=_floats(3),
+        needed=_ints(n),
+        ball=_floats(n, 3),
+        centre=_floats(pairs.moving, 3),
+        reach=_floats(n),
+        moved=_floats(n, problem.chains.joint.shape[1] + 1),
+        axis=_floats(count, 3),
+        S=_floats(4, 3),
+        v=_floats(3),
+        first_R=_floats(3, 3),
+        first_p=_floats(3),
+        second_R=_floats(3, 3),
+        second_p=_floats(3),
+        R_between=_floats(3, 3),
+        p_between=_floats(3),
+        open_pairs=_ints(2, max(open_pairs, count)),
+        spans=_ints(2, spans, 4),
+        rate=_floats(n),
     )
+
+
+def _floats(*shape: int) -> Array:
+    return np.broadcast_to(np.float64(0.0), shape)
+
+
+def _ints(*shape: int) -> Indices:
+    return np.broadcast_to(np.int64(0), shape)
 
 
 class Packed(NamedTuple):
@@ -126,30 +133,20 @@ class Packed(NamedTuple):
 
 
 def pack(problem: Problem, work: Work) -> Packed:
-    """Put everything into two buffers."""
-    floats: list[Array] = []
-    ints: list[Indices] = []
-    table = []
-    begin = {True: 0, False: 0}
-    for value in _leaves((problem, work)):
-        array = np.atleast_1d(np.asarray(value))
-        real = array.dtype.kind == "f"
-        table.append([begin[real], *array.shape, *(0,) * (3 - array.ndim)])
-        begin[real] += array.size
-        (floats if real else ints).append(array.ravel())
-    return Packed(
-        np.concatenate(floats, dtype=np.float64),
-        np.concatenate(ints, dtype=np.int64),
-        np.array(table, np.int64),
-    )
-
-
-def _leaves(value: Any) -> Iterator[Any]:
-    if isinstance(value, tuple):
-        for part in value:
-            yield from _leaves(part)
-    else:
-        yield value
+    """Put everything into two buffers; the memory of ``work`` is zero, whatever it holds."""
+    given = [np.atleast_1d(value) for part in problem for value in part]
+    table = np.zeros((len(given) + len(work), 4), np.int64)
+    end = {"f": 0, "i": 0}
+    for row, array in zip(table, [*given, *work], strict=True):
+        kind = array.dtype.kind
+        row[0] = end[kind]
+        row[1 : 1 + array.ndim] = array.shape
+        end[kind] += array.size
+    floats, ints = np.zeros(end["f"]), np.zeros(end["i"], np.int64)
+    for buffer, kind in ((floats, "f"), (ints, "i")):
+        parts = [array.ravel() for array in given if array.dtype.kind == kind]
+        np.concatenate(parts, out=buffer[: sum(map(len, parts))])
+    return Packed(floats, ints, table)
 
 
 class Memory(NamedTuple):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from kinematics.kernel.chains import Chains
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.memory import Memory, problem_at, work_at
-from kinematics.kernel.robot_arrays import Chains
 from kinematics.kernel.tree import FLOATING, SLIDE, Array, Indices, Tree
 
 Sweep = tuple[float, float, float, float, float, float, float]

@@ -1,4 +1,4 @@
-"""Which solids a scene keeps apart and by how much, as flat arrays."""
+"""Which solids are kept apart and by how much, as flat arrays."""
 
 from __future__ import annotations
 
@@ -8,10 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.kernel.robot_arrays import Chains, RobotArrays
-from kinematics.kernel.solids import Solid, plain_solid
-from kinematics.kernel.tree import WORLD
-from kinematics.scene import PlanningScene
+from kinematics.kernel.chains import Chains
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -73,85 +70,36 @@ class OwnPair(NamedTuple):
     margin_m: float
 
 
-class SceneSolids(NamedTuple):
-    """A scene before its pairs are made.
+class OwnPairs(NamedTuple):
+    """Pairs among what moves, by group; attributes as the first ones of ``Pairs``."""
 
-    Attributes:
-        solids: The robot's, what it holds, then the objects.
-        names: Link or object of each.
-        moving: How many of them move.
-        own: Pairs among those that move.
+    first: Indices
+    second: Indices
+    margin: Array
+    group: Indices
+    group_first: Indices
+    group_second: Indices
+    first_level: Indices
+    second_level: Indices
+    group_margin: Array
+    group_start: Indices
+
+
+def grouped(own: Sequence[OwnPair], body: Sequence[int], chains: Chains) -> OwnPairs:
+    """Flatten pairs of moving solids.
+
+    Args:
+        own: The pairs.
+        body: Body of each solid.
+        chains: Of the bodies.
     """
-
-    solids: list[Solid]
-    names: tuple[str, ...]
-    moving: int
-    own: list[OwnPair]
-
-
-def scene_solids(
-    robot: RobotArrays, scene: PlanningScene, extra_margin_m: float, self_margin_m: float
-) -> SceneSolids:
-    """Solids and moving pairs of a scene, with the margins of ``CollisionWorld``.
-
-    Raises:
-        UnknownNameError: A body is attached to a frame that the robot does not have.
-    """
-    solids, names = list(robot.solids), list(robot.names)
-    own = [OwnPair(int(i), int(j), self_margin_m) for i, j in robot.self_pairs]
-    for name, body in scene.attached.items():
-        carrier, carrier_T_frame = robot.frame(body.frame)
-        held = plain_solid(carrier, carrier_T_frame @ body.frame_T_object, body.body.shape)
-        own += [
-            OwnPair(i, len(solids), extra_margin_m)
-            for i in range(len(solids))
-            if solids[i].body != carrier
-            and names[i] not in body.touch_links
-            and not scene.is_allowed(names[i], name)
-        ]
-        solids.append(held)
-        names.append(name)
-    moving = len(solids)
-    for item in scene.objects.values():
-        solids.append(plain_solid(WORLD, item.world_T_object, item.shape))
-        names.append(item.name)
-    return SceneSolids(solids, tuple(names), moving, own)
-
-
-def pairs_of(
-    robot: RobotArrays,
-    chains: Chains,
-    scene: PlanningScene,
-    found: SceneSolids,
-    own: Sequence[OwnPair],
-    extra_margin_m: float,
-) -> Pairs:
-    """Flatten a scene's pairs; ``own`` are the moving pairs to keep."""
-    body = [solid.body for solid in found.solids]
     groups: dict[tuple[int, int], list[OwnPair]] = {}
     for pair in own:
         groups.setdefault((body[pair.first], body[pair.second]), []).append(pair)
     ordered = [pair for group in groups.values() for pair in group]
     sizes = [len(group) for group in groups.values()]
-    starts = np.cumsum([0, *sizes])
     levels = [_meeting(chains, i, j) for i, j in groups]
-    objects = list(scene.objects.values())
-    judged = np.ones((len(objects), found.moving), np.int64)
-    touch = {name: item.touch_links for name, item in scene.attached.items()}
-    allowed: dict[str, set[str]] = {}
-    for names in scene.allowed:
-        for name in names:
-            allowed.setdefault(name, set()).update(names - {name})
-    for row, item in enumerate(objects):
-        unjudged = allowed.get(item.name, set())
-        for column in range(found.moving):
-            link = found.names[column]
-            if link in unjudged or item.name in touch.get(link, frozenset()):
-                judged[row, column] = 0
-    carriers = sorted(set(body[: found.moving]), key=lambda b: (robot.limb[b], b))
-    solids_of = [[s for s in range(found.moving) if body[s] == b] for b in carriers]
-    counts = np.bincount(robot.limb[np.array(carriers, np.int64)], minlength=chains.limbs)
-    return Pairs(
+    return OwnPairs(
         first=np.array([pair.first for pair in ordered], np.int64),
         second=np.array([pair.second for pair in ordered], np.int64),
         margin=np.array([pair.margin_m for pair in ordered], np.float64),
@@ -161,15 +109,49 @@ def pairs_of(
         first_level=np.array([a for a, _ in levels], np.int64),
         second_level=np.array([b for _, b in levels], np.int64),
         group_margin=np.array([max(pair.margin_m for pair in group) for group in groups.values()]),
-        group_start=starts.astype(np.int64),
-        moving=found.moving,
-        object_margin=np.array([item.margin_m + extra_margin_m for item in objects], np.float64),
-        judged=judged,
-        limb_start=np.concatenate([[0], np.cumsum(counts)]).astype(np.int64),
-        limb_bodies=np.array(carriers, np.int64),
-        body_start=np.cumsum([0, *map(len, solids_of)]).astype(np.int64),
-        body_solids=np.array([s for part in solids_of for s in part], np.int64),
+        group_start=np.cumsum([0, *sizes]).astype(np.int64),
     )
+
+
+def joined(one: OwnPairs, other: OwnPairs) -> OwnPairs:
+    """Pairs of the same robot behind each other."""
+    both = OwnPairs(*(np.concatenate(two) for two in zip(one, other, strict=True)))
+    return both._replace(
+        group=np.concatenate([one.group, other.group + len(one.group_first)]),
+        group_start=np.concatenate([one.group_start[:-1], other.group_start + one.group_start[-1]]),
+    )
+
+
+def pairs_of(
+    own: OwnPairs, limb: Indices, limbs: int, body: Sequence[int], object_margin: Array, judged: Indices
+) -> Pairs:
+    """All pairs of a scene.
+
+    Args:
+        own: Those among what moves.
+        limb, limbs: Limb of each body, and how many there are.
+        body: Body of each moving solid.
+        object_margin, judged: As in ``Pairs``.
+    """
+    carrier = np.array(body, np.int64)
+    order = np.lexsort((carrier, limb[carrier]))
+    carriers, counts = np.unique(carrier, return_counts=True)
+    place = np.lexsort((carriers, limb[carriers]))
+    on_limb = np.bincount(limb[carriers], minlength=limbs)
+    return Pairs(
+        *own,
+        moving=len(carrier),
+        object_margin=object_margin,
+        judged=judged,
+        limb_start=_starts(on_limb),
+        limb_bodies=carriers[place],
+        body_start=_starts(counts[place]),
+        body_solids=order.astype(np.int64),
+    )
+
+
+def _starts(counts: NDArray[np.intp]) -> Indices:
+    return np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
 
 
 def _meeting(chains: Chains, first: int, second: int) -> tuple[int, int]:

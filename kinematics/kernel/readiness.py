@@ -1,7 +1,8 @@
-"""Whether the kernel can be used at once, and the one way to make it so."""
+"""Whether the kernel can be used at once, and what makes it so; see also ``kinematics.warming``."""
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 
 import coal
@@ -22,8 +23,14 @@ def ready() -> bool:
     return cache.is_complete()
 
 
-def warm(tell: Callable[[str], None] = lambda _: None) -> None:
-    """Compile everything that is not on disk yet; a minute or two when nothing is.
+@functools.cache
+def usable() -> bool:
+    """``ready``, asked once: one run has one judge."""
+    return ready()
+
+
+def compile_judge(tell: Callable[[str], None] = lambda _: None) -> None:
+    """Compile the collision judge and the path search when they are not on disk yet; a minute or two.
 
     Args:
         tell: Is told what is being done.
@@ -33,7 +40,7 @@ def warm(tell: Callable[[str], None] = lambda _: None) -> None:
     from kinematics.kernel.collision_kernel import CollisionKernel
     from kinematics.kernel.robot_arrays import RobotArrays
 
-    tell("motion kernel: compiling hulls (part 1 of 2)")
+    tell("motion kernel: compiling hulls (part 1 of 3)")
     model = pin.Model()
     base = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "base")
     model.addJoint(base, pin.JointModelRX(), pin.SE3.Identity(), "hinge")
@@ -43,11 +50,10 @@ def warm(tell: Callable[[str], None] = lambda _: None) -> None:
         geometry.addGeometryObject(pin.GeometryObject(f"part_{k}", base, place, _hull()))
     geometry.addCollisionPair(pin.CollisionPair(0, 1))
     robot = RobotArrays(model, geometry, ["part_0", "part_1"])
-    tell("motion kernel: compiling the judge (part 2 of 2)")
+    tell("motion kernel: compiling the judge (part 2 of 3)")
     ball = SceneObject("ball", Ball(0.1), poses.translation(2.0, 0.0, 0.0))
     kernel = CollisionKernel(robot, PlanningScene().with_object(ball))
     kernel.collides(np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]))
-    cache.mark_complete()
 
 
 def _hull() -> coal.ConvexBase:

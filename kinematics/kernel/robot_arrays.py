@@ -3,47 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
 from kinematics.errors import ModelError, UnknownNameError
+from kinematics.kernel.chains import Chains, Indices, chains_of, limbs_of
 from kinematics.kernel.coordinates import Coordinates
-from kinematics.kernel.solids import Solid, flatten, link_solid
-from kinematics.kernel.tree import WORLD, Tree, tree_of, welded_at
+from kinematics.kernel.pairs import OwnPair, OwnPairs, grouped
+from kinematics.kernel.solids import Solid, Solids, flatten, link_solid
+from kinematics.kernel.tree import Tree, tree_of, welded_at
 from kinematics.poses import Transform
 from kinematics.robot_model import RobotModel
 
 _BASE = 1
 """The body of the base joint in every model that ``RobotModel`` builds."""
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
-
-class Chains(NamedTuple):
-    """Which joints lie between a body and the world, and a ball about each body.
-
-    A leg whose foot is planted hangs from the floor by its ankle, not from the base by its hip, as
-    far as its thigh; the two small bodies in the hip hang from the base.
+class RobotAlone(NamedTuple):
+    """What a robot without a scene amounts to, in free coordinates.
 
     Attributes:
-        joint: Joints (by body) from a body outwards to the world, shape (n, depth).
-        length: How many, shape (n,).
-        limb: The limb that each body belongs to, shape (n,): a stretch of the tree without branches.
-        limbs: How many limbs there are.
-        centre, radius: Ball in the body's frame that holds its solids and its centre of mass, shapes
-            (n, 3) and (n,), m.
+        chains: Of its bodies, with balls about its solids.
+        own: Its pairs, by group.
     """
 
-    joint: Indices
-    length: Indices
-    limb: Indices
-    limbs: int
-    centre: Array
-    radius: Array
+    chains: Chains
+    own: OwnPairs
 
 
 class RobotArrays:
@@ -93,12 +81,37 @@ class RobotArrays:
             if not any(body[pair.first] in apart and body[pair.second] in apart for apart in unjudged)
         ]
         self.self_pairs = np.array(pairs, np.int64).reshape(-1, 2)
-        self.limb = _limbs(self.tree)
+        self.limb: Indices = limbs_of(self.tree)
         self._rigid = self._rigid_distances()
+        self._alone: dict[tuple[float, bytes], RobotAlone] = {}
 
-    def always_apart(self, first: int, second: int, margin_m: float) -> bool:
-        """Tell whether two solids are on one body and apart by more than a margin."""
-        return self._rigid.get((first, second), 0.0) > margin_m
+    @cached_property
+    def flat(self) -> Solids:
+        """Its solids as arrays."""
+        return flatten(self.solids)
+
+    @cached_property
+    def solids_of(self) -> dict[str, list[int]]:
+        """Numbers of the solids of each link."""
+        found: dict[str, list[int]] = {}
+        for number, name in enumerate(self.names):
+            found.setdefault(name, []).append(number)
+        return found
+
+    def alone(self, space: Coordinates, self_margin_m: float) -> RobotAlone:
+        """Chains and pairs in free coordinates, made once for each margin and choice of planted legs."""
+        key = self_margin_m, space.leg_bodies.tobytes()
+        found = self._alone.get(key)
+        if found is None:
+            chains = chains_of(self.tree, space, self.solids)
+            pairs = [
+                OwnPair(int(i), int(j), self_margin_m)
+                for i, j in self.self_pairs
+                if not self._rigid.get((int(i), int(j)), 0.0) > self_margin_m
+            ]
+            own = grouped(pairs, [solid.body for solid in self.solids], chains)
+            found = self._alone[key] = RobotAlone(chains, own)
+        return found
 
     def _rigid_distances(self) -> dict[tuple[int, int], float]:
         """Lower bounds of the distances of judged pairs that never move against each other, m."""
@@ -106,7 +119,7 @@ class RobotArrays:
         from kinematics.kernel.separation import core_distance
 
         body = [solid.body for solid in self.solids]
-        flat = flatten(self.solids)
+        flat = self.flat
         found: dict[tuple[int, int], float] = {}
         S, v = np.empty((4, 3)), np.empty(3)
         for i, j in self.self_pairs:
@@ -129,30 +142,6 @@ class RobotArrays:
         frame = self.model.frames[self.model.getFrameId(name)]
         return int(frame.parentJoint), np.array(frame.placement.homogeneous)
 
-    def chains(self, space: Coordinates, solids: Sequence[Solid]) -> Chains:
-        """Chains for free coordinates, and balls about all that the bodies carry."""
-        n = len(self.tree.parent)
-        chains: list[list[int]] = []
-        for body in range(n):
-            chain = []
-            while body != WORLD:
-                chain.append(body)
-                body = int(self.tree.parent[body])
-            chains.append(chain)
-        for leg in space.leg_bodies:
-            for k in range(2, 6):
-                chains[leg[k]] = [int(joint) for joint in leg[k + 1 :]]
-        joint = np.zeros((n, max(map(len, chains))), np.int64)
-        for body, chain in enumerate(chains):
-            joint[body, : len(chain)] = chain
-        centre, radius = self.tree.lever.copy(), np.zeros(n)
-        for solid in solids:
-            if solid.body != WORLD:
-                b = solid.body
-                centre[b], radius[b] = _around(centre[b], radius[b], solid.centre, solid.radius_m)
-        length = np.array([len(chain) for chain in chains], np.int64)
-        return Chains(joint, length, self.limb, int(self.limb.max()) + 1, centre, radius)
-
 
 def humanoid_arrays(model: RobotModel) -> RobotArrays:
     """A robot's arrays; pairs between legs are not judged, as in ``CollisionWorld``."""
@@ -170,28 +159,3 @@ def humanoid_arrays(model: RobotModel) -> RobotArrays:
         mount = model.mount
         arrays.tree = welded_at(arrays.tree, _BASE, mount[:3, :3], mount[:3, 3])
     return arrays
-
-
-def _around(a: Array, ra: float, b: Array, rb: float) -> tuple[Array, float]:
-    """The smallest ball about two balls."""
-    apart = float(np.linalg.norm(b - a))
-    if apart + rb <= ra:
-        return a, ra
-    if apart + ra <= rb:
-        return b, rb
-    radius = 0.5 * (apart + ra + rb)
-    return a + (b - a) * ((radius - ra) / apart), radius * (1.0 + 1e-12)
-
-
-def _limbs(tree: Tree) -> Indices:
-    children = np.bincount(tree.parent[1:], minlength=len(tree.parent))
-    limb = np.zeros(len(tree.parent), np.int64)
-    count = 0
-    for body in range(1, len(tree.parent)):
-        parent = tree.parent[body]
-        if parent == WORLD or children[parent] > 1:
-            limb[body] = count
-            count += 1
-        else:
-            limb[body] = limb[parent]
-    return limb

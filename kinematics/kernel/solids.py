@@ -153,3 +153,10 @@ def flatten(solids: Sequence[Solid]) -> Solids:
         centre=np.array([solid.centre for solid in solids], np.float64).reshape(-1, 3),
         radius=np.array([solid.radius_m for solid in solids], np.float64),
     )
+
+
+def with_plain(solids: Solids, more: Sequence[Solid]) -> Solids:
+    """The same with boxes, cylinders and balls behind them: they have no vertices, so rows stay."""
+    return (
+        Solids(*(np.concatenate(two) for two in zip(solids, flatten(more), strict=True))) if more else solids
+    )

@@ -112,6 +112,11 @@ class BodyTrack:
         self._next = MotionSample(q_next, v_next, (v_next - self.now.v) / self._period_s)
         return self._next
 
+    def place_body(self, sample: MotionSample) -> MotionSample:
+        """Propose what a whole-body motion made: base and all joints."""
+        self._next = sample
+        return sample
+
     def propose(self) -> MotionSample:
         """Compute the instant one period ahead."""
         if self._profile is not None:

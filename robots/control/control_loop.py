@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
@@ -45,6 +45,11 @@ Array = NDArray[np.float64]
 
 _AT_HOME_RAD = 0.02
 """Joints found nearer to the home posture than this are taken to rest there: sag and noise."""
+
+_FELT_PERIODS = 4
+"""Periods without a decision that the servos feel: a moving joint comes to rest, and starts again."""
+_FORGIVEN_PERIODS = 75
+"""For so long afterwards (0.15 s) efforts are no sign of contact: the joint gathers speed again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +123,7 @@ class ControlLoop:
         self._stuck = False
         self._limp = False
         self._latch = EmergencyLatch()
+        self._forgiven = 0
         self._health = HealthMonitor(model, period_s)
         self.motion = self._streamer
         self.sensing = StateHistory(self._sense(), period_s)
@@ -157,6 +163,24 @@ class ControlLoop:
                 self._pass_period()
             raise
         self._pass_period()
+
+    def catch_up(self, periods: int, each: Callable[[], None] = lambda: None) -> None:
+        """Let periods pass that nobody decided about: the robot goes on under the last setpoint.
+
+        What is decided next follows on from that setpoint as if no time had passed, so however late it
+        is, nothing jumps.
+
+        Args:
+            periods: How many control periods were missed.
+            each: Called after each of them.
+        """
+        for _ in range(periods):
+            self._pass_period()
+            each()
+        if periods > 0:
+            self._gate.go_on(self._period_s)
+        if periods >= _FELT_PERIODS:
+            self._forgiven = _FORGIVEN_PERIODS
 
     def stop(self, category: int, reason: str) -> None:
         """End all motions and bring the robot to rest; it goes on standing, grips go on pressing.
@@ -248,7 +272,9 @@ class ControlLoop:
         for keeper in self._keepers:
             keeper.sense(state)
         self._look_after_health()
-        contact = self._contact.judge(state.effort, self._gate.last.tau, self._streamer.carrying_out)
+        self._forgiven = max(0, self._forgiven - 1)
+        watched = self._streamer.carrying_out and self._forgiven == 0
+        contact = self._contact.judge(state.effort, self._gate.last.tau, watched)
         if contact is not None:
             self._note_stop(2, str(contact))
             self._streamer.interrupt(str(contact))

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.trajectory_sampler import MotionSample
+from robots.control.body_checker import BodyChecker
+from robots.control.body_motion import BodyMotion
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle
 from robots.control.online_checker import OnlineChecker
@@ -22,11 +25,17 @@ class GuardedTrack:
         indices: Its joints among the actuated ones.
         moves_body: Whether one of them is a body joint.
         q, v: Its last setpoint, one entry a joint.
+        body: The same with the base, of a whole-body motion; None of any other.
         done: Whether it said so.
     """
 
     def __init__(
-        self, motion: GuardedMotion, handle: MotionHandle, actuated: Sequence[str], bodies: int
+        self,
+        motion: GuardedMotion,
+        handle: MotionHandle,
+        actuated: Sequence[str],
+        bodies: int,
+        body_checker: BodyChecker | None = None,
     ) -> None:
         """Begin.
 
@@ -35,6 +44,7 @@ class GuardedTrack:
             handle: Its handle.
             actuated: Names of the actuated joints.
             bodies: How many of these, from the first, are body joints.
+            body_checker: Judges the setpoints of a whole-body motion.
         """
         bounds = motion.bounds
         self._motion = motion
@@ -46,6 +56,8 @@ class GuardedTrack:
         self.moves_body = bool((self.indices < bodies).any())
         self.q: NDArray[np.float64] = np.empty(0)
         self.v: NDArray[np.float64] = np.empty(0)
+        self.body: MotionSample | None = None
+        self._body_checker = body_checker
         self.done = False
 
     def advance(self, period_s: float, state: RobotState) -> Refusal | None:
@@ -57,4 +69,8 @@ class GuardedTrack:
         self.q, self.v = sample
         self._elapsed_s += period_s
         self.handle.progress = min(1.0, self._elapsed_s / self._duration_s)
-        return self._checker.judge(self._elapsed_s, self.q, self.v, state)
+        refusal = self._checker.judge(self._elapsed_s, self.q, self.v, state)
+        if refusal is None and self._body_checker is not None and isinstance(self._motion, BodyMotion):
+            self.body = self._motion.body
+            refusal = self._body_checker.judge()
+        return refusal

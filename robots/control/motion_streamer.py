@@ -13,6 +13,8 @@ from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory, Stance
 from robots.clock import Clock
 from robots.control.authority import STOP, Authority, together
+from robots.control.body_checker import BodyChecker
+from robots.control.body_motion import BodyMotion
 from robots.control.body_track import BodyTrack
 from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.grip_keeper import GripKeeper
@@ -128,6 +130,11 @@ class MotionStreamer:
         """Where the feet stand."""
         return self._stance
 
+    @property
+    def period_s(self) -> float:
+        """The control period."""
+        return self._period_s
+
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
         return self._keepers[hand]
@@ -167,7 +174,9 @@ class MotionStreamer:
         owners = [] if self._track.resting else [self._body_owner]
         for track in self._guarded:
             owners.append(track.handle.owner)
-            if track.moves_body:
+            if track.body is not None:
+                body = self._track.place_body(track.body)
+            elif track.moves_body:
                 inside = track.indices < self._bodies
                 body = self._track.place(track.indices[inside], track.q[inside], track.v[inside])
         q[: self._bodies], v[: self._bodies] = body.q[7:], body.v[6:]
@@ -294,7 +303,9 @@ class MotionStreamer:
             for keeper in kept:
                 self._authority.claim(_grip(keeper), [keeper.joint])
             return self._refuse(handle, conflict)
-        self._guarded.append(GuardedTrack(motion, handle, self._model.description.actuated, self._bodies))
+        checker = BodyChecker(self._model, self._stance, motion) if isinstance(motion, BodyMotion) else None
+        actuated = self._model.description.actuated
+        self._guarded.append(GuardedTrack(motion, handle, actuated, self._bodies, checker))
         self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
         return handle
 

@@ -22,6 +22,9 @@ class Limit(Enum):
     MEASURED_EFFORT = "measured effort"
     DURATION = "duration"
     CONTACT = "unexpected contact"
+    COLLISION = "collision"
+    BALANCE = "balance"
+    STANCE = "stance"
     DEFECT = "defect"
 
 
@@ -35,6 +38,8 @@ _UNITS = {
     Limit.MEASURED_EFFORT: "Nm",
     Limit.DURATION: "s",
     Limit.CONTACT: "Nm",
+    Limit.BALANCE: "m",
+    Limit.STANCE: "rad",
 }
 
 
@@ -55,7 +60,7 @@ class Refusal:
     bound: float
 
     def __str__(self) -> str:
-        if self.limit is Limit.DEFECT:
+        if self.limit in (Limit.DEFECT, Limit.COLLISION):
             return f"{self.limit.value} of {self.joint}"
         unit = _UNITS.get(self.limit, "")
         asked, allowed = f"{self.value:.6g} {unit}".rstrip(), f"{self.bound:.6g} {unit}".rstrip()

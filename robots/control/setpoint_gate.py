@@ -92,6 +92,10 @@ class SetpointGate:
         )
         self._robot.command(self.last)
 
+    def go_on(self, period_s: float) -> None:
+        """The robot followed the last setpoint for longer than a period: judge the next one from now on."""
+        self.last = dataclasses.replace(self.last, stamp_s=self._clock.now_s() - period_s)
+
     def go_limp(self, measured_rad: Array, measured_rad_s: Array) -> None:
         """Command where the joints are anyway, without feed-forward, so that the servos push nothing.
 

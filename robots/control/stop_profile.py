@@ -16,7 +16,6 @@ from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 
-
 _STRAY_RAD = 1e-3
 """Legs farther than this from the stance are not straying between samples: something else is wrong."""
 

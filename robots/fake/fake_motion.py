@@ -83,6 +83,11 @@ class FakeMotion:
         """Configuration that is commanded now, shape (nq,)."""
         return self._q.copy()
 
+    @property
+    def period_s(self) -> float:
+        """The control period of a body that has none."""
+        return 0.002
+
     def stance(self) -> Stance:
         """Both feet where they are at home."""
         return self._stance

@@ -54,10 +54,11 @@ class ScriptedDetector:
                 and abs(np.arctan2(x, z)) <= 0.5 * self._camera.horizontal_fov_rad
                 and abs(np.arctan2(y, z)) <= 0.5 * self._camera.vertical_fov_rad
             )
-            # of furniture any corner is enough; the fake does not look for corners
-            if item.name in self._world.hidden or not (in_view or item.category == "furniture"):
+            # of furniture and people any corner is enough; the fake does not look for corners
+            if item.name in self._world.hidden or not (in_view or item.category != "object"):
                 continue
             offset = poses.translation(*self.offset_m.get(item.name, (0.0, 0.0, 0.0)))
             told = camera_T_world @ offset @ item.world_T_object
-            seen.append(Detection(item.category, item.kind, item.color, told, item.shape, 0.95))
+            name = item.name if item.category == "person" else None
+            seen.append(Detection(item.category, item.kind, item.color, told, item.shape, 0.95, name))
         return seen

@@ -8,27 +8,31 @@ from typing import Literal, Protocol
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
 
+Category = Literal["object", "furniture", "person"]
+
 
 @dataclass(frozen=True, slots=True)
 class Detection:
     """One thing seen in one frame.
 
     Attributes:
-        category: "object" (may be grasped) or "furniture".
+        category: "object" (may be grasped), "furniture" or "person".
         kind: Canonical kind: "cup", "box", "ball", "table", ...
         color: Canonical colour word, or None when it could not be told.
         camera_T_object: Pose in the camera's optical frame (z forward, x right, y down), shape (4, 4).
         shape: Estimated solid; its frame is ``camera_T_object``. A piece of furniture is one
-            detection a solid (a table: its top, a Box).
+            detection a solid (a table: its top, a Box). A person is one upright Cylinder, x ahead.
         confidence: In [0, 1].
+        name: Of a person who was recognised; None else.
     """
 
-    category: Literal["object", "furniture"]
+    category: Category
     kind: str
     color: str | None
     camera_T_object: Transform
     shape: Shape
     confidence: float
+    name: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

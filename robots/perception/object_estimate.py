@@ -6,7 +6,6 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
-from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.detector import Category, Detection, PerceptionFrame
 
 Array = NDArray[np.float64]
 
@@ -34,7 +33,7 @@ class ObjectEstimate:
     """One thing, estimated from several frames.
 
     Attributes:
-        category: "object" or "furniture".
+        category: "object", "furniture" or "person".
         kind, color: As most detections say.
         odom_T_object: Pose in the odometry frame, shape (4, 4); vertical for what stands.
         shape: Mean solid.
@@ -42,9 +41,10 @@ class ObjectEstimate:
         frames_seen: In how many frames.
         spread_m: Root mean square distance of all its detections from the estimate. White noise gives
             about 1.7 times its deviation; more says that something moved, or was merged with a neighbour.
+        name: Of a person who was recognised; None else.
     """
 
-    category: Literal["object", "furniture"]
+    category: Category
     kind: str
     color: str | None
     odom_T_object: Transform
@@ -52,6 +52,7 @@ class ObjectEstimate:
     confidence: float
     frames_seen: int
     spread_m: float
+    name: str | None = None
 
     @property
     def tilt_rad(self) -> float:
@@ -87,6 +88,7 @@ class _Cluster:
         return (
             detection.category == self.first.category
             and detection.kind == self.first.kind
+            and detection.name == self.first.name
             and type(detection.shape) is type(self.first.shape)
             and (detection.color is None or not colors or detection.color in colors)
         )
@@ -160,11 +162,12 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         category=cluster.first.category,
         kind=cluster.first.kind,
         color=min(colors, key=lambda c: (-colors[c], c)) if colors else None,
-        odom_T_object=poses.transform(_upright(rotation, shape), position),
+        odom_T_object=poses.transform(_upright(rotation, shape, cluster.first.category), position),
         shape=shape,
         confidence=confidence * (len(inliers) / frames) ** 0.5,
         frames_seen=seen,
         spread_m=float(np.sqrt(np.mean(np.sum((positions - position) ** 2, axis=1)))),
+        name=cluster.first.name,
     )
 
 
@@ -175,13 +178,14 @@ def _mean_rotation(rotations: Array) -> Array:
     return np.asarray(u @ flip @ vt, dtype=np.float64)
 
 
-def _upright(rotation: Array, shape: Shape) -> Array:
-    """Vertical when it stands (heading kept for boxes, none for what is round); else as it lies."""
+def _upright(rotation: Array, shape: Shape, category: Category) -> Array:
+    """Vertical when it stands (heading kept, but for round things); else as it lies."""
     if isinstance(shape, Ball):
         return np.eye(3)
     if math.acos(float(np.clip(rotation[2, 2], -1.0, 1.0))) > _STANDING_TILT_RAD:
         return rotation
-    return np.eye(3) if isinstance(shape, Cylinder) else poses.rotation_z(poses.yaw_of(rotation))
+    faceless = isinstance(shape, Cylinder) and category != "person"
+    return np.eye(3) if faceless else poses.rotation_z(poses.yaw_of(rotation))
 
 
 def _mean_shape(shapes: Sequence[Shape]) -> Shape:

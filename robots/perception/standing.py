@@ -47,8 +47,8 @@ def standing_on_tops(estimates: Sequence[ObjectEstimate], gap_m: float = GAP_M) 
 
 
 def _foot_m(item: ObjectEstimate) -> float | None:
-    """Height of an upright object's foot; None for furniture and for what lies."""
-    if item.category == "furniture" or item.lying:
+    """Height of an upright object's foot; None for furniture, people and what lies."""
+    if item.category != "object" or item.lying:
         return None
     shape = item.shape
     height_m = 2.0 * shape.radius_m if isinstance(shape, Ball) else shape.height_m

@@ -28,6 +28,7 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import CameraDescription
 from kinematics.shapes import Ball, Box, Cylinder, Shape
+from robots.articulated import PART_KINDS
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.sight import Sight
@@ -183,6 +184,7 @@ class PerceptionStub:
                 camera_T_object=pose,
                 shape=_resized(solid.shape, self._episode(solid).scale),
                 confidence=self._confidence(pose, share, float(row[6])),
+                name=solid.name if solid.category == "person" else None,
             )
             for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
         ]
@@ -228,8 +230,12 @@ class PerceptionStub:
 
 
 def _piece(solid: TrueObject) -> str:
-    """An object's own name, or that of the piece of furniture that a solid belongs to."""
-    return solid.name if solid.category == "object" else solid.name.split("/", 1)[0]
+    """An object's or a person's own name, or that of the piece of furniture that a solid belongs to.
+
+    Doors, drawers and handles are seen, and misjudged, each on its own.
+    """
+    alone = solid.category != "furniture" or solid.kind in PART_KINDS
+    return solid.name if alone else solid.name.split("/", 1)[0]
 
 
 def _area(solid: TrueObject) -> float:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.poses import Transform
+from robots.articulated import PART_KINDS
 
 # A look is over when the camera has turned by two degrees, or after a second.
 _LOOK_TURN_RAD = np.deg2rad(2.0)
@@ -40,7 +41,7 @@ class StubFaults:
         self._last_rotation: NDArray[np.float64] | None = None
 
     def misplace(self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True) -> None:
-        """Tell every object of a kind displaced by ``offset_m`` along the world's axes.
+        """Tell every object, door, drawer or handle of a kind displaced by ``offset_m`` along the world's axes.
 
         With ``first_look_only`` the error ends with the first look at it: a look begins with the first
         frame in which the camera is at rest and the object is detected, and ends when the camera has
@@ -76,7 +77,8 @@ class StubFaults:
 
     def offset_m(self, category: str, kind: str, stamp_s: float) -> NDArray[np.float64]:
         """The displacement of a detection of this kind in the present frame, shape (3,)."""
-        fault = self._misplaced.get(kind) if category == "object" else None
+        told = category == "object" or kind in PART_KINDS
+        fault = self._misplaced.get(kind) if told else None
         if fault is None or fault.over:
             return np.zeros(3)
         if fault.look_from is not None and fault.look_since_s is None:

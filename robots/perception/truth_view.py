@@ -7,13 +7,14 @@ the evaluation and tests may hold one.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
+from robots.perception.detector import Category
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,14 +22,14 @@ class TrueObject:
     """One solid of the world as it really is; a piece of furniture may be several solids.
 
     Attributes:
-        name: Unique: an object's name, or "table/top" for a solid of furniture.
+        name: Unique: an object's or a person's name, or "table/top" for a solid of furniture.
         category, kind, color: As in ``Detection``.
         shape: Its solid.
         world_T_object: Its pose, shape (4, 4).
     """
 
     name: str
-    category: Literal["object", "furniture"]
+    category: Category
     kind: str
     color: str | None
     shape: Shape

@@ -21,6 +21,8 @@ class Role(IntEnum):
     FURNITURE = 5
     OBJECT = 6
     PERSON = 7
+    HANDLE = 8
+    """Of a door or drawer: like an object, held by pads alone, but part of furniture."""
 
 
 _BODY_BIT, _FINGER_BIT, _WORLD_BIT, _OBJECT_BIT = 1, 2, 4, 8
@@ -34,6 +36,7 @@ CONTYPE: dict[Role, int] = {
     Role.FURNITURE: _WORLD_BIT,
     Role.OBJECT: _OBJECT_BIT,
     Role.PERSON: _WORLD_BIT,
+    Role.HANDLE: _OBJECT_BIT,
 }
 CONAFFINITY: dict[Role, int] = {
     Role.NONE: 0,
@@ -44,6 +47,7 @@ CONAFFINITY: dict[Role, int] = {
     Role.FURNITURE: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
     Role.OBJECT: _BODY_BIT | _OBJECT_BIT,
     Role.PERSON: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
+    Role.HANDLE: _BODY_BIT | _OBJECT_BIT,
 }
 
 DRAWN_GROUP = 2

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import RobotDescription
-from robots import furniture
+from robots import articulated, furniture
 from robots.errors import DescriptionError, SceneError
 from robots.scene_description import SceneDescription
 from robots.simulated.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec, sole_name
+from robots.simulated.furniture_model import FurnitureForces
 from robots.simulated.geom_roles import Role
 from robots.simulated.scene_model import FLOOR, add_scene, joint_name
 
@@ -28,6 +29,7 @@ class Physics:
 
     Attributes:
         description, scene: What it was built from.
+        furniture: What doors and drawers do by themselves.
         model, data: MuJoCo's.
         geom_role: ``Role`` of each geom, shape (ngeom,).
         geom_label: Name of each geom for people: link, "table/top", object or person.
@@ -58,6 +60,7 @@ class Physics:
         self.sole_geom = [self.geom_id(sole_name(sole)) for sole in description.soles]
         self.joint_qpos = np.array([self._qpos_address(name) for name in description.actuated])
         self.joint_qvel = np.array([self._dof_address(name) for name in description.actuated])
+        self.furniture = FurnitureForces(self.model, self.data, scene)
         self._stand_up()
 
     def geom_id(self, name: str) -> int:
@@ -113,12 +116,20 @@ class Physics:
         pads = {pad_name(link) for item in description.grippers.values() for link in item.pad_links}
         items = {item.name for item in scene.objects}
         people = {person.name for person in scene.people}
+        moving = {
+            solid.name: Role.HANDLE if solid.grasped else Role.FURNITURE
+            for piece in scene.furniture
+            if piece.opens is not None
+            for solid in articulated.moving_solids(piece)
+        }
         for i in range(model.ngeom):
             geom, owner = model.geom(i).name, model.body(model.geom_bodyid[i]).name
             if geom == FLOOR:
                 role[i], label[i] = Role.FLOOR, FLOOR
             elif geom in solids:
                 role[i], label[i] = Role.FURNITURE, geom
+            elif geom in moving:
+                role[i], label[i] = moving[geom], geom
             elif owner in items:
                 role[i], label[i] = Role.OBJECT, owner
             elif owner in people:

@@ -11,6 +11,7 @@ from robots import furniture
 from robots.scene_description import Person, SceneDescription, SceneItem
 from robots.scene_words import COLORS
 from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, pad_name, set_role
+from robots.simulated.furniture_model import add_moving_part
 from robots.simulated.geom_roles import WORLD_GROUP, Role
 
 FLOOR = "floor"
@@ -48,6 +49,8 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
             _place(geom, solid.world_T_solid)
             set_role(geom, Role.FURNITURE)
             geom.friction = [piece.friction, 0.005, 0.0001]
+        if piece.opens is not None:
+            add_moving_part(spec, piece, description)
     for person in scene.people:
         _add_person(spec, person)
     for item in scene.objects:

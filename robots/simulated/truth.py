@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -13,9 +13,10 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.shapes import Ball, Box, Cylinder
-from robots import furniture
+from robots import articulated, furniture, scene_solids
 from robots.perception.truth_view import TrueObject
 from robots.scene_description import SceneItem
+from robots.simulated.furniture_model import part_body
 from robots.simulated.geom_roles import (
     FINGER_DRAWN_GROUP,
     HULL_GROUP,
@@ -83,6 +84,18 @@ class SimulatorTruth:
             for piece in physics.scene.furniture
             for solid in furniture.solids(piece)
         )
+        self._people = tuple(
+            TrueObject(person.name, "person", "person", None, *scene_solids.person_solid(person))
+            for person in physics.scene.people
+        )
+        self._parts = tuple(
+            (TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, solid.part_T_solid), body)
+            for piece in physics.scene.furniture
+            if piece.opens is not None
+            for body in (physics.body_id(part_body(piece)),)
+            for solid in articulated.moving_solids(piece)
+            if solid.kind
+        )
         self._camera_body = physics.body_id(physics.description.camera.frame)
         self._tcp_body = {
             hand: physics.body_id(item.tcp_frame) for hand, item in physics.description.grippers.items()
@@ -97,12 +110,28 @@ class SimulatorTruth:
     # --- what a perception stub may look at -------------------------------------------------
 
     def solids(self) -> tuple[TrueObject, ...]:
-        """Everything that could be seen: furniture first, then objects, in the scene's order."""
-        return self._fixed + tuple(
+        """Everything that could be seen: furniture, people, then objects, in the scene's order."""
+        objects = tuple(
             TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
             for item in self._items.values()
             if item.name not in self._removed
         )
+        return self._fixed + self._moving() + self._people + objects
+
+    def _moving(self) -> tuple[TrueObject, ...]:
+        """Doors, drawers and their handles where they are now."""
+        return tuple(
+            replace(solid, world_T_object=self._pose(body) @ solid.world_T_object)
+            for solid, body in self._parts
+        )
+
+    def opening(self, furniture_name: str) -> float:
+        """How far a door, rad, or a drawer, m, is open.
+
+        Raises:
+            KeyError: The scene has no such furniture, or it does not open.
+        """
+        return float(self._physics.data.qpos[self._physics.furniture.qpos[furniture_name]])
 
     def world_T_camera(self) -> Transform:
         """Pose of the camera's optical frame, shape (4, 4)."""
@@ -115,6 +144,7 @@ class SimulatorTruth:
         physics = self._physics
         physics.refresh()
         start = physics.data.xpos[self._camera_body].copy()
+        geom = -2 if any(person.name == name for person in self._people) else physics.geom_id(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]
         hit = np.full(count, -1, dtype=np.int32)
@@ -125,7 +155,7 @@ class SimulatorTruth:
         )  # fmt: skip
         length = np.linalg.norm(rays, axis=1)
         reached = (share < 0.0) | (share * length >= length - RAY_SLACK_M)
-        return np.asarray((hit == physics.geom_id(name)) | reached, dtype=np.bool_)
+        return np.asarray((hit == geom) | reached, dtype=np.bool_)
 
     # --- where things are -------------------------------------------------------------------
 
@@ -242,6 +272,20 @@ class SimulatorTruth:
     def contacts_with_furniture(self) -> tuple[TrueContact, ...]:
         """What of the robot touches furniture now."""
         return self._contacts(_ROBOT, (Role.FURNITURE,))
+
+    def furniture_force_on_robot(self) -> NDArray[np.float64]:
+        """Sum of the forces of furniture and handles on the robot in the last physics step, N, shape (3,)."""
+        physics, data, pairs = self._physics, self._physics.data, self._contact_geoms()
+        total = np.zeros(3)
+        roles = physics.geom_role[pairs]
+        robot = np.isin(roles, _ROBOT)
+        theirs = (roles == Role.FURNITURE) | (roles == Role.HANDLE)
+        for i in np.flatnonzero(robot.any(axis=1) & theirs.any(axis=1)):
+            mujoco.mj_contactForce(physics.model, data, int(i), self._wrench)
+            force = data.contact.frame[i].reshape(3, 3).T @ self._wrench[:3]
+            # MuJoCo's force acts on the second geom.
+            total += force if robot[i, 1] else -force
+        return total
 
     def contacts_with_people(self) -> tuple[TrueContact, ...]:
         """What of the robot touches a person now."""

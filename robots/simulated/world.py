@@ -51,5 +51,10 @@ def build_world(
     physics = Physics(description, scene)
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
-    robot = SimulatedRobot(physics, rng, faults.tick)
+
+    def before_period() -> None:
+        faults.tick()
+        physics.furniture.apply()
+
+    robot = SimulatedRobot(physics, rng, before_period)
     return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics)

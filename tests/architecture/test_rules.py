@@ -30,6 +30,8 @@ TRUTH_USERS = (
 )  # fmt: skip
 # Scripts that run in other environments than the product's: nobody imports them.
 ELSEWHERE = ("tools.benchmark.peers.runners",)
+# The one place that opens sockets, and no others than those of this machine.
+LOCAL_SOCKETS = "robots.live.unix_socket"
 NETWORK = ("socket", "ssl", "http", "urllib.request", "requests", "httpx", "aiohttp", "ftplib", "smtplib")
 WALL_CLOCK = re.compile(
     r"(time\.(time|time_ns|monotonic|monotonic_ns|perf_counter|perf_counter_ns|sleep|process_time|localtime"
@@ -60,8 +62,14 @@ def wrong_library(module: Module) -> list[str]:
         library = name.split(".")[0]
         if library in HEAVY and not _within(module.name, (*HEAVY[library], *ELSEWHERE)):
             found.append(f"{module.file}:{line}: {library} belongs to {' and '.join(HEAVY[library])}")
-        if _within(name, NETWORK):
+        if _within(name, NETWORK) and not (module.name == LOCAL_SOCKETS and name == "socket"):
             found.append(f"{module.file}:{line}: nothing here speaks over a network ({name})")
+    if module.name == LOCAL_SOCKETS:
+        found += [
+            f"{module.file}:{line}: only sockets of this machine ({name})"
+            for line, name in module.calls()
+            if name == "socket.create_connection" or re.match(r"socket\.AF_(?!UNIX$)", name)
+        ]
     return found
 
 
@@ -146,6 +154,9 @@ BREACHES = [
     (wrong_library, "from rich.table import Table", "trees/example.py"),
     (wrong_library, "import socket", "executive/example.py"),
     (wrong_library, "import urllib.request", "executive/example.py"),
+    (wrong_library, "import socket", "robots/live/connection.py"),
+    (wrong_library, "import http", "robots/live/unix_socket.py"),
+    (wrong_library, "import socket\nsocket.socket(socket.AF_INET)", "robots/live/unix_socket.py"),
     (wall_clock, "import time\nt = time.monotonic()", "executive/example.py"),
     (wall_clock, "from time import perf_counter as now\nnow()", "kinematics/example.py"),
     (wall_clock, "import datetime\ndatetime.datetime.now()", "executive/example.py"),
@@ -171,6 +182,7 @@ ALLOWED = [
     (wrong_layer, "import kinematics.poses", "robots/example.py"),
     (wrong_library, "import mujoco", "robots/simulated/world.py"),
     (wrong_library, "import urllib.parse", "executive/example.py"),
+    (wrong_library, "import socket\nsocket.socket(socket.AF_UNIX)", "robots/live/unix_socket.py"),
     (wall_clock, "import time\ntime.monotonic()", "robots/clock.py"),
     (wall_clock, "import time\ntime.process_time()", "tools/example.py"),
     (wall_clock, "import datetime\ndatetime.timedelta(1)", "executive/example.py"),

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from executive import session as session_module
-from executive.events import SensorsNoted, TaskAccepted, TaskEnded
+from executive.events import InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.meaning import StopCommand
 from executive.planning_jobs import PlanningJobs
-from executive.session import HALT_TICKS, PERIODS_A_TICK, SETTLE_TICKS, Session
+from executive.session import HALT_TICKS, PERIODS_A_TICK, SETTLE_TICKS, Session, ended
 from robots.clock import ManualClock
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
@@ -46,6 +46,7 @@ class Tree:
     def __init__(self, ticks=None, failure=None):
         self.ticks, self.end, self._failure = 0, ticks, failure
         self.status, self.failure, self.evidence, self.attempts, self.halted = "running", None, {}, 1, None
+        self.acted_on, self.others = None, ()
 
     def tick(self):
         self.ticks += 1
@@ -174,3 +175,27 @@ def test_equal_runs_note_equal_sensors(stage):
 
     assert noted[0] == noted[1]
     assert len({event.sha256 for event in noted[0]}) == len(noted[0]) >= 2
+
+
+def test_a_cancel_is_noted_as_an_input_with_its_instant(stage):
+    on = stage(
+        Tree(), on_tick=lambda tree: tree.ticks == 3 and not tree.halted and on.session.cancel("enough")
+    )
+
+    on.session.run_task(HOME)
+
+    [taken] = [event for event in on.events if isinstance(event, InputTaken)]
+    assert (taken.what, taken.value) == ("cancel", "enough")
+    assert taken.t_s == pytest.approx(0.2 + 3 * 0.02)
+
+
+def test_a_task_can_be_let_go_on_a_tick_at_a_time(stage):
+    on = stage(Tree(3))
+    steps = on.session.task_steps(HOME)
+
+    next(steps)
+    before = on.loop.steps
+    next(steps)
+
+    assert on.loop.steps == before + PERIODS_A_TICK
+    assert ended(steps).outcome == "done"

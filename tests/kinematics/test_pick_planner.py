@@ -5,7 +5,7 @@ import pytest
 
 from kinematics import poses
 from kinematics.collision import CollisionWorld
-from kinematics.pick_planner import PLANNING_RESERVE_M, PickPlanner, supports_of
+from kinematics.pick_planner import PLANNING_RESERVE_M, PickPlanner
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
@@ -125,10 +125,3 @@ def test_the_same_seed_gives_the_same_plan(talos, stance, tabletop):
 
     assert np.array_equal(first.reach.trajectory.q, second.reach.trajectory.q)
     assert np.array_equal(first.lift.trajectory.q, second.lift.trajectory.q)
-
-
-def test_a_cup_on_a_table_is_supported_by_it_and_one_beside_it_is_not(make):
-    scene = PlanningScene().with_objects([make.table(), make.cup()])
-
-    assert supports_of(make.cup(), scene) == ["table"]
-    assert supports_of(make.cup(x=0.1), scene) == []

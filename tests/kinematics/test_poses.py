@@ -37,6 +37,14 @@ def test_quaternions_round_trip(turn):
     assert poses.rotation_from_quaternion(quaternion) == pytest.approx(rotation, abs=1e-12)
 
 
+@given(st.lists(vectors, min_size=1, max_size=5))
+def test_many_quaternions_are_those_of_one_at_a_time_but_for_the_sign(turns):
+    rotations = Rotation.from_rotvec(turns).as_matrix()
+
+    for rotation, quaternion in zip(rotations, poses.quaternions_from_rotations(rotations), strict=True):
+        assert abs(quaternion @ poses.quaternion_from_rotation(rotation)) == pytest.approx(1.0, abs=1e-12)
+
+
 @given(vectors, places, st.floats(0, 1))
 def test_interpolation_moves_evenly(turn, place, fraction):
     start = np.eye(4)

@@ -78,6 +78,10 @@ class Stage:
     def output(self, name):
         return Blackboard.get(f"/stage/{name}")
 
+    def place_y(self, name):
+        """Where the world model has an object, to the left."""
+        return self.told.scene.objects[name].world_T_object[1, 3]
+
     def tick(self, node):
         node.tick_once()
         self.fake.step()

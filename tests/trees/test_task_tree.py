@@ -104,3 +104,11 @@ def test_two_trees_at_once_do_not_share_their_ports(stage, stage_with):
 
     assert stage.play(one).status == "success"
     assert other.status == "running"
+
+
+def test_a_tree_tells_what_it_was_about(stage):
+    tree = stage.play(stage.pick())
+
+    assert tree.status == "success"
+    assert tree.acted_on == "red cup" == stage.told.last_acted_on
+    assert tree.others == ()

@@ -6,6 +6,7 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from rich.console import Console
@@ -18,13 +19,18 @@ from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.kill import run_kill
+from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
+from tools.evaluate.skills.episode import run_skill_episode
+from tools.evaluate.skills.registry import SKILL_SUITES
+from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
-from tools.evaluate.workers import run_all
+from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "stop", "cancel", "fault")
+SUITES = ("pick", "stop", "cancel", "kill", "fault", *OPENING_SUITES, *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -45,6 +51,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_fault_suite(options, messages)
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
+    if options.suite == "kill":
+        return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
+    if options.suite in OPENING_SUITES:
+        return run_opening_suite(options, messages)
     if options.fault is not None and options.fault not in FAULTS:
         messages.print(f"error: {options.fault} is a fault of the suite 'fault'", style="bold")
         return 2
@@ -52,8 +62,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
     ]
-    records = _run(orders, options.jobs, messages)
-    summary = Summary(options.suite, options.seed, options.fault, description.com_margin_m, records)
+    skill = options.suite in SKILL_SUITES
+    if skill and (options.fault or options.scene):
+        messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
+        return 2
+    run = partial(run_skill_episode, options.suite) if skill else run_episode
+    records = _run(orders, options.jobs, messages, run)
+    make = SkillSummary if skill else Summary
+    summary = make(options.suite, options.seed, options.fault, description.com_margin_m, records)
     if options.json is not None:
         options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
     scenes = {} if options.scene is not None else save_scenes(summary, options.failed)
@@ -61,18 +77,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0 if all(bar.met for bar in summary.bars()) else 1
 
 
-def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console) -> list[EpisodeRecord]:
+def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console, run: Run) -> list[EpisodeRecord]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     records: list[EpisodeRecord] = []
     with Progress(*columns, console=messages) as progress:
         task = progress.add_task("episodes", total=len(orders))
-        for record in run_all(orders, jobs, run_episode):
+        for record in run_all(orders, jobs, run):
             records.append(record)
             held = sum(item.truth for item in records)
-            progress.update(task, advance=1, description=f"held {held} of {len(records)}")
+            progress.update(task, advance=1, description=f"true in {held} of {len(records)}")
             if not messages.is_terminal:  # a bar is drawn only at its end there
                 count = f"{len(records)} of {len(orders)}"
-                messages.print(f"{count}: seed {record.seed} {record.outcome}, held {held}")
+                messages.print(f"{count}: seed {record.seed} {record.outcome}, true in {held}")
     return sorted(records, key=lambda record: record.seed)
 
 
@@ -85,6 +101,12 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS}))
     parser.add_argument("--scene", help="a scene's name or file in place of random ones")
     parser.add_argument("--robot", default="talos", choices=known_robots())
+    parser.add_argument(
+        "--pace",
+        type=float,
+        default=1.0,
+        help="of suite kill: simulated seconds in a second, for slow machines",
+    )
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument(
         "--failed", type=Path, default=Path("runs/evaluate"), metavar="DIR", help="for failed scenes"

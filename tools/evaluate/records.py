@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -41,6 +41,7 @@ class EpisodeRecord:
         simulated_s, wall_s: How long it took.
         realtime_factor: Simulated time over wall time, planning left out.
         detail: A traceback, when the evaluation broke.
+        numbers: What a skill's judge measured.
     """
 
     seed: int
@@ -63,6 +64,7 @@ class EpisodeRecord:
     wall_s: float = 0.0
     realtime_factor: float = 0.0
     detail: str | None = None
+    numbers: Mapping[str, float | int | str | bool] = field(default_factory=dict)
 
     @property
     def claimed(self) -> bool:

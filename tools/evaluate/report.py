@@ -9,8 +9,11 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from tools.evaluate.records import Summary
+from robots.scene_file import dump
+from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.scenes import SENTENCE, pick_scene
+from tools.evaluate.skills.episode import trial_of
+from tools.evaluate.skills.registry import SKILL_SUITES
 
 # More than anybody reads; the JSON has them all.
 _SHOWN = 25
@@ -24,8 +27,14 @@ def save_scenes(summary: Summary, folder: Path) -> dict[int, Path]:
             folder.mkdir(parents=True, exist_ok=True)
             name = f"{summary.suite}-{record.seed}" + (f"-{record.fault}" if record.fault else "")
             files[record.seed] = folder / f"{name}.toml"
-            files[record.seed].write_text(pick_scene(record.seed, record.fault), "utf-8")
+            files[record.seed].write_text(_scene_text(summary, record), "utf-8")
     return files
+
+
+def _scene_text(summary: Summary, record: EpisodeRecord) -> str:
+    if summary.suite in SKILL_SUITES:
+        return dump(trial_of(summary.suite, record.seed).scene)
+    return pick_scene(record.seed, record.fault)
 
 
 def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console) -> None:
@@ -49,7 +58,7 @@ def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console
     console.print(table)
     bad = [record for record in summary.records if record.bad]
     for record in bad[:_SHOWN]:
-        verdict = "held" if record.truth else "not held"
+        verdict = "so" if record.truth else "not so"
         reason = record.failure or ", ".join(record.furniture_contacts) or ("fell" if record.fell else "")
         console.print(f"seed {record.seed}: {record.outcome}, truly {verdict}. {reason}", markup=False)
         console.print(f"    {_again(summary, record.seed, scenes)}", markup=False, soft_wrap=True)
@@ -59,7 +68,7 @@ def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console
 
 def _again(summary: Summary, seed: int, scenes: Mapping[int, Path]) -> str:
     """The command that shows one episode again; a fault needs the evaluation to bring it about."""
-    if summary.fault is None and seed in scenes:
+    if summary.fault is None and seed in scenes and summary.suite not in SKILL_SUITES:
         return f"executive run {shlex.quote(SENTENCE)} --scene {shlex.quote(str(scenes[seed]))} --seed {seed}"
     fault = f" --fault {summary.fault}" if summary.fault else ""
     return f"python -m tools.evaluate {summary.suite} --episodes 1 --jobs 1 --seed {seed}{fault}"

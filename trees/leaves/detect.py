@@ -8,32 +8,37 @@ import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
+from kinematics import poses
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
+from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.grounding import Ambiguous, Found, Missing, ground
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
 from trees.scene_update import kind_of, support_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
-from trees.tasks import ObjectOf, PickTask
+from trees.tasks import ObjectOf
 
 
 class Detect(LookLeaf):
-    """Fuse a few frames into the world model, and choose the one object that the task means.
+    """Fuse a few frames into the world model, and choose the object that the task means.
 
-    Fails when it is not seen, when several fit (the failure's ``choices`` list them), and when the
-    furniture that it stands on is not known: a motion past a table that was not seen would hit it.
+    Everything believed counts, also what is out of view now. Of a task that means several objects the
+    nearest becomes the target; the names of the others are put out as well. Fails when it is not seen,
+    when several fit (the failure's ``choices`` list them), and when the furniture that it stands on
+    is not known: a motion past a table that was not seen would hit it.
     """
 
-    INPUT_PORTS = ports(task=PickTask)
-    OUTPUT_PORTS = ports(target=Target)
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports(target=Target, others=tuple)
     CONTRACT = Contract(
         precondition="the head is at rest",
-        postcondition="exactly one object that fits was seen, in half of the frames at least, on known "
-        "furniture; everything seen is in the world model",
+        postcondition="as many objects as are meant fit, and no more; the target was seen, in half of the "
+        "frames at least, on known furniture; everything seen is in the world model",
         deadline_s=2.0,
     )
 
@@ -75,41 +80,38 @@ class Detect(LookLeaf):
         return behind_a_hand(model, q, eye, point, self.toolbox.policy.hidden_by_hand_m)
 
     def _choose(self, seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
-        task: PickTask = self.get_input("task")
-        scene, wanted = self.toolbox.world.scene, task.object
-        if isinstance(wanted, ObjectOf):
+        task, world, policy = self.get_input("task"), self.toolbox.world, self.toolbox.policy
+        if isinstance(task.object, ObjectOf):
             raise TypeError("the object of an earlier task was not filled in")
-        fitting = {
-            name: estimate
-            for name, estimate in seen.items()
-            if estimate.category == "object"
-            and wanted.kind in (None, estimate.kind)
-            and wanted.color in (None, estimate.color)
-        }
-        if not fitting:
-            return Failure.postcondition(f"no {wanted} seen", seen=_words(seen))
-        standing = {
-            name: support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m)
-            for name in fitting
-        }
-        on_known = [name for name, support in standing.items() if support is not None]
-        if not on_known:
-            return Failure.postcondition(f"what the {wanted} stands on is not seen", seen=_words(seen))
-        on_source = [
-            name
-            for name in on_known
-            if task.source is None or ((s := standing[name]) is not None and kind_of(s.name) == task.source)
-        ]
-        if not on_source:
-            return Failure.postcondition(f"a {wanted} is seen, but not on the {task.source}")
-        if len(on_source) > 1:
-            choices = _described({name: fitting[name] for name in on_source})
-            return Failure.infeasible(
-                f"which {wanted}? there are {len(on_source)}",
-                choices=CHOICES_JOINED_BY.join(choices),
-                count=len(on_source),
+        q = self.toolbox.sensing.state().q
+        base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
+        around = surroundings(world.scene, base, policy.support_gap_m, world.last_acted_on)
+        source, count = getattr(task, "source", None), getattr(task, "count", 1)
+        match ground(task.object, around, source, count):
+            case Missing(message):
+                return Failure.postcondition(message, seen=_words(seen))
+            case Ambiguous(message, choices):
+                return Failure.infeasible(
+                    message,
+                    choices=CHOICES_JOINED_BY.join(choice.words for choice in choices),
+                    objects=CHOICES_JOINED_BY.join(choice.name for choice in choices),
+                    count=len(choices),
+                )
+            case Found(names):
+                return self._target(names, seen)
+
+    def _target(self, names: tuple[str, ...], seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
+        """The first of those that are meant; the others are left for later."""
+        name, scene = names[0], self.toolbox.world.scene
+        words = kind_of(name)
+        if name not in seen:
+            return Failure.postcondition(
+                f"the {words} was seen before, but is not in view now", seen=_words(seen)
             )
-        name, estimate = on_source[0], fitting[on_source[0]]
+        if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
+            return Failure.postcondition(f"what the {words} stands on is not seen", seen=_words(seen))
+        self._set_output("others", names[1:])
+        estimate = seen[name]
         return Target(
             name, estimate.kind, estimate.color, estimate.shape, estimate.odom_T_object, estimate.confidence
         )
@@ -118,16 +120,3 @@ class Detect(LookLeaf):
 def _words(seen: Mapping[str, ObjectEstimate]) -> str:
     """What was seen, each thing once."""
     return ", ".join(sorted({words_for(estimate) for estimate in seen.values()})) or "nothing"
-
-
-def _described(fitting: Mapping[str, ObjectEstimate]) -> list[str]:
-    """Words that tell objects apart: colour and kind, else also where it is, from the left."""
-    from_left = sorted(fitting.values(), key=lambda estimate: -float(estimate.odom_T_object[1, 3]))
-    words = [words_for(estimate) for estimate in from_left]
-    if len(set(words)) == len(words):
-        return words
-    places = [estimate.odom_T_object[:3, 3] for estimate in from_left]
-    return [
-        f"{word} {x:.2f} m ahead, {abs(y):.2f} m to the {'left' if y > 0 else 'right'}"
-        for word, (x, y, _) in zip(words, places, strict=True)
-    ]

@@ -34,9 +34,11 @@ class OpenGripper(MotionLeaf):
     def start(self) -> MotionHandle | Failure:
         """Open."""
         grasp: Grasp = self.get_input("grasp")
-        if self.toolbox.world.scene.attached:
-            held = ", ".join(self.toolbox.world.scene.attached)
-            return Failure.postcondition(f"a hand still holds the {held}", hand=grasp.hand)
+        frame = self.toolbox.model.description.grippers[grasp.hand].tcp_frame
+        attached = self.toolbox.world.scene.attached
+        held = ", ".join(name for name, body in attached.items() if body.frame == frame)
+        if held:
+            return Failure.postcondition(f"the {grasp.hand} hand still holds the {held}", hand=grasp.hand)
         return self.toolbox.grippers[grasp.hand].open()
 
     def finish(self) -> Status | Failure:

@@ -43,11 +43,17 @@ class PlanPick(JobLeaf):
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
             target=self.get_input("target").name,
-            hands=hands_to_try(task.hand, tried),
+            hands=hands_to_try(task.hand, tried, self._occupied()),
             excluded=tried,
             lift_m=toolbox.policy.lift_m,
             seed=int(toolbox.rng.integers(2**31)),
         )
+
+    def _occupied(self) -> frozenset[Hand]:
+        """Hands that hold something, as the world model has it."""
+        frames = {body.frame for body in self.toolbox.world.scene.attached.values()}
+        grippers = self.toolbox.model.description.grippers
+        return frozenset(hand for hand in HANDS if grippers[hand].tcp_frame in frames)
 
     def accept(self, answer: Any) -> Failure | None:
         """Write grasp and steps."""
@@ -66,15 +72,19 @@ class PlanPick(JobLeaf):
         return Step(step.name, step.trajectory, step.scene, self._world_version)
 
 
-def hands_to_try(named: Hand | None, tried: frozenset[str]) -> tuple[Hand, ...]:
+def hands_to_try(
+    named: Hand | None, tried: frozenset[str], occupied: frozenset[Hand] = frozenset()
+) -> tuple[Hand, ...]:
     """Which hands the planner may use.
 
     Args:
         named: The hand that the task asks for, or None.
         tried: Grasps that were tried in vain, as "hand label".
+        occupied: Hands that hold something already; they are left alone as long as another is free.
     """
     if named is not None:
         return (named,)
-    failed = {hand: sum(key.startswith(f"{hand} ") for key in tried) for hand in HANDS}
-    rested = tuple(hand for hand in HANDS if failed[hand] < _GRASPS_A_HAND)
-    return rested or HANDS
+    free = tuple(hand for hand in HANDS if hand not in occupied) or HANDS
+    failed = {hand: sum(key.startswith(f"{hand} ") for key in tried) for hand in free}
+    rested = tuple(hand for hand in free if failed[hand] < _GRASPS_A_HAND)
+    return rested or free

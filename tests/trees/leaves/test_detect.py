@@ -55,9 +55,29 @@ def test_twins_are_told_apart_by_their_places(stage_with):
 
     stage.run(leaf, task=RED_CUP)
 
-    assert leaf.failure.numbers["choices"] == (
-        "red cup 0.50 m ahead, 0.15 m to the left | red cup 0.50 m ahead, 0.15 m to the right"
-    )
+    assert leaf.failure.choices == ("left red cup", "right red cup")
+    assert [stage.place_y(name) > 0 for name in leaf.failure.choice_names] == [True, False]
+
+
+def test_a_twin_that_was_seen_before_and_is_out_of_view_now_still_counts(stage_with):
+    stage = stage_with(table(), cup("a", place_m=(0.5, -0.15)), cup("b", place_m=(0.5, 0.15)))
+    stage.run(looking_down(stage), task=RED_CUP)
+    left, right = "left red cup", "right red cup"
+    leaf = Detect("detect", stage.toolbox)
+    stage.run(LookAt("look", stage.toolbox, Gaze("far left", 0.75, pan_rad=1.0)))
+
+    assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
+    assert leaf.failure.choices == (left, right)
+
+
+def test_of_both_objects_the_nearer_is_the_target_and_the_other_is_left_for_later(stage_with):
+    stage = stage_with(table(), cup("a", place_m=(0.5, -0.15)), cup("b", place_m=(0.45, 0.15)))
+    leaf = looking_down(stage)
+    both = PickTask("pick up both cups", ObjectDescription("cup"), count="both")
+
+    assert stage.run(leaf, task=both) is Status.SUCCESS
+    assert stage.place_y(stage.output("target").name) > 0
+    assert [stage.place_y(name) > 0 for name in stage.output("others")] == [False]
 
 
 @pytest.mark.requirement("S6")

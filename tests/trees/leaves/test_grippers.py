@@ -21,7 +21,7 @@ def test_open_gripper_does_not_drop_what_is_held(knowing, right_grasp):
     leaf = OpenGripper("open", knowing.toolbox)
 
     assert knowing.run(leaf, grasp=right_grasp) is Status.FAILURE
-    assert leaf.failure.message == "a hand still holds the red cup"
+    assert leaf.failure.message == "the right hand still holds the red cup"
     assert knowing.fake.motion.started == []
 
 

@@ -1,0 +1,110 @@
+"""Words of structured actions, held against the vocabulary: what is in no list is not acted on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import fields, replace
+from functools import lru_cache
+from typing import Any
+
+from executive.meaning import Command, Refusal
+from executive.vocabulary import Vocabulary, load_vocabulary
+from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
+
+MAX_LINEAR_M_S = 0.5
+MAX_ANGULAR_RAD_S = 1.0
+"""The bridge's speed limits; what exceeds them is refused, never clamped."""
+
+_FREE = ("name", "size", "material", "ordinal")
+"""Slots of an object whose words are judged where the object is looked for; there they lead to a question."""
+_DESTINATIONS = ("source", "to", "on", "person")
+_ALWAYS_KNOWN = ("me", "in_front", "you", "robot")
+
+
+class UnknownWordError(Exception):
+    """A word that the vocabulary does not have, or that is never acted on."""
+
+    def __init__(self, message: str, word: str) -> None:
+        self.message, self.word = message, word
+        super().__init__(message)
+
+
+def checked_command(command: Command) -> Command | Refusal:
+    """The command with canonical words, or why it is not acted on."""
+    if isinstance(command, MoveTask):
+        refusal = _too_fast(command)
+        if refusal is not None:
+            return refusal
+    try:
+        changes = {field.name: _slot(field.name, getattr(command, field.name)) for field in fields(command)}
+    except UnknownWordError as unknown:
+        return Refusal(unknown.message, unknown.word)
+    return replace(command, **changes)
+
+
+def _too_fast(move: MoveTask) -> Refusal | None:
+    for name, value, limit, unit in (
+        ("linear speed", move.linear_m_s, MAX_LINEAR_M_S, "m/s"),
+        ("angular speed", move.angular_rad_s, MAX_ANGULAR_RAD_S, "rad/s"),
+    ):
+        if abs(value) > limit:
+            return Refusal(f"the {name} {value:g} {unit} exceeds the limit of {limit:g} {unit}", f"{value:g}")
+    return None
+
+
+def _slot(name: str, value: Any) -> Any:
+    if isinstance(value, ObjectDescription):
+        return _object(value)
+    if name in _DESTINATIONS and isinstance(value, str):
+        return _destination(value)
+    if name == "duration_s" and value is not None and value <= 0.0:
+        raise UnknownWordError(f"a duration of {value:g} s is none", f"{value:g}")
+    return value
+
+
+def _object(wanted: ObjectDescription) -> ObjectDescription:
+    if wanted == ObjectDescription():
+        raise UnknownWordError("an object without any slot says nothing", "object")
+    relation = wanted.relation
+    if relation is not None:
+        to: Any = relation.to
+        if isinstance(to, ObjectDescription):
+            to = _object(to)
+        elif not isinstance(to, ObjectOf):
+            to = _destination(to)
+        relation = Relation(relation.kind, to)
+    return replace(
+        wanted,
+        kind=None if wanted.kind is None else _canonical(wanted.kind, ("KIND",)),
+        color=None if wanted.color is None else _canonical(wanted.color, ("COLOR",)),
+        relation=relation,
+        **{name: None if (said := getattr(wanted, name)) is None else said.lower() for name in _FREE[1:]},
+    )
+
+
+def _destination(word: str) -> str:
+    return word if word in _ALWAYS_KNOWN else _canonical(word, ("FURNITURE", "PLACE", "PERSON", "NAME"))
+
+
+def _canonical(word: str, preferred: Sequence[str]) -> str:
+    """The canonical form of a word; of several readings one of the preferred classes.
+
+    Raises:
+        UnknownWordError: It is in no list, or only in lists of words that are refused.
+    """
+    vocabulary = _vocabulary()
+    words = word.lower().replace("_", " ").split()
+    length, readings = vocabulary.match(words)
+    if length != len(words) or not readings:
+        raise UnknownWordError(f"the word {word[:40]!r} is not known", word[:40])
+    usable = [reading for reading in readings if vocabulary.classes[reading.word_class].refusal is None]
+    if not usable:
+        message = next(filter(None, (vocabulary.refusal(reading, word[:40]) for reading in readings)), "")
+        raise UnknownWordError(message, word[:40])
+    first = next((reading for reading in usable if reading.word_class in preferred), usable[0])
+    return first.meaning
+
+
+@lru_cache(maxsize=1)
+def _vocabulary() -> Vocabulary:
+    return load_vocabulary()

@@ -1,0 +1,60 @@
+"""``executive serve``: live mode, until interrupted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from executive.config import leave_opengl_to_the_renderer, runs_directory, runtime_directory
+from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+
+FolderOption = Annotated[
+    Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
+]
+
+
+def serve(
+    robot: Annotated[str, typer.Option(help="Name of the robot.")] = DEFAULT_ROBOT,
+    scene: Annotated[str, typer.Option(metavar="NAME|FILE.toml", help="Where.")] = DEFAULT_SCENE,
+    seed: Annotated[int, typer.Option(min=0, help="Of everything random.")] = 0,
+    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
+    pace: Annotated[
+        float, typer.Option(min=0.01, max=10.0, help="Simulated seconds in a second; 1 is real time.")
+    ] = 1.0,
+    ordinary: Annotated[
+        bool, typer.Option("--ordinary", help="Do not use real-time scheduling even if it is permitted.")
+    ] = False,
+    evaluation: Annotated[
+        bool, typer.Option("--evaluation", help="Let evaluations read the simulator's truth.")
+    ] = False,
+    folder: FolderOption = None,
+) -> None:
+    """Serve a robot: its control in one process, the executive in another."""
+    from executive.diagnosis import compile_kernel
+    from executive.live.service import Service, ServiceRequest
+    from robots.description import load_description_for_tasks
+    from robots.scene_file import load_scene
+
+    def say(line: str) -> None:
+        typer.echo(line, err=True)
+
+    leave_opengl_to_the_renderer()
+    load_description_for_tasks(robot)
+    load_scene(scene)
+    compile_kernel(say)
+    where = folder or runtime_directory()
+    request = ServiceRequest(
+        folder=where,
+        robot=robot,
+        scene=scene,
+        seed=seed,
+        record=record or runs_directory(),
+        pace=pace,
+        realtime=not ordinary,
+        evaluation=evaluation,
+    )
+    service = Service(request, say)
+    say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
+    raise typer.Exit(service.watch())

@@ -1,0 +1,28 @@
+"""``executive stop``: the emergency stop of a served robot, past everything but its control process."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from executive.commands.serve import FolderOption
+from executive.config import runtime_directory
+
+
+def stop(
+    category: Annotated[
+        int,
+        typer.Option(min=0, max=2, help="1 brakes along the path, 2 holds at once, 0 takes the power away."),
+    ] = 1,
+    reason: Annotated[str, typer.Option(help="Why, for the log.")] = "a person stopped it",
+    folder: FolderOption = None,
+) -> None:
+    """Stop the robot, and keep it stopped until ``executive reset``."""
+    from executive.live.caller import Caller
+    from robots.live.messages import Stop, write_control_message
+    from robots.live.runtime_folder import RuntimeFolder
+
+    where = RuntimeFolder(folder or runtime_directory())
+    Caller(where.control_socket).ask(write_control_message(Stop(category, reason)))
+    typer.echo("stopped; the emergency stop stays engaged until `executive reset`")

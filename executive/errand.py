@@ -1,0 +1,219 @@
+"""The commands of one statement, carried out in order: references, several objects, questions.
+
+An errand goes on tick by tick, and hands an open question to whoever drives it; the answer continues the
+same task. What comes after a task that was not done is not begun.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+from executive.attendant import Attendant
+from executive.clarification import (
+    MAX_TRIES,
+    Chosen,
+    OpenQuestion,
+    Unclear,
+    Withdrawn,
+    understood_answer,
+)
+from executive.events import InputTaken, QuestionAsked, TaskRefused
+from executive.meaning import Command, StopCommand
+from executive.references import references, with_references
+from executive.session import TASK_TIMEOUT_S, Session
+from executive.task_result import Provenance, TaskResult, TaskTimes
+from executive.trust import OnQuestion
+from kinematics import poses
+from trees.believed_thing import Surroundings, surroundings
+from trees.build import NoSkillError, has_skill
+from trees.failures import Failure, FailureKind
+from trees.grounding import exactly, ground
+from trees.tasks import ObjectOf, Task
+
+Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
+"""None after each tick, a question where one is open; takes its answer, or None when there is none."""
+
+
+class Errand:
+    """One statement's commands on their way.
+
+    Args:
+        session: Carries out single tasks.
+        commands: What to do, in order.
+        timeout_s: Simulated time that each task may take.
+        on_question: What becomes of questions.
+        provenance: Where each command comes from, when a model asked for it.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        commands: Sequence[Command],
+        *,
+        timeout_s: float = TASK_TIMEOUT_S,
+        on_question: OnQuestion = "ask",
+        provenance: Sequence[Provenance | None] = (),
+    ) -> None:
+        self._session = session
+        self._commands = tuple(commands)
+        self._timeout_s = timeout_s
+        self._on_question = on_question
+        self._provenance = tuple(provenance) or (None,) * len(self._commands)
+        self._acted_on: list[tuple[str, ...]] = []
+
+    def steps(self) -> Steps:
+        """Carry everything out; returns the results of the tasks that were begun."""
+        refused = self._refused()
+        if refused is not None:
+            return (refused,)
+        results: list[TaskResult] = []
+        for command, provenance in zip(self._commands, self._provenance, strict=True):
+            names: list[str] = []
+            waiting = list(self._filled(command))
+            while waiting:
+                result = yield from self._task(waiting.pop(0))
+                results.append(replace(result, provenance=provenance))
+                if result.outcome != "done":
+                    return tuple(results)
+                names += [] if result.acted_on is None else [result.acted_on]
+                waiting[:0] = [_of_one(command, name) for name in result.others]
+            self._acted_on.append(tuple(names))
+        return tuple(results)
+
+    # --- one task, with its questions -----------------------------------------------------------
+
+    def _task(self, command: Command | Failure) -> Generator[OpenQuestion | None, str | None, TaskResult]:
+        if isinstance(command, Failure):
+            return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
+        times, attempts = TaskTimes(), 0
+        while True:
+            result = yield from _silent(self._session.task_steps(command, self._timeout_s))
+            times, attempts = _sum(times, result.times), attempts + result.attempts
+            result = replace(result, times=times, attempts=attempts)
+            if result.outcome != "question" or result.failure is None:
+                return result
+            answered = yield from self._asked(command, result.failure)
+            if answered is None:
+                return result
+            if isinstance(answered, Failure):
+                return replace(result, outcome="cancelled", failure=answered)
+            command = answered
+
+    def _asked(
+        self, command: Command, failure: Failure
+    ) -> Generator[OpenQuestion | None, str | None, Command | Failure | None]:
+        """The command with the choice that was made; why it was withdrawn; None when nobody answered."""
+        session, choices, names = self._session, failure.choices, failure.choice_names
+        question = failure.root.message
+        session.tell(QuestionAsked(session.now_s, command.text, question, choices))
+        if self._on_question == "fail" or not names:
+            return None
+        if self._on_question == "first":
+            session.tell(InputTaken(session.now_s, "answer", choices[0]))
+            return _of_one(command, names[0])
+        tried = ""
+        for _ in range(MAX_TRIES):
+            text = yield OpenQuestion(question, choices, tried)
+            session.tell(InputTaken(session.now_s, "answer", text or ""))
+            if text is None:
+                return None
+            meant = partial(ground, around=self._around().only(names))
+            match understood_answer(text, choices, meant, names):
+                case Chosen(index):
+                    return _of_one(command, names[index])
+                case Withdrawn():
+                    return Failure(FailureKind.CANCELED, "withdrawn by the answer")
+                case Unclear(message):
+                    tried = message
+        return None
+
+    def _around(self) -> Surroundings:
+        toolbox = self._session.toolbox
+        q = toolbox.sensing.state().q
+        base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
+        world = toolbox.world
+        return surroundings(world.scene, base, toolbox.policy.support_gap_m, world.last_acted_on)
+
+    # --- before anything moves ------------------------------------------------------------------
+
+    def _refused(self) -> TaskResult | None:
+        """What is no skill is found out before the first task begins: nothing is half done."""
+        command = without_skill(self._commands)
+        if command is None:
+            return None
+        message = str(NoSkillError(command))
+        self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
+        failure = Failure(FailureKind.REFUSED, message)
+        return TaskResult(command.text, command.action, "refused", failure=failure)
+
+    # --- references -----------------------------------------------------------------------------
+
+    def _filled(self, command: Command) -> Iterator[Command | Failure]:
+        """The command with its references to earlier tasks filled in; once for each of several objects."""
+        referred = sorted(references(command))
+        for index in referred:
+            if index >= len(self._acted_on) or not self._acted_on[index]:
+                yield Failure.infeasible(f"what {command.text!r} refers to is not known")
+                return
+        own = getattr(command, "object", None)
+        several = self._acted_on[own.task] if isinstance(own, ObjectOf) else (None,)
+        for name in several:
+            chosen = {index: self._acted_on[index][0] for index in referred}
+            if isinstance(own, ObjectOf) and name is not None:
+                chosen[own.task] = name
+            things = {index: exactly(name) for index, name in chosen.items()}
+            yield with_references(command, things.__getitem__)
+
+
+def without_skill(commands: Sequence[Command]) -> Task | None:
+    """The first command that nothing here can carry out, or None."""
+    for command in commands:
+        if not isinstance(command, StopCommand) and not has_skill(command):
+            return command
+    return None
+
+
+def drive(steps: Steps, attendant: Attendant, session: Session) -> tuple[TaskResult, ...]:
+    """Let an errand go on to its end, with somebody who answers its questions and may stop it."""
+    answer: str | None = None
+    while True:
+        try:
+            question = steps.send(answer)
+        except StopIteration as end:
+            results: tuple[TaskResult, ...] = end.value
+            return results
+        answer = None
+        if question is None:
+            attendant.attend(session)
+        else:
+            answer = attendant.answer(question)
+
+
+def _silent(
+    steps: Generator[None, None, TaskResult],
+) -> Generator[OpenQuestion | None, str | None, TaskResult]:
+    """Pass ticks on; what is sent in between is for nobody."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            result: TaskResult = end.value
+            return result
+        yield None
+
+
+def _of_one(command: Command, name: str) -> Command:
+    """The command for one named object."""
+    changes: dict[str, Any] = {"object": exactly(name)}
+    if hasattr(command, "count"):
+        changes["count"] = 1
+    return replace(command, **changes)
+
+
+def _sum(a: TaskTimes, b: TaskTimes) -> TaskTimes:
+    return TaskTimes(
+        a.planning_wall_s + b.planning_wall_s, a.simulated_s + b.simulated_s, a.wall_s + b.wall_s
+    )

@@ -1,0 +1,161 @@
+"""Where people reach a served executive: sentences, cancels and questions about how things stand."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from executive.exit_codes import ExitCode
+from robots.live.connection import Connection
+from robots.live.framing import Frame
+from robots.live.messages import GetStatus, read_object, strictly, write_message
+from robots.live.socket_server import SocketServer
+
+MAX_WAITING = 1
+"""Sentences that wait; a second one at the same time is refused."""
+
+
+@dataclass(frozen=True, slots=True)
+class Say:
+    """A sentence; ``timeout_s`` of 0 is the usual one, velocities count when ``text`` is empty."""
+
+    text: str
+    timeout_s: float = 0.0
+    linear_m_s: float = 0.0
+    angular_rad_s: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Cancel:
+    """Halt what is under way, and hold."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to the question that is open."""
+
+    text: str
+
+
+DeskMessage = Say | Cancel | Answer | GetStatus
+_MESSAGES: Mapping[str, type] = {"say": Say, "cancel": Cancel, "answer": Answer, "status": GetStatus}
+
+
+def write_desk_message(message: DeskMessage) -> bytes:
+    """The payload of a message to the executive."""
+    match message:
+        case Say():
+            return write_message(
+                "say",
+                text=message.text,
+                timeout_s=message.timeout_s,
+                linear_m_s=message.linear_m_s,
+                angular_rad_s=message.angular_rad_s,
+            )
+        case Cancel(reason):
+            return write_message("cancel", reason=reason)
+        case Answer(text):
+            return write_message("answer", text=text)
+        case GetStatus():
+            return write_message("status")
+
+
+class Order:
+    """A sentence that somebody wants carried out, and the way back to them."""
+
+    def __init__(self, said: Say, connection: Connection) -> None:
+        """Keep both."""
+        self.said = said
+        self.connection = connection
+
+    def tell(self, line: str) -> None:
+        """Send a line of feedback."""
+        self.connection.send(write_message("line", text=line))
+
+    def end(self, line: str, outcome: str, code: ExitCode) -> None:
+        """Send the result."""
+        self.connection.send(write_message("result", text=line, outcome=outcome, exit_code=int(code)))
+
+
+class Desk:
+    """The executive's socket.
+
+    Args:
+        path: Where to listen.
+        cancel: Called with the reason when what is under way shall be halted.
+        status: Gives the answer to the question how things stand.
+        is_stop: Whether a sentence is the spoken stop, which cancels what is under way.
+
+    Attributes:
+        current: The sentence that is being carried out.
+        asking: Whether a question is open.
+        given: Answers that have come, the oldest first.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        cancel: Callable[[str], None],
+        status: Callable[[], Mapping[str, Any]],
+        is_stop: Callable[[str], bool],
+    ) -> None:
+        self._cancel, self._status, self._is_stop = cancel, status, is_stop
+        self._server = SocketServer(path, self._take, self._ended)
+        self._waiting: deque[Order] = deque()
+        self.current: Order | None = None
+        self.asking = False
+        self.given: list[str] = []
+
+    def poll(self) -> None:
+        """Take in what has arrived."""
+        self._server.poll()
+
+    def next_order(self) -> Order | None:
+        """The next sentence; it is the current one until ``finish``."""
+        self.current = self._waiting.popleft() if self._waiting else None
+        return self.current
+
+    def finish(self) -> None:
+        """The current sentence has ended."""
+        self.current = None
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._server.close()
+
+    def _take(self, connection: Connection, frame: Frame) -> None:
+        message: DeskMessage = strictly(_MESSAGES, read_object(frame.payload))
+        match message:
+            case GetStatus():
+                connection.send(write_message("status", **self._status()))
+            case Cancel(reason):
+                under_way = self.current is not None
+                if under_way:
+                    self._cancel(reason or "cancelled")
+                connection.send(write_message("done", under_way=under_way))
+            case Answer(text):
+                if self.asking:
+                    self.given.append(text)
+                connection.send(write_message("done", asked=self.asking))
+            case Say():
+                self._queue(Order(message, connection))
+
+    def _queue(self, order: Order) -> None:
+        if self.current is not None and self._is_stop(order.said.text):
+            self._cancel("stop was said")
+            order.end("done: what was under way is halted", "done", ExitCode.DONE)
+        elif self.current is not None or len(self._waiting) >= MAX_WAITING:
+            busy = "the robot is busy; `executive cancel` halts what is under way"
+            order.end(f"refused: {busy}", "refused", ExitCode.INVALID)
+        else:
+            self._waiting.append(order)
+
+    def _ended(self, connection: Connection) -> None:
+        self._waiting = deque(order for order in self._waiting if order.connection is not connection)
+        if self.current is not None and self.current.connection is connection:
+            self._cancel("who gave the task has gone")

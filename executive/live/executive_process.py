@@ -1,0 +1,83 @@
+"""The executive of a served robot: ``python -m executive.live.executive_process FOLDER RECORD``.
+
+It attaches as the robot's commander and carries out what it is told. When the control process lets it go
+(it hung, and has woken up) it attaches again; when that is gone, it ends.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+from pathlib import Path
+from types import FrameType
+
+from executive.command_parser import parse
+from executive.live.control_link import AttachRefusedError, ControlLostError
+from executive.live.live_executive import LiveExecutive
+from kinematics.robot_model import RobotModel
+from robots.clock import WallClock
+from robots.description import load_description
+from robots.live.child_process import ChildProcess
+from robots.live.errors import LiveError, NotServedError
+from robots.live.runtime_folder import RuntimeFolder
+from trees.world_model import WorldModel
+
+_FIRST_SENTENCE = "pick up the red cup on the table"
+_AGAIN_S = 0.5
+_PATIENCE = 40
+"""Attempts to become the commander, half a second apart."""
+
+
+def serve(folder: RuntimeFolder, robot: str, record: Path) -> int:
+    """Serve until the control process ends; 0 then, 1 when it never took this process."""
+    wall = WallClock()
+    model = RobotModel(load_description(robot))
+    planning = ChildProcess("executive.live.planning_process", [robot])
+    world = WorldModel()
+    parse(_FIRST_SENTENCE)  # loads now what the first order would wait for
+    refused = 0
+    try:
+        while refused < _PATIENCE:
+            try:
+                executive = LiveExecutive(folder, model, planning, world, record)
+            except NotServedError:
+                return 0
+            except AttachRefusedError as wrong:
+                refused += 1
+                _say(str(wrong))
+                wall.sleep(_AGAIN_S)
+                continue
+            refused = 0
+            try:
+                executive.run()
+            except ControlLostError as lost:
+                _say(str(lost))
+            finally:
+                executive.close()
+    finally:
+        planning.close()
+    return 1
+
+
+def _say(line: str) -> None:
+    sys.stderr.write(f"executive: {line}\n")
+    sys.stderr.flush()
+
+
+def _terminated(_number: int, _frame: FrameType | None) -> None:
+    raise SystemExit(0)
+
+
+def main() -> int:
+    """Serve."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _terminated)
+    try:
+        return serve(RuntimeFolder(Path(sys.argv[1])), sys.argv[2], Path(sys.argv[3]))
+    except LiveError as wrong:
+        _say(str(wrong))
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

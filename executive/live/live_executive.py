@@ -1,0 +1,226 @@
+"""A session on a served robot: attach, carry out what the desk takes in, heartbeat all the while."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import IO, Any, cast
+
+import numpy as np
+
+from executive.command_parser import parse
+from executive.events import Event
+from executive.exit_codes import ExitCode
+from executive.live.control_link import ControlLink, ControlLostError
+from executive.live.desk import Desk, Order, Say
+from executive.live.live_attendant import LiveAttendant
+from executive.live.live_guard import LiveGuard
+from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps
+from executive.live.motion_client import GripperClient, MotionClient
+from executive.live.planning_client import LivePlanning, Worker
+from executive.meaning import Parsed, StopCommand
+from executive.outputs.display import PlainDisplay
+from executive.outputs.report import Report, SafetyCounts
+from executive.run_log import RunLog
+from executive.script_run import run_statements, settled, verdict
+from executive.session import Session
+from executive.statement import Statement
+from executive.supervisor import Supervisor
+from executive.task_result import TaskResult
+from executive.understanding import understand
+from kinematics.robot_model import RobotModel
+from robots.live.runtime_folder import RuntimeFolder
+from trees.build import TaskTree
+from trees.tasks import MoveTask
+from trees.toolbox import Toolbox
+from trees.world_model import WorldModel
+
+_IDLE_S = 0.02
+
+
+class LiveExecutive:
+    """One attachment to a control process; ends with it.
+
+    Args:
+        folder: Where the robot is served.
+        model: Its model.
+        planning: The planning process.
+        world: What is believed of the world; outlives an attachment.
+        record: Folder of the recorded runs.
+    """
+
+    def __init__(
+        self, folder: RuntimeFolder, model: RobotModel, planning: Worker, world: WorldModel, record: Path
+    ) -> None:
+        """Attach.
+
+        Raises:
+            LiveError: The control process does not take this process as its commander.
+        """
+        self._link = link = ControlLink(folder, model)
+        self._record = record
+        self._order: Order | None = None
+        self._log: RunLog | None = None
+        self._display: PlainDisplay | None = None
+        self._stops: tuple[str, ...] = ()
+        link.listen(self._note)
+        motion = MotionClient(link)
+        detector = DetectorClient(link)
+        self._desk = Desk(folder.executive_socket, self._cancel, self.status, _is_stop)
+        self._steps = LiveSteps(link, detector, world, self._meanwhile)
+        self._planning = LivePlanning(planning, link, motion, world, self._note)
+        rng = np.random.default_rng(np.random.SeedSequence(int(link.about["seed"])).spawn(3)[2])
+        toolbox = Toolbox(
+            clock=LiveClock(link),
+            model=model,
+            motion=motion,
+            sensing=self._steps.sensing,
+            grippers={hand: GripperClient(link, motion, hand) for hand in model.description.grippers},
+            detector=detector,
+            planning=self._planning,
+            world=world,
+            events=self._note,
+            rng=rng,
+        )
+        self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
+        self._engaged = self._cancelled = False
+        self._session = Session(
+            toolbox,
+            self._steps,
+            self._planning,
+            self._note,
+            on_tick=self._show,
+            supervisor=self._supervisor,
+        )
+
+    def run(self) -> None:
+        """Carry out order after order.
+
+        Raises:
+            ControlLostError: The connection to the control process has ended.
+        """
+        try:
+            while True:
+                order = self._desk.next_order()
+                if order is None:
+                    self._session.hold(_IDLE_S)
+                    self._meanwhile()
+                    continue
+                try:
+                    self._carry_out(order)
+                finally:
+                    self._desk.finish()
+        except ControlLostError as lost:
+            if self._order is not None:
+                self._order.end(f"failed: {lost}", "failed", ExitCode.FAILED)
+            raise
+
+    def close(self) -> None:
+        """Let go: what moves is braked by the control process."""
+        self._desk.poll()
+        self._desk.close()
+        self._link.close()
+
+    def status(self) -> Mapping[str, Any]:
+        """How things stand, as JSON values."""
+        current = self._order.said.text if self._order is not None else None
+        state = self._supervisor.lifecycle.state.value
+        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state}
+
+    # ---------------------------------------------------------------- an order
+
+    def _carry_out(self, order: Order) -> None:
+        self._order, self._stops, self._cancelled = order, (), False
+        self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
+        said = order.said
+        about = self._link.about
+        header = {key: about[key] for key in ("robot", "scene", "seed")}
+        text = said.text or f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
+        try:
+            with RunLog(self._record, {"input": text[:200], "live": True, **header}) as log:
+                self._log = log
+                line, outcome, code, results = self._results(said)
+                report = Report(
+                    input=text,
+                    seed=int(about["seed"]),
+                    robot=str(about["robot"]),
+                    scene=str(about["scene"]),
+                    outcome=outcome,
+                    exit_code=code,
+                    message=line,
+                    events_sha256=log.digest.hexdigest(),
+                    tasks=results,
+                    safety=SafetyCounts(self._planning.checked, 0, self._stops),
+                )
+                log.finish(report.to_json())
+            order.end(line, outcome, code)
+        finally:
+            self._order = self._log = self._display = None
+            self._steps.busy = False
+
+    def _results(self, said: Say) -> tuple[str, str, ExitCode, list[TaskResult]]:
+        statement = _statement(said)
+        self._steps.busy = True
+        attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
+        statement = settled(statement, attendant, "ask", self._note)
+        if self._cancelled:
+            return "cancelled: before anything moved", "cancelled", ExitCode.CANCELLED, []
+        results = run_statements([statement], self._session, attendant, "ask", self._note)
+        line, outcome, code = verdict([statement], results)
+        return line, outcome, code, [result for _, said_results in results for result in said_results]
+
+    # ---------------------------------------------------------------- on the way
+
+    def _meanwhile(self) -> None:
+        self._desk.poll()
+        engaged = self._link.emergency is not None
+        if engaged and not self._engaged:
+            self._supervisor.stopped()
+        elif self._engaged and not engaged:
+            self._supervisor.reset("a person")
+        self._engaged = engaged
+
+    def _cancel(self, reason: str) -> None:
+        self._cancelled = True
+        self._session.cancel(reason)
+
+    def _note(self, event: Event) -> None:
+        if self._log is not None:
+            self._log.add(event)
+        if self._display is not None:
+            self._display.event(event)
+        if type(event).__name__ == "StopStarted":
+            self._stops = (*self._stops, str(getattr(event, "reason", "")))
+
+    def _show(self, tree: TaskTree) -> None:
+        if self._display is not None:
+            self._display.tick(tree)
+
+
+class _LineStream:
+    """Where a display writes lines to: back to who gave the order."""
+
+    encoding = "utf-8"
+
+    def __init__(self, order: Order) -> None:
+        self._order = order
+
+    def write(self, text: str) -> int:
+        self._order.tell(text.rstrip("\n"))
+        return len(text)
+
+    def flush(self) -> None:
+        pass
+
+
+def _statement(said: Say) -> Statement:
+    if said.text:
+        understood = understand(said.text)
+        return Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
+    text = f"move at {said.linear_m_s:g} m/s and {said.angular_rad_s:g} rad/s"
+    return Statement(Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),)))
+
+
+def _is_stop(text: str) -> bool:
+    commands = parse(text).commands
+    return len(commands) == 1 and isinstance(commands[0], StopCommand)

@@ -1,0 +1,137 @@
+"""Statements, one after the other: settle what is unclear, carry out, judge by what was expected."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from executive.attendant import Attendant
+from executive.clarification import OpenQuestion, clarified
+from executive.errand import Errand, drive, without_skill
+from executive.events import Event, InputTaken, QuestionAsked, TaskRefused
+from executive.exit_codes import ExitCode
+from executive.feedback import result_line, result_line_of_all
+from executive.meaning import Parsed, Refusal
+from executive.session import TASK_TIMEOUT_S, Session
+from executive.statement import Statement
+from executive.task_result import TaskResult
+from executive.trust import OnQuestion
+from trees.build import NoSkillError
+
+Said = tuple[Statement, list[TaskResult]]
+"""A statement with the results of its tasks."""
+
+Sink = Callable[[Event], None]
+
+
+def settled(statement: Statement, attendant: Attendant, on_question: OnQuestion, sink: Sink) -> Statement:
+    """Ask what is unclear in the words themselves, and refuse what is no skill; nothing moves yet."""
+    if statement.parsed.question is not None and statement.expect != "question":
+        statement = _asked(statement, attendant, on_question, sink)
+    lacking = without_skill(statement.parsed.commands)
+    if lacking is not None:
+        refusal = Refusal(str(NoSkillError(lacking)))
+        statement = replace(statement, parsed=Parsed(statement.parsed.text, refusal=refusal))
+    return statement
+
+
+def _asked(statement: Statement, attendant: Attendant, on_question: OnQuestion, sink: Sink) -> Statement:
+    text = statement.parsed.text
+
+    def ask(question: OpenQuestion) -> str | None:
+        sink(QuestionAsked(0.0, text, question.text, question.choices))
+        if on_question == "first" and question.choices:
+            answer: str | None = question.choices[0]
+        else:
+            answer = attendant.answer(question) if on_question == "ask" else None
+        sink(InputTaken(0.0, "answer", answer or ""))
+        return answer
+
+    if statement.if_confirmed is None:
+        return replace(statement, parsed=clarified(statement.parsed, ask))
+    confirmed = clarified(statement.parsed, ask, {"yes": statement.if_confirmed.parsed})
+    if confirmed is statement.if_confirmed.parsed:
+        return statement.meaning(statement.if_confirmed)
+    return replace(statement, parsed=confirmed)
+
+
+def may_start(statement: Statement) -> bool:
+    """Tell whether a statement's words are as expected."""
+    outcome = statement.parsed.outcome
+    return outcome == "tasks" or outcome == statement.expect
+
+
+def run_statements(
+    statements: Sequence[Statement],
+    session: Session,
+    attendant: Attendant,
+    on_question: OnQuestion,
+    sink: Sink,
+) -> list[Said]:
+    """Carry statements out, until one does not end as expected and does not say to go on."""
+    results: list[Said] = []
+    for statement in statements:
+        said = _run(statement, session, attendant, on_question, sink)
+        results.append((statement, said))
+        if said[-1].outcome == "cancelled":
+            break
+        if said[-1].outcome != statement.expect and statement.on_failure != "continue":
+            break
+    return results
+
+
+def _run(
+    statement: Statement, session: Session, attendant: Attendant, on_question: OnQuestion, sink: Sink
+) -> list[TaskResult]:
+    if not statement.parsed.commands:
+        return [not_understood(statement, session.now_s, sink)]
+    results: list[TaskResult] = []
+    for _ in range(2 if statement.on_failure == "retry" else 1):
+        errand = Errand(
+            session,
+            statement.parsed.commands,
+            timeout_s=statement.timeout_s or TASK_TIMEOUT_S,
+            on_question="fail" if statement.expect == "question" else on_question,
+            provenance=statement.provenance,
+        )
+        results += drive(errand.steps(), attendant, session)
+        if results[-1].outcome in (statement.expect, "cancelled"):
+            break
+    return results
+
+
+def not_understood(statement: Statement, now_s: float, sink: Sink) -> TaskResult:
+    """The result of a statement that was not turned into tasks."""
+    parsed = statement.parsed
+    text = parsed.to_json()["text"]
+    if parsed.refusal is not None:
+        sink(TaskRefused(now_s, text, str(parsed.refusal), parsed.refusal.word))
+        return TaskResult(text, "none", "refused")
+    if parsed.question is not None and statement.expect == "question":
+        sink(QuestionAsked(now_s, text, parsed.question.text, parsed.question.choices))
+    return TaskResult(text, "none", "question")
+
+
+def verdict(statements: Sequence[Statement], results: Sequence[Said]) -> tuple[str, str, ExitCode]:
+    """The line for people, the outcome, and the exit code of the first unexpected result."""
+    for statement, said in results:
+        last = said[-1]
+        if last.outcome != statement.expect:
+            code = last.exit_code if last.exit_code is not ExitCode.DONE else ExitCode.FAILED
+            return _line(statement, last), last.outcome, code
+    statement, said = results[-1]
+    line = _line(statement, said[-1]) if len(said) == 1 else result_line_of_all(said)
+    if len(statements) > 1:
+        line = f"script done: {len(results)} statements as expected; last {line}"
+    left_out = [f"{step.text!r} ({step.reason})" for one, _ in results for step in one.skipped]
+    if left_out:
+        line += f"; left out: {', '.join(left_out)}"
+    return line, "done", ExitCode.DONE
+
+
+def _line(statement: Statement, result: TaskResult) -> str:
+    if result.outcome == "refused" and statement.parsed.refusal is not None:
+        return f"refused: {statement.parsed.refusal}"
+    if result.outcome == "question" and statement.parsed.question is not None:
+        return f"question: {statement.parsed.question.text}"
+    return result_line(result)

@@ -1,0 +1,145 @@
+"""Actions as a model may send them: the slots of the command-line contract, validated.
+
+The pydantic models are made from the task types themselves, so that a task that gains a slot gains it here
+as well.
+"""
+
+from __future__ import annotations
+
+from dataclasses import MISSING, fields, replace
+from functools import lru_cache, reduce
+from operator import or_
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, create_model
+
+from executive.meaning import Command, StopCommand
+from trees.tasks import ObjectDescription, ObjectOf, Relation, RelationKind, Task
+
+MAX_COUNT = 20
+LARGEST = 1000.0
+"""No number of any slot is larger: metres, seconds, metres a second."""
+
+Word = Annotated[str, StringConstraints(min_length=1, max_length=60, pattern=r"^[^\x00-\x1f\x7f]+$")]
+Speech = Annotated[str, StringConstraints(min_length=1, max_length=300, pattern=r"^[^\x00-\x1f\x7f]+$")]
+Confidence = Annotated[float, Field(ge=0.0, le=1.0, description="How sure the model is of this step.")]
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+Whole = Annotated[int, Field(ge=1, le=MAX_COUNT)]
+
+
+class Strict(BaseModel):
+    """Nothing is converted, nothing extra is let in, and no number is NaN or infinite."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, frozen=True)
+
+
+class Reference(Strict):
+    """The object of an earlier task: "it"."""
+
+    ref: Annotated[int, Field(ge=0, le=100)]
+
+
+class ObjectSlots(Strict):
+    """Which object is meant; absent slots say nothing, and one at least must be there."""
+
+    model_config = ConfigDict(json_schema_extra={"minProperties": 1})
+
+    kind: Word | None = None
+    color: Word | None = None
+    name: Word | None = None
+    size: Word | None = None
+    material: Word | None = None
+    ordinal: Word | None = None
+    relation: RelationSlots | None = None
+
+
+class RelationSlots(Strict):
+    """Where something is, relative to something else; left and right are the robot's."""
+
+    model_config = ConfigDict(populate_by_name=False)
+
+    kind: RelationKind = Field(alias="is")
+    to: ObjectSlots | Reference | Word
+
+
+ObjectSlots.model_rebuild()
+
+_ALIASES = {"source": "from", "words": "text"}
+_TYPES: dict[Any, Any] = {
+    ObjectDescription: ObjectSlots,
+    ObjectOf: Reference,
+    Relation: RelationSlots,
+    str: Word,
+    float: Number,
+    int: Whole,
+}
+
+T = TypeVar("T")
+
+
+@lru_cache(maxsize=1)
+def action_models() -> dict[str, type[Strict]]:
+    """The model of each action, by its name."""
+    models = {kind.action: _model_of(kind) for kind in get_args(Task)}
+    models["stop"] = _made("StopAction", {"action": (Literal["stop"], ...)})
+    return models
+
+
+def command_of(step: BaseModel) -> Command:
+    """The command that a validated step means; its text names it in plain words."""
+    kinds = {kind.action: kind for kind in get_args(Task)}
+    action = str(getattr(step, "action"))  # noqa: B009 - the class is made at run time
+    if action == "stop":
+        return StopCommand("stop")
+    kind = kinds[action]
+    slots = {field.name: _plain(getattr(step, field.name)) for field in fields(kind) if field.name != "text"}
+    task: Task = kind(text="", **{key: value for key, value in slots.items() if value is not None})
+    return replace(task, text=_words(action, slots))
+
+
+def _words(action: str, slots: dict[str, Any]) -> str:
+    said = [
+        f"{key.replace('source', 'from')} {value}" for key, value in slots.items() if value not in (None, 1)
+    ]
+    return " ".join([action.replace("_", " "), *said])[:200]
+
+
+def _plain(value: Any) -> Any:
+    match value:
+        case Reference():
+            return ObjectOf(value.ref)
+        case RelationSlots():
+            return Relation(value.kind, _plain(value.to))
+        case ObjectSlots():
+            return ObjectDescription(
+                **{name: _plain(getattr(value, name)) for name in type(value).model_fields}
+            )
+        case _:
+            return value
+
+
+def _model_of(kind: Any) -> type[Strict]:
+    hints = get_type_hints(kind)
+    slots: dict[str, Any] = {"action": (Literal[kind.action], ...)}
+    for field in fields(kind):
+        if field.name == "text":
+            continue
+        made = Speech if field.name == "words" else _translated(hints[field.name])
+        alias = _ALIASES.get(field.name)
+        default = ... if field.default is MISSING else field.default
+        slots[field.name] = (made, Field(default, alias=alias) if alias else default)
+    name = "".join(part.title() for part in kind.action.split("_")) + "Action"
+    return _made(name, slots, (kind.__doc__ or "").split("\n")[0])
+
+
+def _made(name: str, slots: dict[str, Any], doc: str | None = None) -> type[Strict]:
+    return create_model(name, __base__=Strict, __doc__=doc, confidence=(Confidence | None, None), **slots)
+
+
+def _translated(hint: Any) -> Any:
+    if get_origin(hint) in (Union, UnionType):
+        return reduce(or_, (_translated(part) for part in get_args(hint)))
+    if hint is NoneType or get_origin(hint) is Literal:
+        return hint
+    return _TYPES[hint]

@@ -1,0 +1,172 @@
+"""A request on its way, for programs that embed the executive: watch it, answer it, cancel it, await it.
+
+    ticket = session.submit("pick up the cup")
+    ticket.subscribe(print)
+    ticket.on_question(lambda question: "the red one")
+    results = ticket.result()            # or: results = await ticket
+
+Nothing passes by itself: a session in lockstep goes on while somebody waits for a ticket, in the thread that
+waits. Tickets of one session run in the order in which they were submitted.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Generator
+from typing import TYPE_CHECKING, Any
+
+from executive.clarification import OpenQuestion
+from executive.errand import Errand, Steps, without_skill
+from executive.events import Event, InputTaken, QuestionAsked
+from executive.meaning import Refusal
+from executive.script_run import not_understood
+from executive.statement import Statement
+from executive.task_result import TaskResult
+from executive.trust import OnQuestion
+from trees.build import NoSkillError
+
+if TYPE_CHECKING:
+    from executive.session import Session
+
+Answerer = Callable[[OpenQuestion], str | None]
+
+
+class Ticket:
+    """One request. Made by ``Session.submit``.
+
+    Attributes:
+        statement: What was understood.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        statement: Statement,
+        before: Ticket | None,
+        on_question: OnQuestion,
+        timeout_s: float,
+    ) -> None:
+        self.statement = statement
+        self._session, self._before = session, before
+        self._on_question, self._timeout_s = on_question, timeout_s
+        self._answerer: Answerer | None = None
+        self._subscribers: list[Callable[[Event], None]] = []
+        self._answer: str | None = None
+        self._question: OpenQuestion | None = None
+        self._results: tuple[TaskResult, ...] | None = None
+        self._cancelled: str | None = None
+        self._steps = self._begin()
+
+    @property
+    def done(self) -> bool:
+        """Whether it has ended."""
+        return self._results is not None
+
+    @property
+    def question(self) -> OpenQuestion | None:
+        """The question that holds it, or None."""
+        return self._question
+
+    def subscribe(self, hear: Callable[[Event], None]) -> None:
+        """Have every event told that is told while it is under way."""
+        self._subscribers.append(hear)
+
+    def on_question(self, answer: Answerer) -> None:
+        """Have questions answered by a function; None from it leaves the question open."""
+        self._answerer = answer
+
+    def answer(self, text: str | None) -> None:
+        """Answer the open question; None leaves it unanswered, and ends the task.
+
+        Raises:
+            RuntimeError: No question is open.
+        """
+        if self._question is None:
+            raise RuntimeError("no question is open")
+        self._answer, self._question = text, None
+
+    def cancel(self, reason: str = "cancelled") -> None:
+        """Halt it, or never begin it; safe from another thread or a signal handler."""
+        self._cancelled = reason
+
+    def advance(self) -> bool:
+        """Go on by one tick; False while a question is open, and after the end."""
+        if self.done or self._question is not None:
+            return False
+        if self._before is not None and not self._before.done:
+            return self._before.advance()
+        self._before = None
+        if self._cancelled is not None:
+            reason, self._cancelled = self._cancelled, None
+            self._session.cancel(reason)
+        answer, self._answer = self._answer, None
+        with self._session.events.heard_by(self._hear):
+            try:
+                self._question = self._steps.send(answer)
+            except StopIteration as end:
+                self._results = end.value
+                return False
+        if self._question is not None and self._answerer is not None:
+            self.answer(self._answerer(self._question))
+        return True
+
+    def result(self) -> tuple[TaskResult, ...]:
+        """Go on to the end, and return the results of the tasks that were begun, in order.
+
+        A question that is open when nothing can go on any more stays unanswered.
+        """
+        while not self.done:
+            if not self.advance() and not self.done:
+                self._leave_open()
+        return self._results or ()
+
+    def __await__(self) -> Generator[Any, None, tuple[TaskResult, ...]]:
+        """Go on to the end, letting the event loop run between two ticks; waits for answers."""
+        return self._awaited().__await__()
+
+    async def _awaited(self) -> tuple[TaskResult, ...]:
+        while not self.done:
+            self.advance()
+            await asyncio.sleep(0)
+        return self._results or ()
+
+    def _leave_open(self) -> None:
+        ticket: Ticket | None = self
+        while ticket is not None:
+            if ticket.question is not None:
+                ticket.answer(None)
+            ticket = ticket._before
+
+    def _hear(self, event: Event) -> None:
+        for hear in self._subscribers:
+            hear(event)
+
+    def _begin(self) -> Steps:
+        """The statement's question first, if it has one; then its commands."""
+        session, statement = self._session, self.statement
+        if statement.if_confirmed is not None and statement.parsed.question is not None:
+            question = statement.parsed.question
+            session.tell(QuestionAsked(session.now_s, statement.parsed.text, question.text, question.choices))
+            text = (
+                (yield OpenQuestion(question.text, question.choices)) if self._on_question == "ask" else None
+            )
+            session.tell(InputTaken(session.now_s, "answer", text or ""))
+            if text is not None and text.strip().lower() in ("yes", "y", "1"):
+                statement = self.statement = statement.meaning(statement.if_confirmed)
+        if not statement.parsed.commands:
+            return (not_understood(statement, session.now_s, session.tell),)
+        lacking = without_skill(statement.parsed.commands)
+        if lacking is not None:
+            refusal = Refusal(str(NoSkillError(lacking)))
+            self.statement = statement = Statement(
+                type(statement.parsed)(statement.parsed.text, refusal=refusal)
+            )
+            return (not_understood(statement, session.now_s, session.tell),)
+        errand = Errand(
+            session,
+            statement.parsed.commands,
+            timeout_s=self._timeout_s,
+            on_question=self._on_question,
+            provenance=statement.provenance,
+        )
+        return (yield from errand.steps())

@@ -1,0 +1,175 @@
+"""What somebody asks for: a sentence, or a model's output with its confidences.
+
+Nothing below the threshold is carried out unasked. Policy "ask" puts one question for all steps, policy
+"partial" leaves out the steps below the threshold, and those that refer to them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from executive.command_parser import parse
+from executive.meaning import Command, Parsed, Question, Refusal
+from executive.references import references, with_references
+from executive.task_result import Provenance
+from executive.trust import USUAL_TRUST, Trust
+from trees.tasks import ObjectOf
+
+if TYPE_CHECKING:
+    from executive.model_output import ModelStep
+
+
+@dataclass(frozen=True, slots=True)
+class SkippedStep:
+    """A step of a model's output that is left out, and why."""
+
+    text: str
+    provenance: Provenance
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Understood:
+    """What a text was understood as.
+
+    Attributes:
+        parsed: Commands, a question or a refusal.
+        provenance: Where each command comes from; empty for a sentence of a person.
+        skipped: What is left out of a model's output.
+        if_confirmed: What holds when the question, about low confidence, is answered by yes.
+    """
+
+    parsed: Parsed
+    provenance: tuple[Provenance, ...] = ()
+    skipped: tuple[SkippedStep, ...] = ()
+    if_confirmed: Understood | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """One command of a step."""
+
+    command: Command
+    provenance: Provenance
+
+
+def is_model_output(text: str) -> bool:
+    """Tell whether a text is meant as JSON: it begins with a bracket."""
+    return text.lstrip()[:1] in ("{", "[")
+
+
+def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
+    """Understand a sentence or a model's output. It is untrusted: any string gives an answer."""
+    if not is_model_output(text):
+        return Understood(parse(text))
+    from executive.model_output import ModelOutputError, read_model_output
+
+    try:
+        steps = read_model_output(text)
+    except ModelOutputError as wrong:
+        return Understood(Parsed(text, refusal=Refusal(f"the model's output is not valid: {wrong}")))
+    parts = _parts(text, steps)
+    if isinstance(parts, Parsed):
+        return Understood(parts)
+    doubtful = {i for i, step in enumerate(steps) if step.confidence < trust.threshold}
+    if not doubtful:
+        return _of(text, parts)
+    if trust.policy == "partial" and len(doubtful) < len(steps):
+        return _partial(text, parts, doubtful, trust)
+    shown = "; ".join(
+        f"step {i + 1}, {_said(steps[i])!r}, has confidence {steps[i].confidence:.2f}"
+        for i in sorted(doubtful)
+    )
+    question = Question(f"{shown}, below {trust.threshold:.2f}: shall it be done?", ("yes", "no"))
+    return Understood(Parsed(text, question=question), if_confirmed=_of(text, parts))
+
+
+def _of(text: str, parts: Sequence[_Part], skipped: tuple[SkippedStep, ...] = ()) -> Understood:
+    parsed = Parsed(text, commands=tuple(part.command for part in parts))
+    return Understood(parsed, tuple(part.provenance for part in parts), skipped)
+
+
+def _said(step: ModelStep) -> str:
+    return step.content[:60] if isinstance(step.content, str) else step.content.text[:60]
+
+
+def _parts(text: str, steps: Sequence[ModelStep]) -> list[_Part] | Parsed:
+    """The commands of all steps, with references counted over all of them; or why there are none."""
+    from executive.canonical_words import checked_command
+
+    parts: list[_Part] = []
+    said: list[str] = []
+    for i, step in enumerate(steps):
+        if isinstance(step.content, str):
+            source = Provenance(i, step.confidence, "sentence")
+            commands = _commands(step.content, said, len(parts))
+            if isinstance(commands, Parsed):
+                return _with_place(text, i, commands)
+            parts += [_Part(command, source) for command in commands]
+            said.append(step.content)
+            continue
+        checked = checked_command(step.content)
+        if isinstance(checked, Refusal):
+            return Parsed(text, refusal=replace(checked, message=f"step {i + 1}: {checked.message}"))
+        parts.append(_Part(checked, Provenance(i, step.confidence, "action")))
+        said.clear()  # a sentence after it cannot lean on the sentences before
+    for index, part in enumerate(parts):
+        wrong = sorted(ref for ref in references(part.command) if ref >= index)
+        if wrong:
+            message = f"step {part.provenance.step + 1}: ref {wrong[0]} is no earlier task"
+            return Parsed(text, refusal=Refusal(message, str(wrong[0])))
+    return parts
+
+
+def _commands(sentence: str, said: Sequence[str], before: int) -> tuple[Command, ...] | Parsed:
+    """A step's commands; a step that leans on earlier ones ("put it down") is read after them."""
+    alone = parse(sentence)
+    if alone.commands:
+        return tuple(_shifted(command, before) for command in alone.commands)
+    if said:
+        earlier, whole = parse(", then ".join(said)), parse(", then ".join([*said, sentence]))
+        count = len(earlier.commands)
+        alike = [command.action for command in whole.commands[:count]] == [
+            command.action for command in earlier.commands
+        ]
+        if count and alike and len(whole.commands) > count:
+            return tuple(_shifted(command, before - count) for command in whole.commands[count:])
+    return alone
+
+
+def _with_place(text: str, step: int, parsed: Parsed) -> Parsed:
+    if parsed.refusal is not None:
+        message = f"step {step + 1}: {parsed.refusal.message}"
+        return Parsed(text, refusal=replace(parsed.refusal, message=message))
+    asked = parsed.question.text if parsed.question is not None else ""
+    return Parsed(text, refusal=Refusal(f"step {step + 1} is not clear: {asked}"))
+
+
+def _partial(text: str, parts: Sequence[_Part], doubtful: set[int], trust: Trust) -> Understood:
+    """Leave out the doubtful steps and what refers to them; the rest keeps its references."""
+    kept: list[_Part] = []
+    skipped: list[SkippedStep] = []
+    place: dict[int, int] = {}
+    for index, part in enumerate(parts):
+        confidence = part.provenance.confidence
+        if part.provenance.step in doubtful:
+            reason = f"confidence {confidence:.2f} is below {trust.threshold:.2f}"
+        elif not references(part.command) <= place.keys():
+            reason = "it refers to a step that is left out"
+        else:
+            place[index] = len(kept)
+            kept.append(
+                _Part(with_references(part.command, lambda old: ObjectOf(place[old])), part.provenance)
+            )
+            continue
+        skipped.append(SkippedStep(part.command.text, part.provenance, reason))
+    if not kept:
+        told = Question("no step is left to be carried out; shall all be done?", ("yes", "no"))
+        return Understood(Parsed(text, question=told), if_confirmed=_of(text, parts))
+    return _of(text, kept, tuple(skipped))
+
+
+def _shifted(command: Command, by: int) -> Command:
+    return with_references(command, lambda index: ObjectOf(index + by))

@@ -1,0 +1,193 @@
+"""Plan to take hold of a handle so that its whole path is within reach.
+
+Few grasps come into question: the pads on either side of the bar, from straight ahead or turned about it.
+A grasp is taken when the hand gets there, comes straight to it, and when the rehearsal of the path ends
+where it should.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.balanced_timing import time_in_balance
+from kinematics.curves import Curve, PolynomialCurve
+from kinematics.free_coordinates import free_coordinates
+from kinematics.gaze import gaze_joints
+from kinematics.grasping import key_of
+from kinematics.ik import IkTolerance, along_line, inverse_kinematics
+from kinematics.lead_in import lead_in
+from kinematics.opening_path import DoorArc
+from kinematics.opening_rehearsal import rehearse
+from kinematics.path_planner import PathPlanner
+from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan, PlannedStep
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Cylinder
+from kinematics.start_state import relaxed_at
+from kinematics.timing import Pace
+from kinematics.validity import validity
+
+Array = NDArray[np.float64]
+
+APPROACH_M = 0.10
+SHORT_M = 0.004
+"""The TCP stops so far before the bar's middle: behind the bar there is no more room than for fingers."""
+_REACH_PACE = Pace(velocity=0.5, acceleration=0.7)
+_STRAIGHT_PACE = Pace(velocity=0.2, acceleration=0.5)
+_RESERVE_M, _SELF_MARGIN_M = 0.004, 0.005
+_POINTS = 4
+_TURNS_RAD = tuple(math.radians(a) for a in (20, 0, 40, -20))
+"""About the bar, away from the hinge: turned like this the arm follows farthest."""
+_FLOATED = 0.8
+"""Of a door's angle: so far the hand has turned about the bar when it has followed the door there."""
+_TOLERANCE = IkTolerance(com_margin_m=0.05)
+
+
+class HandlePlanner:
+    """Answers handle requests for one robot."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+
+    def plan(self, request: HandleRequest) -> HandlePlan | NoPlan:
+        """Plan reach and approach, or say honestly why there is no plan."""
+        task = _HandleTask(self._model, request)
+        for grasp in task.grasps():
+            if (plan := task.planned(grasp)) is not None:
+                return plan
+        farthest = task.farthest_s
+        numbers = {"grasps_considered": float(task.considered)}
+        if farthest is not None:
+            numbers["reached"] = farthest
+            numbers["wanted"] = request.s_to
+        return NoPlan(f"no way to move the {request.handle} from here was found", dict(task.reasons), numbers)
+
+
+class _HandleTask:
+    """The state of one planning problem."""
+
+    def __init__(self, model: RobotModel, request: HandleRequest) -> None:
+        self._model, self._request = model, request
+        self._space = free_coordinates(model, request.stance)
+        self.reasons: Counter[str] = Counter()
+        self.considered = 0
+        self.farthest_s: float | None = None
+        start = relaxed_at(model, request.scene, request.q_start)
+        self._reach_scene = start
+        self._reach_planner = self._planner(start)
+
+    def grasps(self) -> Iterator[Grasp]:
+        """Candidates, the most promising first."""
+        request = self._request
+        point, bar = request.path.at(request.s_from), request.scene.objects[request.handle]
+        heading = math.atan2(-point.outward[1], -point.outward[0])
+        shape = bar.shape
+        diameter = 2.0 * shape.radius_m if isinstance(shape, Cylinder) else 0.02
+        place = bar.world_T_object[:3, 3]
+        for hand in request.hands:
+            for turn in _TURNS_RAD:
+                yield from self._turned(hand, turn, heading, place, diameter)
+
+    def _turned(
+        self, hand: Hand, turn: float, heading: float, place: Array, diameter: float
+    ) -> Iterator[Grasp]:
+        path, s = self._request.path, self._request.s_from
+        if isinstance(path, DoorArc):
+            yaw = heading + path.side * (_FLOATED * s - turn)
+            rolls = [("", 0.0)]
+        else:
+            yaw = heading + (turn if hand == "right" else -turn)
+            rolls = [("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi)]
+        for name, roll in rolls:
+            rotation = poses.rotation_z(yaw) @ poses.rotation_x(roll)
+            label = f"bar {math.degrees(turn):+.0f}{' ' + name if name else ''}"
+            if key_of(hand, label) in self._request.excluded:
+                continue
+            pose = poses.transform(rotation, place - SHORT_M * rotation[:, 0])
+            yield Grasp(hand, label, pose, APPROACH_M, diameter)
+
+    def planned(self, grasp: Grasp) -> HandlePlan | None:
+        """The whole plan for one grasp, or None with the reason counted."""
+        self.considered += 1
+        plan = self._plan(grasp)
+        if isinstance(plan, str):
+            self.reasons[plan] += 1
+            return None
+        return plan
+
+    def _plan(self, grasp: Grasp) -> HandlePlan | str:
+        request, model = self._request, self._model
+        ik = inverse_kinematics(model, request.stance, grasp.hand)
+        found = ik.solve(grasp.world_T_tcp, request.q_start)
+        if not found.within(_TOLERANCE):
+            return "no inverse kinematics at the handle"
+        scene = self._touching(grasp.hand)
+        near = self._planner(scene)
+        if not near.is_free(self._space.from_q(found.q)):
+            return "collision at the handle"
+        back_m = poses.translation(-grasp.approach_m, 0.0, 0.0)
+        back = along_line(ik, found.q, grasp.world_T_tcp, grasp.world_T_tcp @ back_m, _POINTS)
+        if back is None:
+            return "no straight approach"
+        approach = PolynomialCurve(self._gazing(back[::-1], grasp.world_T_tcp[:3, 3]))
+        x_pregrasp, x_grasp = approach(np.array([0.0, 1.0]))
+        if not self._reach_planner.is_free(x_pregrasp) or not near.curve_is_free(approach):
+            return "approach collides"
+        q_grasp = self._space.to_q(x_grasp[None, :])[0][0]
+        rehearsal = rehearse(
+            model, request.stance, grasp.hand, q_grasp, scene, request.parts, request.path,
+            request.s_from, request.s_to,
+        )  # fmt: skip
+        if rehearsal.reason:
+            best = self.farthest_s
+            farther = best is None or abs(rehearsal.farthest_s - request.s_from) > abs(best - request.s_from)
+            self.farthest_s = rehearsal.farthest_s if farther else best
+            return rehearsal.reason
+        return self._timed(grasp, x_pregrasp, approach, scene, rehearsal.farthest_s)
+
+    def _timed(
+        self, grasp: Grasp, x_pregrasp: Array, approach: Curve, scene: PlanningScene, farthest_s: float
+    ) -> HandlePlan | str:
+        request, model = self._request, self._model
+        groups = model.description.groups
+        arms = [joint for hand in ("left", "right") for joint in groups[f"{hand}_arm"]]
+        moving = [self._space.index(joint) for joint in (*arms, *groups["torso"])]
+        start = self._space.from_q(request.q_start)
+        reach = self._reach_planner.plan(start, x_pregrasp, moving, np.random.default_rng(request.seed))
+        if reach is None:
+            return "no path to the handle"
+        first = self._step("reach", reach, _REACH_PACE, self._reach_scene)
+        second = self._step("approach", approach, _STRAIGHT_PACE, scene)
+        if first is None or second is None:
+            return "legs cannot follow"
+        led = lead_in(first.trajectory, request.q_start, model.acceleration)
+        return HandlePlan(
+            grasp, dataclasses.replace(first, trajectory=led), second, farthest_s, self.considered
+        )
+
+    def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
+        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
+        return None if trajectory is None else PlannedStep(name, trajectory, scene)
+
+    def _touching(self, hand: Hand) -> PlanningScene:
+        """The scene in which this hand may touch the handle and what it is on."""
+        links = self._model.description.grippers[hand].touch_links
+        return self._request.scene.allowing((link, part) for link in links for part in self._request.parts)
+
+    def _gazing(self, configurations: Array, place: Array) -> Array:
+        x = np.array([self._space.from_q(q) for q in configurations])
+        for joint, angle in gaze_joints(self._model, configurations[0], place).items():
+            x[:, self._space.index(joint)] = angle
+        return x
+
+    def _planner(self, scene: PlanningScene) -> PathPlanner:
+        judge = validity(self._model, self._request.stance, scene, _RESERVE_M, _SELF_MARGIN_M)
+        return PathPlanner(self._model, self._space, judge)

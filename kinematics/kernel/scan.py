@@ -1,0 +1,106 @@
+"""Compiled: judge all pairs of solids where the bodies are, the many that are far apart in bulk."""
+
+from __future__ import annotations
+
+import math
+
+from kinematics.kernel.compiler import compiled, inlined
+from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
+from kinematics.kernel.pair_judge import APART, OPEN, TOUCHING, judge_own, judge_with, own_slack
+from kinematics.kernel.separation import point_distance
+from kinematics.kernel.solids import Indices
+
+
+@compiled
+def scan(memory: Memory, found: Indices) -> tuple[int, int]:
+    """Judge all pairs; list those that are open.
+
+    Args:
+        memory: Bodies and motion bounds in place.
+        found: Result: open pairs.
+
+    Returns:
+        A pair that touches, or -1; and how many were listed, or -1 when the list is full.
+    """
+    problem, work = problem_at(memory), work_at(memory)
+    pairs, chains, ball = problem.pairs, problem.chains, work.ball
+    listed = 0
+    for group in range(pairs.group_first.shape[0]):
+        first = pairs.group_start[group]
+        last = pairs.group_start[group + 1]
+        a = pairs.group_first[group]
+        b = pairs.group_second[group]
+        d0 = ball[a, 0] - ball[b, 0]
+        d1 = ball[a, 1] - ball[b, 1]
+        d2 = ball[a, 2] - ball[b, 2]
+        slack = own_slack(problem, work, group)
+        far = chains.radius[a] + chains.radius[b] + pairs.group_margin[group] + slack
+        if d0 * d0 + d1 * d1 + d2 * d2 > far * far:
+            continue
+        for pair in range(first, last):
+            status = judge_own(memory, problem, work, pair, slack)
+            if status == TOUCHING:
+                return pair, listed
+            if status == OPEN:
+                if listed >= found.shape[0]:
+                    return -1, -1
+                found[listed] = pair
+                listed += 1
+    if pairs.object_margin.shape[0] == 0:
+        return -1, listed
+    for limb in range(chains.limbs):
+        if pairs.limb_start[limb] < pairs.limb_start[limb + 1]:
+            touching, listed = _scan_limb(memory, problem, work, limb, found, listed)
+            if touching >= 0 or listed < 0:
+                return touching, listed
+    return -1, listed
+
+
+@inlined
+def _scan_limb(
+    memory: Memory, problem: Problem, work: Work, limb: int, found: Indices, listed: int
+) -> tuple[int, int]:
+    """Judge a limb with every object: as a whole, body by body, solid by solid; see ``scan``."""
+    solids, pairs, chains, ball = problem.solids, problem.pairs, problem.chains, work.ball
+    first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
+    low0 = low1 = low2 = math.inf
+    high0 = high1 = high2 = -math.inf
+    farthest = 0.0
+    for at in range(first, last):
+        body = pairs.limb_bodies[at]
+        r = chains.radius[body]
+        low0 = min(low0, ball[body, 0] - r)
+        low1 = min(low1, ball[body, 1] - r)
+        low2 = min(low2, ball[body, 2] - r)
+        high0 = max(high0, ball[body, 0] + r)
+        high1 = max(high1, ball[body, 1] + r)
+        high2 = max(high2, ball[body, 2] + r)
+        farthest = max(farthest, work.moved[body, chains.length[body]])
+    c0, c1, c2 = 0.5 * (low0 + high0), 0.5 * (low1 + high1), 0.5 * (low2 + high2)
+    around = math.sqrt((high0 - c0) ** 2 + (high1 - c1) ** 2 + (high2 - c2) ** 2) + farthest
+    for thing in range(pairs.object_margin.shape[0]):
+        solid = pairs.moving + thing
+        margin = pairs.object_margin[thing]
+        if point_distance(solids, solid, c0, c1, c2) > around + margin:
+            continue
+        for at in range(first, last):
+            body = pairs.limb_bodies[at]
+            slack = work.moved[body, chains.length[body]]
+            away = point_distance(solids, solid, ball[body, 0], ball[body, 1], ball[body, 2])
+            if away > chains.radius[body] + slack + margin:
+                continue
+            for k in range(pairs.body_start[at], pairs.body_start[at + 1]):
+                s = pairs.body_solids[k]
+                if pairs.judged[thing, s] == 0:
+                    continue
+                status = judge_with(memory, problem, work, s, thing, slack)
+                if status == APART:
+                    continue
+                pair = pairs.first.shape[0] + thing * pairs.moving + s
+                if status == TOUCHING:
+                    return pair, listed
+                if listed >= found.shape[0]:
+                    return -1, -1
+                found[listed] = pair
+                listed += 1
+    return -1, listed

@@ -1,0 +1,148 @@
+"""Follow a handle's whole path before anybody touches it, with the tracker that will follow it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.free_coordinates import free_coordinates
+from kinematics.hand_tracker import TICK_S, HandGoal, HandTracker
+from kinematics.opening_path import DoorArc, OpeningPath
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import Stance
+from kinematics.validity import validity
+
+Array = NDArray[np.float64]
+
+GRAVITY_M_S2 = 9.81
+BREAK_FREE_N, MOVING_N = 25.0, 6.0
+"""Pull for which the CoM is shifted before a door gives way, and while it moves."""
+DOOR_SPEED_RAD_S, DRAWER_SPEED_M_S = math.radians(15.0), 0.12
+FREE_SPIN, HELD_SPIN = 0.001, 0.3
+"""Weights of the hand's turn about the bar: left open on a door, nearly kept on a drawer."""
+SPIN_FADES = 0.93
+"""From one weight to the other, by this factor a tick: a jump of weights is a jump of speeds."""
+_SETTLE_TICKS = 60
+_OFF_M, _OFF_COSINE = 0.012, math.cos(math.radians(14.0))
+"""A hand that stays behind by more has come to the end of its reach."""
+_JUDGED_SHARE = 1.0 / 10.0
+"""Of the path between two judgements of collision and balance."""
+_MARGIN_M = 0.004
+"""Kept from everything along the path; what was perceived is known no better, but a held handle is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rehearsal:
+    """How far it went.
+
+    Attributes:
+        farthest_s: The last opening at which everything was well.
+        reason: Why it went no farther; empty when it got there.
+    """
+
+    farthest_s: float
+    reason: str
+
+
+def com_shift_m(model: RobotModel, point_outward: Array, height_m: float, force_n: float) -> Array:
+    """How far back the CoM has to be for a pull along ``point_outward``, shape (3,), at a height; (2,)."""
+    return np.asarray(point_outward[:2] * force_n * height_m / (model.mass_kg * GRAVITY_M_S2))
+
+
+def speed_along(path: OpeningPath) -> float:
+    """How fast a path is followed, in its own unit a second."""
+    return DOOR_SPEED_RAD_S if isinstance(path, DoorArc) else DRAWER_SPEED_M_S
+
+
+def spin_along(path: OpeningPath) -> float:
+    """How much the hand's turn about the bar matters while the path is followed."""
+    return FREE_SPIN if isinstance(path, DoorArc) else HELD_SPIN
+
+
+def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) -> Array:
+    """A rotation, shape (3, 3), taken along by the handle from one opening to another."""
+    pose = poses.transform(rotation, (0.0, 0.0, 0.0))
+    return np.asarray(path.part_moved(pose, s_from, s_to)[:3, :3])
+
+
+def scene_at(
+    scene: PlanningScene, parts: tuple[str, ...], path: OpeningPath, s_from: float, s_to: float
+) -> PlanningScene:
+    """The scene with a door or drawer moved from one opening to another."""
+    for name in parts:
+        item = scene.objects[name]
+        moved = path.part_moved(item.world_T_object, s_from, s_to)
+        scene = scene.with_object(replace(item, world_T_object=moved))
+    return scene
+
+
+def guarded_scene(scene: PlanningScene) -> PlanningScene:
+    """The scene with the margins of motions that are made as they go."""
+    near = [
+        replace(item, margin_m=min(item.margin_m, _MARGIN_M)) if not item.movable else item
+        for item in scene.objects.values()
+    ]
+    return scene.with_objects(near)
+
+
+def rehearse(
+    model: RobotModel,
+    stance: Stance,
+    hand: Hand,
+    q_grasp: Array,
+    scene: PlanningScene,
+    parts: tuple[str, ...],
+    path: OpeningPath,
+    s_from: float,
+    s_to: float,
+) -> Rehearsal:
+    """Follow a path from a grasp, as ``YieldingHand`` would, and judge the postures on the way.
+
+    Args:
+        model: The robot.
+        stance: Where its feet stand.
+        hand: The hand that holds the handle.
+        q_grasp: Configuration with the handle in the hand at ``s_from``, shape (nq,).
+        scene: What is around; the hand may touch what its ``allowed`` says.
+        parts: What moves with the handle.
+        path: Of the handle.
+        s_from, s_to: Openings.
+    """
+    tracker = HandTracker(model, stance, hand, q_grasp)
+    space = free_coordinates(model, stance)
+    scene, times = guarded_scene(scene), np.array([TICK_S])
+    rotation, height_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
+    axis = path.bar_axis
+    own_axis = tracker.tcp_rotation.T @ axis
+    way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
+    start = path.at(s_from)
+    shift = com_shift_m(model, start.outward, height_m, BREAK_FREE_N if way > 0.0 else 0.0)
+    for _ in range(_SETTLE_TICKS if way > 0.0 else 0):
+        tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
+    s, judged_s, steps = s_from, s_from, 0
+    step, every = speed * TICK_S, _JUDGED_SHARE * abs(s_to - s_from)
+    while True:
+        if abs(s - judged_s) >= every or s in (s_from, s_to):
+            judge = validity(model, stance, scene_at(scene, parts, path, s_from, s))
+            if not judge.points_are_free(space.from_q(tracker.q)[None, :]):
+                return Rehearsal(judged_s, "something is in the way of the arm")
+            judged_s = s
+        if s == s_to:
+            return Rehearsal(s, "")
+        s = s_to if abs(s_to - s) <= step else s + way * step
+        spin = max(spin_along(path), spin * SPIN_FADES)
+        point = path.at(s)
+        eased = com_shift_m(model, point.outward, height_m, MOVING_N if way > 0.0 else 0.0)
+        steps += 1
+        tracker.tick(
+            HandGoal(point.position_m, turned_with(path, rotation, s_from, s), spin, axis, eased), times
+        )
+        off_m = float(np.linalg.norm(tracker.tcp_m - point.position_m))
+        if off_m > _OFF_M or (tracker.tcp_rotation @ own_axis) @ axis < _OFF_COSINE or not tracker.standing:
+            return Rehearsal(judged_s, "the arm does not reach farther")

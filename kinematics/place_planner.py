@@ -1,0 +1,231 @@
+"""Plan to put a held object down: choose spot and turn, then the way over it and straight down onto it.
+
+As with picks, it is the goals that fail: each spot is tried with several turns about the vertical, the
+most natural for the arm first, and only those whose way down and whose retreat are free are reached for.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.balanced_timing import time_in_balance
+from kinematics.collision import HandCollision
+from kinematics.curves import Curve, PolynomialCurve
+from kinematics.free_coordinates import free_coordinates
+from kinematics.gaze import gaze_joints
+from kinematics.ik import DEFAULT_TOLERANCE, along_line, inverse_kinematics
+from kinematics.lead_in import lead_in
+from kinematics.path_planner import PathPlanner
+from kinematics.pick_planner import CARTESIAN_POINTS, LEAST_RESERVE_M, REACH_PACE, SELF_MARGIN_M
+from kinematics.place_requests import PlaceRequest, Spot
+from kinematics.pointing import link_moved_by
+from kinematics.poses import Transform
+from kinematics.requests import NoPlan, PlacePlan, PlannedStep
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.start_state import relaxed_at
+from kinematics.timing import Pace
+from kinematics.validity import validity
+
+Array = NDArray[np.float64]
+
+RESERVE_M = 0.003
+# Down at about 4 cm/s: from the first touch to the end of the braking it is 2 mm.
+LOWER_PACE = Pace(velocity=0.06, acceleration=0.3)
+# Steps of the turn about the vertical.
+TURNS_RAD = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60, 80, -80, 100, -100))
+# So many goals that only a detour may come to are kept.
+MOST_BLOCKED = 5
+
+
+@dataclass(frozen=True, slots=True)
+class _Goal:
+    spot: int
+    world_T_object: Transform
+    lower: Curve
+    x_hover: Array
+    lower_scene: PlanningScene
+
+
+class PlacePlanner:
+    """Answers place requests for one robot."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+
+    def plan(self, request: PlaceRequest) -> PlacePlan | NoPlan:
+        """Plan transfer and lowering, or say honestly why there is no plan."""
+        task = _PlaceTask(self._model, request)
+        blocked: list[_Goal] = []
+        for index, spot in enumerate(request.spots):
+            for world_T_object in task.turned(spot):
+                goal = task.solve(index, spot, world_T_object)
+                if goal is None:
+                    continue
+                straight = task.straight(goal)
+                if straight is not None and (plan := task.timed(goal, straight)) is not None:
+                    return plan
+                if straight is None and len(blocked) < MOST_BLOCKED:
+                    blocked.append(goal)
+        for goal in blocked:
+            detour = task.detour(goal)
+            if detour is not None and (plan := task.timed(goal, detour)) is not None:
+                return plan
+        return NoPlan(
+            f"no way to put the {request.held} down was found",
+            dict(task.reasons) or {"no free spot": 1},
+            {"spots": float(len(request.spots)), "considered": float(task.considered)},
+        )
+
+
+class _PlaceTask:
+    """The state of one planning problem.
+
+    Attributes:
+        reasons: How many poses failed for which reason so far.
+        considered: How many poses were looked at so far.
+    """
+
+    def __init__(self, model: RobotModel, request: PlaceRequest) -> None:
+        self._model, self._request = model, request
+        self._body = request.scene.attached[request.held]
+        frames = model.description.tcp_frames
+        self.hand: Hand = next(hand for hand, frame in frames.items() if frame == self._body.frame)
+        self._space = free_coordinates(model, request.stance)
+        self._scene = relaxed_at(model, request.scene, request.q_start, RESERVE_M)
+        self._planner = self._planner_in(self._scene)
+        self._x_start = self._space.from_q(request.q_start)
+        self._ik = inverse_kinematics(model, request.stance, self.hand)
+        self._seed = self._seed_posture()
+        self._rng = np.random.default_rng(request.seed)
+        self._hand_alone = HandCollision(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
+        self._object_T_tcp = poses.inverse(self._body.frame_T_object)
+        self.reasons: Counter[str] = Counter()
+        self.considered = 0
+
+    def turned(self, spot: Spot) -> Iterator[Transform]:
+        """The spot's pose with several turns about the vertical, the hand's natural heading first."""
+        shoulder = self._model.frame_pose(self._seed, self._shoulder_link())[:3, 3]
+        place = spot.world_T_object[:3, 3]
+        natural = math.atan2(place[1] - shoulder[1], place[0] - shoulder[0])
+        tcp = spot.world_T_object @ self._object_T_tcp
+        heading = poses.yaw_of(tcp[:3, :3])
+        if abs(tcp[2, 0]) > 0.97:  # pointing down: what would be ahead without the tilt
+            heading = math.atan2(tcp[1, 2], tcp[0, 2])
+        # the elbow stays off the trunk when the hand comes from its own outer side
+        outward = 1.0 if self.hand == "right" else -1.0
+        for turn in TURNS_RAD:
+            pose = spot.world_T_object.copy()
+            pose[:3, :3] = poses.rotation_z(natural + outward * turn - heading) @ pose[:3, :3]
+            yield pose
+
+    def solve(self, index: int, spot: Spot, world_T_object: Transform) -> _Goal | None:
+        """Find the way down to a pose; a failure is counted with its reason."""
+        self.considered += 1
+        goal = self._solve(index, spot, world_T_object)
+        if isinstance(goal, str):
+            self.reasons[goal] += 1
+            return None
+        return goal
+
+    def straight(self, goal: _Goal) -> Curve | None:
+        """The straight way to the hover pose, if it is free."""
+        return self._planner.straight(self._x_start, goal.x_hover)
+
+    def detour(self, goal: _Goal) -> Curve | None:
+        """A way around what is between here and the hover pose."""
+        groups = self._model.description.groups
+        moving = [self._space.index(joint) for joint in (*groups[f"{self.hand}_arm"], *groups["torso"])]
+        curve = self._planner.plan(self._x_start, goal.x_hover, moving, self._rng)
+        if curve is None:
+            self.reasons["no path over the spot"] += 1
+        return curve
+
+    def timed(self, goal: _Goal, transfer: Curve) -> PlacePlan | None:
+        """Give both motions their time."""
+        request, model = self._request, self._model
+        first = time_in_balance(model, self._space, request.stance, transfer, REACH_PACE)
+        second = time_in_balance(model, self._space, request.stance, goal.lower, LOWER_PACE)
+        if first is None or second is None:
+            self.reasons["legs cannot follow"] += 1
+            return None
+        first = lead_in(first, request.q_start, model.acceleration)
+        return PlacePlan(
+            hand=self.hand,
+            spot=goal.spot,
+            world_T_object=goal.world_T_object,
+            transfer=PlannedStep("transfer", first, self._scene),
+            lower=PlannedStep("lower", second, goal.lower_scene),
+            considered=self.considered,
+        )
+
+    def _solve(self, index: int, spot: Spot, world_T_object: Transform) -> _Goal | str:
+        request = self._request
+        placed = world_T_object @ self._object_T_tcp
+        lowest = poses.translation(0.0, 0.0, -spot.below_m) @ placed
+        if self._hand_alone.collides(lowest):
+            return "hand collides at the spot"
+        first = self._ik.solve(placed, self._seed)
+        if not first.within(DEFAULT_TOLERANCE):
+            return "no inverse kinematics at the spot"
+        touching = self._scene.allowing((request.held, name) for name in spot.touches)
+        near = self._planner_in(touching)
+        if not near.is_free(self._space.from_q(first.q)):
+            return "collision at the spot"
+        hover = poses.translation(0.0, 0.0, spot.hover_m) @ placed
+        up = along_line(self._ik, first.q, placed, hover, CARTESIAN_POINTS)
+        if up is None:
+            return "no straight way down"
+        down = along_line(self._ik, up[-1], hover, lowest, CARTESIAN_POINTS)
+        if down is None:
+            return "no straight way down"
+        gaze = gaze_joints(self._model, down[0], world_T_object[:3, 3])
+        points = self._gazing(down, gaze)
+        if not self._planner.is_free(points[0]):
+            return "collision above the spot"
+        lower = PolynomialCurve(points)
+        if not near.curve_is_free(lower):
+            return "collision on the way down"
+        if not self._retreat_is_free(first.q, placed, world_T_object, gaze):
+            return "no free way back for the hand"
+        return _Goal(index, world_T_object, lower, points[0], touching)
+
+    def _retreat_is_free(
+        self, q: Array, placed: Transform, world_T_object: Transform, gaze: dict[str, float]
+    ) -> bool:
+        back = placed @ poses.translation(-self._request.retreat_m, 0.0, 0.0)
+        away = along_line(self._ik, q, placed, back, CARTESIAN_POINTS)
+        if away is None:
+            return False
+        released = self._scene.with_detached(self._request.held, world_T_object)
+        released = released.allowing((link, self._request.held) for link in self._body.touch_links)
+        return self._planner_in(released).curve_is_free(PolynomialCurve(self._gazing(away, gaze)))
+
+    def _gazing(self, configurations: Array, gaze: dict[str, float]) -> Array:
+        x = np.array([self._space.from_q(q) for q in configurations])
+        for joint, angle in gaze.items():
+            x[:, self._space.index(joint)] = angle
+        return x
+
+    def _planner_in(self, scene: PlanningScene) -> PathPlanner:
+        judge = validity(self._model, self._request.stance, scene, RESERVE_M, SELF_MARGIN_M)
+        return PathPlanner(self._model, self._space, judge)
+
+    def _seed_posture(self) -> Array:
+        """Home, which keeps elbows where they belong, with the other arm where it is."""
+        model, request = self._model, self._request
+        q = model.home_over(request.stance)
+        other = 7 + model.group("left_arm" if self.hand == "right" else "right_arm")
+        q[other] = request.q_start[other]
+        return q
+
+    def _shoulder_link(self) -> str:
+        return link_moved_by(self._model, self._model.description.groups[f"{self.hand}_arm"][1])

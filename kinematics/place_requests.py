@@ -1,0 +1,55 @@
+"""What one can ask of the place planner; frozen values, answered by a ``PlacePlan`` or a ``NoPlan``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.poses import Transform
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import Stance
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where an object could be put down.
+
+    Attributes:
+        world_T_object: Its pose at rest there, shape (4, 4); the planner chooses the turn about the
+            vertical.
+        touches: Names of what it may touch there: what carries it, the walls of a container.
+        hover_m: How far above that the way straight down begins.
+        below_m: How far below that it ends, for the support may be lower than it seems.
+    """
+
+    world_T_object: Transform
+    touches: tuple[str, ...]
+    hover_m: float = 0.06
+    below_m: float = 0.005
+
+
+@dataclass(frozen=True, slots=True)
+class PlaceRequest:
+    """Plan to bring a held object over one of several spots, down onto it, and the hand away from it.
+
+    Attributes:
+        q_start: Configuration to start from (the commanded reference), shape (nq,).
+        stance: Where the feet stand.
+        scene: What is around; the object is an attached body of it.
+        held: Name of the attached body.
+        spots: Where it may go, the best first.
+        retreat_m: How far the hand is drawn back along its approach, at the end.
+        seed: Of everything random in the plan.
+    """
+
+    q_start: Array
+    stance: Stance
+    scene: PlanningScene
+    held: str
+    spots: tuple[Spot, ...]
+    retreat_m: float = 0.10
+    seed: int = 0

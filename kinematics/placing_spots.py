@@ -1,0 +1,167 @@
+"""Free spots on a top: where an object could stand without touching anything else."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box, Shape
+
+Array = NDArray[np.float64]
+
+# Left between an object's foot and the edge of the top, and between it and its neighbours: a perception
+# error of each, and a finger beside it.
+EDGE_M = 0.03
+GAP_M = 0.05
+# Neighbours farther than this are no hindrance to a hand.
+ROOM_M = 0.12
+ROOM_COST = 1.0
+GRID_M = 0.03
+# Two spots nearer than this are one choice.
+APART_M = 0.05
+# Beside something: the gaps that are tried, and the directions off the named one.
+BESIDE_GAPS_M = (0.06, 0.09, 0.13, 0.17)
+BESIDE_TURNS_RAD = tuple(math.radians(a) for a in (0.0, 15.0, -15.0, 30.0, -30.0))
+MOST = 12
+_ON_TOP_M = 0.04
+
+
+@dataclass(frozen=True, slots=True)
+class FreeSpot:
+    """A spot on a top.
+
+    Attributes:
+        place_m: Of the top's surface, world, shape (3,).
+        cost: How far it is from what is wished; smaller is better.
+    """
+
+    place_m: Array
+    cost: float
+
+
+def footprint_radius_m(shape: Shape) -> float:
+    """Of the circle around an upright object's foot."""
+    if isinstance(shape, Box):
+        return 0.5 * math.hypot(shape.size_m[0], shape.size_m[1])
+    return shape.radius_m
+
+
+def spots_on(
+    top: SceneObject, scene: PlanningScene, radius_m: float, wish: Callable[[Array], float]
+) -> list[FreeSpot]:
+    """Free spots anywhere on a top, the most wished for first.
+
+    Args:
+        top: An upright box.
+        scene: Everything that may stand there.
+        radius_m: Of the object's foot.
+        wish: Cost of a place, shape (3,).
+    """
+    if not isinstance(top.shape, Box):
+        return []
+    half = 0.5 * np.array(top.shape.size_m[:2]) - radius_m - EDGE_M
+    if np.any(half < 0.0):
+        return []
+    axes = [np.linspace(-h, h, max(1, int(2.0 * h / GRID_M)) + 1) for h in half]
+    places = [_on(top, x, y) for x in axes[0] for y in axes[1]]
+    return _chosen(places, top, scene, radius_m, wish)
+
+
+def spots_beside(
+    other: SceneObject,
+    top: SceneObject,
+    scene: PlanningScene,
+    radius_m: float,
+    directions_rad: Sequence[float],
+    wish: Callable[[Array], float],
+) -> list[FreeSpot]:
+    """Free spots beside an object, in one of some directions from it, nearest to those directions first.
+
+    Args:
+        other: What it goes beside.
+        top: What that stands on.
+        scene: Everything that may stand there.
+        radius_m: Of the object's foot.
+        directions_rad: World headings from ``other``, the most wished for first.
+        wish: Further cost of a place, shape (3,).
+    """
+    if not isinstance(top.shape, Box):
+        return []
+    centre = other.world_T_object[:2, 3]
+    apart_m = footprint_radius_m(other.shape) + radius_m
+    costs: dict[tuple[float, float], float] = {}
+    for rank, direction in enumerate(directions_rad):
+        for gap in BESIDE_GAPS_M:
+            for turn in BESIDE_TURNS_RAD:
+                way = np.array([math.cos(direction + turn), math.sin(direction + turn)])
+                x, y = (float(value) for value in centre + (apart_m + gap) * way)
+                costs[x, y] = 0.5 * rank + abs(turn) + 2.0 * (gap - BESIDE_GAPS_M[0])
+    half = 0.5 * np.array(top.shape.size_m[:2]) - radius_m - EDGE_M
+    places = []
+    for x, y in costs:
+        local = poses.inverse(top.world_T_object) @ np.array([x, y, 0.0, 1.0])
+        if np.all(np.abs(local[:2]) <= half):
+            places.append(_on(top, float(local[0]), float(local[1])))
+
+    def cost(place: Array) -> float:
+        nearest = min(costs, key=lambda xy: math.hypot(place[0] - xy[0], place[1] - xy[1]))
+        return costs[nearest] + 0.3 * wish(place)
+
+    return _chosen(places, top, scene, radius_m, cost)
+
+
+def _on(top: SceneObject, x: float, y: float) -> Array:
+    place = top.world_T_object @ np.array([x, y, 0.5 * top.shape.height_m, 1.0])
+    return np.asarray(place[:3])
+
+
+def _chosen(
+    places: Iterable[Array],
+    top: SceneObject,
+    scene: PlanningScene,
+    radius_m: float,
+    wish: Callable[[Array], float],
+) -> list[FreeSpot]:
+    height = float(top.world_T_object[2, 3]) + 0.5 * top.shape.height_m
+    around = [
+        (item.world_T_object[:2, 3], footprint_radius_m(item.shape))
+        for item in scene.objects.values()
+        if item.name != top.name and _stands_at(item, height)
+    ]
+    free = []
+    for place in places:
+        gap = min(
+            (float(np.linalg.norm(place[:2] - at)) - radius - radius_m for at, radius in around),
+            default=ROOM_M,
+        )
+        if gap >= GAP_M:
+            crowded = max(0.0, 1.0 - gap / ROOM_M)
+            free.append(FreeSpot(place, wish(place) + ROOM_COST * crowded * 0.2))
+    free.sort(key=lambda spot: (spot.cost, *spot.place_m.tolist()))
+    chosen: list[FreeSpot] = []
+    for spot in free:
+        if all(np.linalg.norm(spot.place_m - other.place_m) >= APART_M for other in chosen):
+            chosen.append(spot)
+        if len(chosen) == MOST:
+            break
+    return chosen
+
+
+def _stands_at(item: SceneObject, height_m: float) -> bool:
+    """Whether an object reaches above a height and begins near or below it."""
+    middle, half = float(item.world_T_object[2, 3]), 0.5 * _extent_m(item)
+    return middle + half > height_m + 0.005 and middle - half < height_m + _ON_TOP_M
+
+
+def _extent_m(item: SceneObject) -> float:
+    return (
+        max(item.shape.height_m, 2.0 * footprint_radius_m(item.shape))
+        if item.movable
+        else item.shape.height_m
+    )

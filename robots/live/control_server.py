@@ -1,0 +1,360 @@
+"""What the control process does with what it is told: one commander, any number of observers.
+
+Nothing that arrives here is trusted. A command is taken from the commander alone, in its order and while it
+is fresh; a trajectory is streamed only after this side's own checker let it pass; a stop is taken from
+anybody at any time.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from kinematics.robot_description import Hand
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from robots.clock import Clock
+from robots.control.control_loop import ControlLoop
+from robots.control.emergency_stop import PersonsReset
+from robots.control.events import ControlEvent
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.watchdog import Watchdog
+from robots.live.admission import AdmissionDesk, Asks, Verdict
+from robots.live.connection import Connection
+from robots.live.errors import ProtocolError
+from robots.live.frame_message import write_frame
+from robots.live.framing import VERSION, Frame, FrameKind
+from robots.live.messages import (
+    Admit,
+    CancelMotion,
+    ControlMessage,
+    GetStatus,
+    Guarded,
+    Heartbeat,
+    Hello,
+    Reset,
+    Shutdown,
+    Start,
+    Stop,
+    read_control_message,
+    write_message,
+)
+from robots.live.socket_server import SocketServer
+from robots.perception.detector import Detector
+
+MAX_AGE_S = 0.5
+"""A command that is older was meant for a world that is gone; also the age at which a heartbeat is none."""
+MAX_AHEAD_S = 0.01
+MAX_MOTIONS = 32
+_PROGRESS_EVERY = 25
+"""Polls between two reports of a motion's progress."""
+
+GuardedMaker = Callable[[ControlLoop, Hand], MotionHandle]
+GUARDED: Mapping[str, GuardedMaker] = {
+    "open gripper": lambda loop, hand: loop.grippers[hand].open(),
+    "close gripper": lambda loop, hand: loop.grippers[hand].close(),
+}
+"""Guarded motions that may be asked for by name; they are made and judged on this side."""
+
+
+class ControlServer:
+    """The socket's side of the control process; ``poll`` once a control period, before it is decided.
+
+    Attributes:
+        ending: Whether somebody asked for the end.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        loop: ControlLoop,
+        clock: Clock,
+        detector: Detector,
+        checker: Asks,
+        about: Mapping[str, Any],
+        health: Callable[[], Mapping[str, Any]] = dict,
+    ) -> None:
+        """Listen.
+
+        Args:
+            path: Of the socket.
+            loop: The control loop.
+            clock: Control time.
+            detector: Frames for the commander.
+            checker: The admission process.
+            about: What everyone who connects is told: robot, scene, seed, period.
+            health: Further facts for the status.
+        """
+        self._loop, self._clock, self._detector = loop, clock, detector
+        self._about, self._health = dict(about), health
+        self._server = SocketServer(path, self._take, self._ended, lambda one: one is not self._commander)
+        self._admission = AdmissionDesk(checker, self._tell_verdict)
+        self._watchdog = Watchdog(clock)
+        self._commander: Connection | None = None
+        self._listeners: list[Connection] = []
+        self._motions: dict[int, MotionHandle] = {}
+        self._events: list[ControlEvent] = []
+        self._number, self._world_version = 0, 0
+        self._busy = self._looking = False
+        self._frame, self._polls = -1, 0
+        self._told_emergency = self._emergency()
+        self.ending = False
+
+    def note(self, event: ControlEvent) -> None:
+        """Take an event of the control loop, to be told with the next poll."""
+        self._events.append(event)
+
+    @property
+    def under_way(self) -> bool:
+        """Whether anything moves, or the commander is carrying something out."""
+        return self._busy or not self._loop.motion.resting or bool(self._running())
+
+    def poll(self) -> None:
+        """Read, obey, watch, tell."""
+        self._polls += 1
+        self._server.poll()
+        self._admission.poll()
+        silence_s = self._watchdog.silence_s(self._commander is not None and self.under_way)
+        if silence_s is not None and self._commander is not None:
+            reason = f"no heartbeat for {silence_s:.1f} s"
+            self._loop.stop(1, reason)
+            self._commander.send(write_message("error", reason=reason))
+            self._commander.close(reason)
+        self._tell_emergency()
+        self._tell_events()
+        self._tell_motions()
+        self._show_frame()
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._server.close()
+
+    # ---------------------------------------------------------------- connections
+
+    def _ended(self, connection: Connection) -> None:
+        if connection in self._listeners:
+            self._listeners.remove(connection)
+        if connection is not self._commander:
+            return
+        if self.under_way and not self._loop.motion.resting:
+            self._loop.stop(1, "the connection to the executive ended")
+        elif running := self._running():
+            for handle in running:
+                self._loop.motion.cancel(handle, "the connection to the executive ended")
+        self._commander = None
+        self._busy = self._looking = False
+        self._motions.clear()
+        self._admission.forget()
+
+    def _take(self, connection: Connection, frame: Frame) -> None:
+        if frame.kind is FrameKind.DOCUMENT:
+            head, _, document = frame.payload.partition(b"\n")
+            message = read_control_message(head)
+            if not isinstance(message, Admit):
+                raise ProtocolError("only a trajectory has a document")
+            if self._may_command(connection, message.number, message.stamp_s):
+                self._world_version = max(self._world_version, message.world_version)
+                wrong = self._admission.submit(message.trajectory, message.world_version, document)
+                if wrong is not None:
+                    self._tell_verdict(Verdict(message.trajectory, wrong))
+            return
+        self._obey(connection, read_control_message(frame.payload))
+
+    def _obey(self, connection: Connection, message: ControlMessage) -> None:
+        match message:
+            case Stop(category, reason):
+                self._loop.emergency_stop(reason or "no reason was given", category)
+                connection.send(write_message("done"))
+            case Reset(person):
+                wrong = self._loop.reset(PersonsReset(person or "somebody"))
+                connection.send(write_message("done") if wrong is None else _refused(0, wrong))
+            case GetStatus():
+                connection.send(write_message("status", **self.status()))
+            case Shutdown():
+                self.ending = True
+                connection.send(write_message("done"))
+            case Hello(role):
+                self._greet(connection, role)
+            case Heartbeat():
+                self._hear(connection, message)
+            case CancelMotion():
+                self._require_commander(connection)
+                if self._in_order(connection, message.number):
+                    handle = self._motions.get(message.motion)
+                    if handle is not None:
+                        self._loop.motion.cancel(handle, message.reason)
+            case Start() | Guarded():
+                self._start(connection, message)
+            case Admit():
+                raise ProtocolError("a trajectory comes as a document")
+
+    def _greet(self, connection: Connection, role: str) -> None:
+        if connection in self._listeners:
+            raise ProtocolError("hello was said already")
+        if role == "commander":
+            if self._commander is not None:
+                pid = self._commander.peer.pid
+                connection.send(_refused(0, f"process {pid} commands the robot already"))
+                connection.close("there is a commander")
+                return
+            self._commander = connection
+            self._number, self._world_version = 0, 0
+            self._watchdog.feed()
+            connection.allow_documents()
+        self._listeners.append(connection)
+        welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
+        connection.send(write_message("welcome", role=role, emergency=self._emergency(), **welcome))
+
+    def _hear(self, connection: Connection, message: Heartbeat) -> None:
+        self._require_commander(connection)
+        if not self._fresh(message.stamp_s) or message.number <= self._number:
+            return  # one that comes late or twice is no sign of life
+        self._number = message.number
+        self._watchdog.feed()
+        self._busy, self._looking = message.busy, message.looking
+        self._world_version = max(self._world_version, message.world_version)
+
+    def _require_commander(self, connection: Connection) -> None:
+        if connection is not self._commander:
+            raise ProtocolError("only the commander may say that")
+
+    def _fresh(self, stamp_s: float) -> bool:
+        return -MAX_AHEAD_S <= self._clock.now_s() - stamp_s <= MAX_AGE_S
+
+    def _in_order(self, connection: Connection, number: int) -> bool:
+        if number <= self._number:
+            connection.send(_refused(number, f"number {number} after {self._number}"))
+            return False
+        self._number = number
+        self._watchdog.feed()
+        return True
+
+    def _may_command(self, connection: Connection, number: int, stamp_s: float) -> bool:
+        self._require_commander(connection)
+        if not self._in_order(connection, number):
+            return False
+        if not self._fresh(stamp_s):
+            age_s = self._clock.now_s() - stamp_s
+            connection.send(_refused(number, f"stale: {age_s:.2f} s old, at most {MAX_AGE_S} s"))
+            return False
+        return True
+
+    # ---------------------------------------------------------------- motions
+
+    def _start(self, connection: Connection, message: Start | Guarded) -> None:
+        if not self._may_command(connection, message.number, message.stamp_s):
+            return
+        wrong = self._why_not(message)
+        if wrong is None and isinstance(message, Start):
+            checked = self._admission.take(message.trajectory, self._world_version)
+            if isinstance(checked, CheckedTrajectory):
+                self._motions[message.motion] = self._loop.motion.start(checked)
+                return
+            wrong = checked
+        elif wrong is None and isinstance(message, Guarded):
+            hand: Hand = "left" if message.hand == "left" else "right"
+            self._motions[message.motion] = GUARDED[message.name](self._loop, hand)
+            return
+        connection.send(_motion(message.motion, MotionStatus.REFUSED, 0.0, wrong or ""))
+
+    def _why_not(self, message: Start | Guarded) -> str | None:
+        if self._loop.emergency is not None:
+            return str(self._loop.emergency)
+        if self.ending:
+            return "the robot is being shut down"
+        if message.motion in self._motions or len(self._motions) >= MAX_MOTIONS:
+            return f"motion {message.motion} is there already, or there are too many"
+        if isinstance(message, Guarded):
+            if message.name not in GUARDED:
+                return f"no guarded motion {message.name!r}; there are {', '.join(GUARDED)}"
+            if message.hand not in self._loop.grippers:
+                return f"no gripper in the {message.hand!r} hand"
+        return None
+
+    def _emergency(self) -> dict[str, Any]:
+        """The latch as it is told; ``engaged`` is empty when it is not."""
+        engaged = self._loop.emergency
+        if engaged is None:
+            return {"engaged": "", "category": 0, "t_s": 0.0}
+        return {"engaged": engaged.reason, "category": engaged.category, "t_s": engaged.t_s}
+
+    def _running(self) -> list[MotionHandle]:
+        return [handle for handle in self._motions.values() if not handle.finished]
+
+    # ---------------------------------------------------------------- telling
+
+    def status(self) -> dict[str, Any]:
+        """How things stand, as JSON values."""
+        statistics = self._loop.statistics
+        return {
+            **self._about,
+            "t_s": round(self._clock.now_s(), 3),
+            "emergency": None if self._loop.emergency is None else self._emergency(),
+            "resting": self._loop.motion.resting,
+            "under_way": self.under_way,
+            "motions": [handle.name for handle in self._running()],
+            "commander": None if self._commander is None else self._commander.peer.pid,
+            "setpoints": {"accepted": statistics.accepted, "refused": statistics.refused},
+            "stops": [f"{stop.t_s:.3f} s: {stop.reason}" for stop in statistics.stops[-5:]],
+            **self._health(),
+        }
+
+    def _tell_verdict(self, verdict: Verdict) -> None:
+        if self._commander is None:
+            return
+        match verdict.answer:
+            case CheckedTrajectory():
+                told = write_message("admitted", trajectory=verdict.trajectory)
+            case Unsafe(findings):
+                plain = [
+                    [one.kind.value, one.t_s, list(one.subject), one.value, one.limit]
+                    for one in findings[:50]
+                ]
+                told = write_message("unsafe", trajectory=verdict.trajectory, findings=plain)
+            case reason:
+                told = write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])
+        self._commander.send(told)
+
+    def _tell_emergency(self) -> None:
+        engaged = self._emergency()
+        if engaged == self._told_emergency:
+            return
+        self._told_emergency = engaged
+        told = write_message("emergency", **engaged)
+        for listener in self._listeners:
+            listener.send(told)
+
+    def _tell_events(self) -> None:
+        events, self._events = self._events, []
+        for event in events:
+            told = write_message("event", event=type(event).__name__, **dataclasses.asdict(event))
+            for listener in self._listeners:
+                listener.send(told)
+
+    def _tell_motions(self) -> None:
+        if self._commander is None:
+            return
+        for number, handle in list(self._motions.items()):
+            if handle.finished:
+                del self._motions[number]
+            elif self._polls % _PROGRESS_EVERY != 0:
+                continue
+            self._commander.send(_motion(number, handle.status, handle.progress, handle.reason))
+
+    def _show_frame(self) -> None:
+        """Send a new frame, if it is wanted and the one before has left; a late one is of no use."""
+        if not self._looking or self._commander is None or not self._commander.idle:
+            return
+        frame = self._detector.latest()
+        if frame is not None and frame.sequence != self._frame:
+            self._frame = frame.sequence
+            self._commander.send(write_frame(frame))
+
+
+def _refused(number: int, reason: str) -> bytes:
+    return write_message("refused", number=number, reason=reason)
+
+
+def _motion(number: int, status: MotionStatus, progress: float, reason: str) -> bytes:
+    return write_message("motion", motion=number, status=status.value, progress=progress, reason=reason)

@@ -1,0 +1,154 @@
+"""Several commands in order: references, several objects, questions, and nothing half done."""
+
+import pytest
+
+from executive.clarification import OpenQuestion
+from executive.errand import Errand, drive
+from executive.events import InputTaken, QuestionAsked, TaskAccepted
+from executive.meaning import StopCommand
+from executive.task_result import Provenance
+from robots.fake.fake_world import cup
+from trees.tasks import GoHomeTask, ObjectDescription, ObjectOf, OpenTask, PickTask
+
+A_CUP = PickTask("pick up the cup", ObjectDescription("cup"))
+RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
+LEFT, RIGHT = cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))
+
+
+class Stage:
+    """A session with a fake robot, and somebody who answers."""
+
+    def __init__(self, fake):
+        self.fake, self.of, self.arms_moved = fake, fake.of, fake.arms_moved
+        self.moved_when_asked = []
+
+    def run(self, *commands, answers=(), **options):
+        self.questions, self.answers = [], list(answers)
+        session = self.fake.session
+        return drive(Errand(session, commands, **options).steps(), self, session)
+
+    def answer(self, question):
+        self.moved_when_asked.append(self.arms_moved())
+        self.questions.append(question)
+        return self.answers.pop(0) if self.answers else None
+
+    def attend(self, session):
+        pass
+
+
+@pytest.fixture
+def stage(fake_stage):
+    return lambda *things: Stage(fake_stage(*things))
+
+
+@pytest.mark.requirement("L6")
+def test_the_answer_continues_the_same_task_with_the_object_that_was_chosen(stage):
+    on = stage(LEFT, RIGHT)
+
+    [result] = on.run(A_CUP, answers=["the blue one"])
+
+    assert on.questions == [OpenQuestion("which cup? there are 2", ("red cup", "blue cup"))]
+    assert result.outcome == "done"
+    assert result.acted_on == "blue cup"
+    assert result.subject == "blue cup"
+
+
+@pytest.mark.requirement("L6")
+def test_nothing_is_reached_for_before_the_answer(stage):
+    on = stage(LEFT, RIGHT)
+
+    [result] = on.run(A_CUP)
+
+    assert on.moved_when_asked == [False]
+    assert not on.arms_moved()
+    assert result.outcome == "question"
+    assert on.of(InputTaken)[-1].value == ""
+
+
+def test_an_answer_may_describe_what_the_choices_do_not_say(stage):
+    on = stage(LEFT, RIGHT)
+
+    [result] = on.run(A_CUP, answers=["the purple one", "2"])
+
+    assert on.questions[1].tried == "'the purple one' is none of the choices"
+    assert result.acted_on == "blue cup"
+
+
+def test_a_withdrawn_task_is_cancelled_and_nothing_after_it_begins(stage):
+    on = stage(LEFT, RIGHT)
+
+    results = on.run(A_CUP, GoHomeTask("go home"), answers=["never mind"])
+
+    assert [result.outcome for result in results] == ["cancelled"]
+    assert results[0].failure.message == "withdrawn by the answer"
+
+
+@pytest.mark.parametrize(("policy", "outcome"), [("first", "done"), ("fail", "question")])
+def test_questions_can_be_settled_beforehand(stage, policy, outcome):
+    on = stage(LEFT, RIGHT)
+
+    [result] = on.run(A_CUP, on_question=policy)
+
+    assert not on.questions
+    assert result.outcome == outcome
+    assert len(on.of(QuestionAsked)) == 1
+
+
+@pytest.mark.requirement("L2")
+def test_it_is_what_the_task_before_was_about(stage):
+    on = stage(LEFT, RIGHT)
+    again = PickTask("pick it up", ObjectOf(0), hand="right")
+
+    on.run(PickTask("pick up the blue cup", ObjectDescription("cup", "blue")), again)
+
+    second = on.of(TaskAccepted)[1].meaning
+    assert second["object"] == {"kind": "cup", "color": "blue", "name": "blue cup"}
+
+
+def test_a_reference_to_nothing_fails_without_motion(stage):
+    on = stage(LEFT)
+
+    results = on.run(GoHomeTask("go home"), PickTask("pick it up", ObjectOf(0)))
+
+    assert results[-1].outcome == "failed"
+    assert results[-1].failure.message == "what 'pick it up' refers to is not known"
+
+
+def test_both_are_picked_one_after_the_other(stage):
+    on = stage(LEFT, RIGHT)
+
+    results = on.run(PickTask("pick up both cups", ObjectDescription("cup"), count="both"))
+
+    assert [result.acted_on for result in results] == ["blue cup", "red cup"]
+    assert [result.outcome for result in results] == ["done", "done"], results[-1].failure
+
+
+@pytest.mark.requirement("L5")
+def test_nothing_begins_when_a_later_command_is_no_skill(stage, monkeypatch):
+    from executive import errand
+
+    monkeypatch.setattr(errand, "has_skill", lambda task: not isinstance(task, OpenTask))
+    on = stage(LEFT)
+
+    results = on.run(RED_CUP, OpenTask("open the fridge", ObjectDescription("fridge")))
+
+    assert [result.outcome for result in results] == ["refused"]
+    assert "no skill of this robot yet" in results[0].failure.message
+    assert not on.of(TaskAccepted)
+
+
+def test_a_stop_among_the_commands_needs_no_skill(stage):
+    on = stage(LEFT)
+
+    assert [result.outcome for result in on.run(StopCommand("stop"))] == ["done"]
+
+
+@pytest.mark.requirement("L7")
+def test_provenance_is_kept_with_each_task(stage):
+    on = stage(LEFT)
+    step = Provenance(0, 0.93, "sentence")
+
+    [result] = on.run(RED_CUP, provenance=[step])
+
+    assert result.provenance == step
+    assert result.to_json()["provenance"] == {"step": 0, "confidence": 0.93, "form": "sentence"}

@@ -1,0 +1,163 @@
+"""A recorded run comes out the same again, whatever was done to it; what does not is told."""
+
+import json
+
+import pytest
+
+from executive import attendant as attendants
+from executive.outputs.display import NoDisplay
+from executive.performance import perform
+from executive.replay import NotReplayableError, replay
+from executive.run_log import recorded_run
+from executive.run_request import RunRequest
+from executive.task_script import load_script, script_for
+
+TWO_CUPS = """
+[[furniture]]
+name = "table"
+kind = "table"
+size_m = [0.6, 1.2, 0.9]
+position_m = [0.65, 0.0]
+[[object]]
+name = "a"
+kind = "cup"
+color = "red"
+radius_m = 0.03
+height_m = 0.11
+mass_kg = 0.2
+friction = 0.6
+on = "table"
+position_m = [-0.15, -0.2]
+[[object]]
+name = "b"
+kind = "cup"
+color = "blue"
+radius_m = 0.03
+height_m = 0.11
+mass_kg = 0.2
+friction = 0.6
+on = "table"
+position_m = [-0.15, 0.2]
+"""
+
+
+class Meddling(attendants.Nobody):
+    """Answers, cancels or stops at given times."""
+
+    def __init__(self, answers=(), cancel_s=None, stop_s=None):
+        self.answers, self.cancel_s, self.stop_s = list(answers), cancel_s, stop_s
+
+    def begin(self, session):
+        session.watch_periods(lambda: self.stop(session))
+
+    def stop(self, session):
+        if self.stop_s is not None and session.now_s >= self.stop_s:
+            self.stop_s = None
+            session.emergency_stop("the red button")
+
+    def answer(self, question):
+        return self.answers.pop(0) if self.answers else None
+
+    def attend(self, session):
+        if self.cancel_s is not None and session.now_s >= self.cancel_s:
+            self.cancel_s = None
+            session.cancel("changed my mind")
+
+
+@pytest.fixture
+def run(tmp_path):
+    scene = tmp_path / "two_cups.toml"
+    scene.write_text(TWO_CUPS)
+
+    def record(text, **meddling):
+        script = tmp_path / "script.toml"
+        if text.startswith("[["):
+            script.write_text(text)
+        kept = script if script.exists() else None
+        statements = (script_for(text) if kept is None else load_script(script)).statements
+        request = RunRequest(text, statements, "talos", str(scene), 3, tmp_path / "runs", script=kept)
+        performance = perform(request, NoDisplay(), Meddling(**meddling))
+        return performance, recorded_run(tmp_path / "runs", "latest")
+
+    return record
+
+
+@pytest.mark.requirement("U1")
+@pytest.mark.parametrize(
+    ("text", "meddling", "outcome"),
+    [
+        ("pick up the cup", {"answers": ["the purple one", "never mind"]}, "cancelled"),
+        ("pick up the red cup", {"cancel_s": 0.83}, "cancelled"),
+        ("pick up the red cup", {"stop_s": 0.471}, "cancelled"),
+    ],
+)
+def test_a_run_comes_out_the_same_with_its_answers_cancels_and_stops(run, text, meddling, outcome):
+    performance, recorded = run(text, **meddling)
+
+    verdict = replay(recorded)
+
+    assert performance.report.outcome == outcome
+    assert verdict.difference is None
+    assert verdict.events > 3
+
+
+def test_a_script_is_replayed_from_its_copy(run, tmp_path):
+    _, recorded = run('[[task]]\nsay = "go home"\n[[task]]\nsay = "fly"\nexpect = "refused"\n')
+    (tmp_path / "script.toml").unlink()
+
+    assert replay(recorded).difference is None
+
+
+@pytest.fixture(scope="module")
+def went_home(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("runs")
+    perform(
+        RunRequest("go home", script_for("go home").statements, "talos", "tabletop", 0, folder), NoDisplay()
+    )
+    return recorded_run(folder, "latest")
+
+
+def test_the_first_event_that_differs_is_told(went_home):
+    file = went_home.path / "events.jsonl"
+    before = file.read_text().splitlines()
+    file.write_text("\n".join([before[0], before[1].replace("0.2", "0.21"), *before[2:]]) + "\n")
+
+    verdict = replay(went_home)
+
+    file.write_text("\n".join(before) + "\n")
+    assert verdict.difference.number == 2
+    assert '"t_s":0.21' in verdict.difference.recorded
+    assert '"t_s":0.2,' in verdict.difference.replayed
+
+
+def test_a_missing_event_is_told(went_home):
+    file = went_home.path / "events.jsonl"
+    before = file.read_text()
+    file.write_text(before + json.dumps({"event": "NodeChanged"}) + "\n")
+
+    verdict = replay(went_home)
+
+    file.write_text(before)
+    assert verdict.difference.replayed == ""
+
+
+def test_a_run_that_was_cut_off_is_compared_as_far_as_it_goes(went_home):
+    file, report = went_home.path / "events.jsonl", went_home.path / "report.json"
+    before = file.read_text()
+    file.write_text("\n".join(before.splitlines()[:4]) + '\n{"event": "Node')
+    cut = recorded_run(went_home.path.parent, "latest")
+
+    verdict = replay(type(cut)(cut.path, cut.header, {}))
+
+    file.write_text(before)
+    assert report.is_file()
+    assert verdict.difference is None
+    assert verdict.cut_off
+    assert list(verdict.lines()) == ["identical: 4 events as far as the recording goes"]
+
+
+def test_a_live_run_is_not_replayed(went_home):
+    live = type(went_home)(went_home.path, {**went_home.header, "live": True}, went_home.report)
+
+    with pytest.raises(NotReplayableError, match="live"):
+        replay(live)

@@ -1,0 +1,149 @@
+"""The Python interface: submit, subscribe, answer, cancel, await."""
+
+import asyncio
+import re
+from pathlib import Path
+
+import pytest
+
+from executive.events import TaskAccepted, TaskEnded
+from executive.trust import Trust
+
+GUIDE = Path(__file__).parents[2] / "docs" / "python.md"
+
+
+@pytest.mark.requirement("S9")
+def test_a_ticket_gives_results_and_tells_events(fake_stage):
+    on, heard = fake_stage(), []
+    ticket = on.session.submit("pick up the red cup")
+    ticket.subscribe(heard.append)
+
+    [result] = ticket.result()
+
+    assert (result.outcome, result.acted_on) == ("done", "red cup")
+    assert isinstance(heard[0], TaskAccepted)
+    assert isinstance(heard[-1], TaskEnded)
+    assert any(type(event).__name__ == "NodeChanged" for event in heard)
+
+
+def test_nothing_begins_before_somebody_waits(fake_stage):
+    on = fake_stage()
+
+    ticket = on.session.submit("pick up the red cup")
+
+    assert not ticket.done
+    assert not on.events
+
+
+def test_tickets_run_in_their_order_whoever_is_waited_for(fake_stage):
+    on = fake_stage()
+    first, second = on.session.submit("pick up the red cup"), on.session.submit("go home")
+
+    second.result()
+
+    assert first.done
+    assert [event.meaning["action"] for event in on.of(TaskAccepted)] == ["pick", "go_home"]
+
+
+@pytest.mark.requirement("L6")
+def test_a_question_holds_the_ticket_until_it_is_answered(fake_stage):
+    on = fake_stage()
+    ticket = on.session.submit("pick up the cup")
+    while ticket.advance():
+        pass
+
+    assert ticket.question.choices == ("red cup", "blue cup")
+    assert not ticket.advance()
+    assert not on.arms_moved()
+    ticket.answer("the blue one")
+    assert ticket.result()[0].acted_on == "blue cup"
+
+
+def test_a_question_that_nobody_answers_ends_the_task(fake_stage):
+    assert fake_stage().session.submit("pick up the cup").result()[0].outcome == "question"
+
+
+def test_an_answer_without_a_question_is_a_mistake(fake_stage):
+    with pytest.raises(RuntimeError, match="no question"):
+        fake_stage().session.submit("go home").answer("yes")
+
+
+@pytest.mark.requirement("S7")
+def test_a_ticket_can_be_cancelled_on_its_way_and_the_next_one_works(fake_stage):
+    on = fake_stage()
+    ticket = on.session.submit("pick up the red cup")
+    for _ in range(30):
+        ticket.advance()
+
+    ticket.cancel("changed my mind")
+
+    assert ticket.result()[0].outcome == "cancelled"
+    assert on.session.submit("go home").result()[0].outcome == "done"
+
+
+@pytest.mark.requirement("L7", "L8")
+def test_steps_may_be_python_values(fake_stage):
+    steps = [{"action": "pick", "object": {"kind": "cup", "color": "red"}, "confidence": 0.95}]
+
+    [result] = fake_stage().session.submit(steps).result()
+
+    assert result.outcome == "done"
+    assert result.provenance.confidence == 0.95
+
+
+@pytest.mark.requirement("L8")
+@pytest.mark.parametrize(("answer", "outcome"), [("yes", "done"), ("no", "question"), (None, "question")])
+def test_a_step_of_low_confidence_is_asked_about(fake_stage, answer, outcome):
+    ticket = fake_stage().session.submit([{"command": "go home", "confidence": 0.4}], trust=Trust(0.8))
+    ticket.on_question(lambda question: answer)
+
+    assert ticket.result()[0].outcome == outcome
+
+
+@pytest.mark.requirement("L5")
+def test_a_refused_request_moves_nothing(fake_stage):
+    on = fake_stage()
+
+    [result] = on.session.submit("pick up the zorbl").result()
+
+    assert result.outcome == "refused"
+    assert not on.of(TaskAccepted)
+
+
+def test_a_ticket_can_be_awaited_while_other_coroutines_run(fake_stage):
+    on, beats = fake_stage(), []
+
+    async def beat(ticket):
+        while not ticket.done:
+            beats.append(on.session.now_s)
+            await asyncio.sleep(0)
+
+    async def main():
+        ticket = on.session.submit("pick up the cup")
+
+        async def answer():
+            while ticket.question is None:
+                await asyncio.sleep(0)
+            ticket.answer("red")
+
+        results, *_ = await asyncio.gather(_awaited(ticket), beat(ticket), answer())
+        return results
+
+    async def _awaited(ticket):
+        return await ticket
+
+    [result] = asyncio.run(main())
+
+    assert result.acted_on == "red cup"
+    assert len(set(beats)) > 50
+
+
+def test_the_example_of_the_guide_runs_as_it_stands(fake_stage):
+    [example] = re.findall(r"```python\n(.*?)```", GUIDE.read_text(), re.S)
+    session = fake_stage().session
+
+    names = {}
+    exec(example.replace('assembly = assemble("talos", load_scene("tabletop"), seed=7)\n', "").replace(
+        "session = assembly.session\n", ""), {"session": session}, names)  # fmt: skip
+
+    assert names["results"][0].outcome == "done"

@@ -1,0 +1,48 @@
+import pytest
+
+from kinematics import (
+    check_certificate,
+    check_course,
+    check_placing,
+    compiled_configurations,
+    timing_kernel,
+    warming,
+)
+from kinematics.kernel import door, reach, readiness
+from kinematics.motion_planner import MotionPlanner
+from kinematics.requests import CheckRequest, PickRequest
+from kinematics.scene import PlanningScene
+from kinematics.trajectory import CheckedTrajectory
+from kinematics.trajectory_check import TrajectoryChecker
+
+USED = [
+    check_certificate.certify,
+    check_course.running_lengths,
+    check_placing.place_all,
+    compiled_configurations.configurations,
+    timing_kernel.excess,
+    timing_kernel.fastest_rates,
+    timing_kernel.grid_times,
+    timing_kernel.running_mean,
+    door.ask,
+    reach.reach,
+]
+
+
+def test_what_was_warmed_is_all_that_a_pick_and_its_checks_call(talos, stance, make):
+    warming.warm(talos)
+    planner = MotionPlanner(talos)
+    scene = PlanningScene().with_objects([make.table(), make.cup()])
+
+    plan = planner.answer(PickRequest(talos.q_home, stance, scene, "cup"))
+    for step in (plan.reach, plan.approach, plan.lift):
+        assert isinstance(planner.answer(CheckRequest(step.trajectory, step.scene)), CheckedTrajectory)
+
+    assert [len(function.signatures) for function in USED] == [1] * len(USED)
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_the_checker_takes_compiled_code_where_it_is_there(talos, monkeypatch, there):
+    monkeypatch.setattr(readiness, "usable", lambda: there)
+
+    assert (TrajectoryChecker(talos)._finder is not None) is there

@@ -1,0 +1,162 @@
+"""A control server on a robot without physics, with a real socket in a private folder."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+import numpy as np
+import pytest
+
+from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
+from kinematics.trajectory import _SEAL, CheckedTrajectory, Trajectory
+from robots.clock import ManualClock
+from robots.control.control_loop import ControlLoop
+from robots.description import load_description
+from robots.fake.fake_robot import FakeRobot
+from robots.live.connection import Connection
+from robots.live.control_server import ControlServer
+from robots.live.framing import FrameKind
+from robots.live.messages import Admit, Hello, read_object, write_control_message
+from robots.live.runtime_folder import RuntimeFolder
+from robots.live.unix_socket import connect_to
+
+PERIOD_S = 0.002
+
+
+@pytest.fixture(scope="session")
+def talos():
+    return RobotModel(load_description("talos"))
+
+
+@pytest.fixture
+def folder(tmp_path_factory):
+    made = RuntimeFolder(tmp_path_factory.mktemp("live"))
+    made.make()
+    return made
+
+
+def swing(model, q, amount=0.3, duration_s=1.0):
+    """One arm joint from rest to rest, sealed without having been checked."""
+    n = 100
+    t = np.linspace(0.0, duration_s, n + 1)
+    u = t / duration_s
+    s, ds = u**3 * (10 - 15 * u + 6 * u**2), 30 * u**2 * (1 - u) ** 2 / duration_s
+    qs, vs = np.repeat(q[None], n + 1, axis=0), np.zeros((n + 1, model.nv))
+    i = model.joint_index("arm_left_2_joint")
+    qs[:, 7 + i] += amount * s
+    vs[:, 6 + i] = amount * ds
+    return CheckedTrajectory(Trajectory(model.joints, stance_at(model, q), t, qs, vs), 0, 0.1, 0.1, _SEAL)
+
+
+@pytest.fixture(scope="session", name="swing")
+def swing_fixture(talos):
+    return lambda amount=0.2: swing(talos, talos.q_home, amount)
+
+
+class Checker:
+    """Answers what it was told to, at once or when asked to."""
+
+    def __init__(self):
+        self.answer, self.documents, self.waiting = "not judged", [], []
+        self.at_once = True
+
+    def ask(self, question):
+        self.documents.append(question)
+        future = Future()
+        if self.at_once:
+            future.set_result(self.answer)
+        self.waiting.append(future)
+        return future
+
+
+class NoFrames:
+    def latest(self):
+        return None
+
+
+class Client:
+    """Somebody at the other end of the socket."""
+
+    def __init__(self, rig, role=None):
+        self.rig, self.number = rig, 0
+        self.connection = Connection(connect_to(rig.folder.control_socket))
+        self.heard = []
+        if role is not None:
+            self.say(Hello(role))
+            rig.run(0.01)
+
+    def say(self, message):
+        self.connection.send(write_control_message(message))
+
+    def raw(self, payload, kind=FrameKind.MESSAGE):
+        self.connection.send(payload, kind)
+
+    def next(self):
+        self.number += 1
+        return self.number, self.rig.clock.now_s()
+
+    def admit(self, trajectory, world_version=0, document=b"{}"):
+        head = write_control_message(Admit(*self.next(), trajectory, world_version))
+        self.connection.send(head + b"\n" + document, FrameKind.DOCUMENT)
+
+    def listen(self):
+        if not self.connection.closed:
+            while frames := self.connection.receive():
+                self.heard += [read_object(frame.payload) for frame in frames]
+        return self.heard
+
+    def of(self, kind):
+        return [message for message in self.listen() if message["type"] == kind]
+
+
+class Weightless(FakeRobot):
+    """Its motors give exactly what they were told to."""
+
+    def command(self, setpoint):
+        super().command(setpoint)
+        self.effort = setpoint.tau
+
+
+class LiveRig:
+    def __init__(self, model, folder):
+        self.folder, self.model = folder, model
+        self.clock, self.checker = ManualClock(), Checker()
+        self.robot = Weightless(model.description, self.clock)
+        self.server, self.clients = None, []
+        self.loop = ControlLoop(self.robot, model, self.clock, self.note, PERIOD_S)
+        about = {"robot": "talos", "scene": "none", "seed": 0, "period_s": PERIOD_S, "slot": "none"}
+        self.server = ControlServer(
+            folder.control_socket, self.loop, self.clock, NoFrames(), self.checker, about
+        )
+        self.checker.answer = swing(model, self.loop.motion.reference())
+
+    def note(self, event):
+        if self.server is not None:
+            self.server.note(event)
+
+    def run(self, seconds, each=lambda: None):
+        for _ in range(round(seconds / PERIOD_S)):
+            each()
+            self.server.poll()
+            self.loop.step()
+
+    def client(self, role=None):
+        self.clients.append(Client(self, role))
+        return self.clients[-1]
+
+    def close(self):
+        self.server.close()
+        for client in self.clients:
+            client.connection.close("")
+
+    @property
+    def stops(self):
+        return self.loop.statistics.stops
+
+
+@pytest.fixture
+def live(talos, folder):
+    rig = LiveRig(talos, folder)
+    yield rig
+    rig.close()

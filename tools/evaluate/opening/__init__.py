@@ -1,0 +1,1 @@
+"""Evaluate the opening and closing of doors and drawers."""

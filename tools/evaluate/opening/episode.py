@@ -1,0 +1,102 @@
+"""One episode: a door or drawer, a task, and the truth about how it ended."""
+
+from __future__ import annotations
+
+import math
+import traceback
+from dataclasses import dataclass
+
+from executive.assembly import assemble
+from executive.task_result import TaskResult, chain
+from robots.simulated.truth import SimulatorTruth
+from tools.evaluate.opening.judge import OpeningJudge
+from tools.evaluate.opening.records import OpeningRecord
+from tools.evaluate.opening.scenes import FURNITURE, OpeningScene, opening_scene
+from trees.events import Measured
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+
+_HELD_S = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class OpeningOrder:
+    """Which episode to run."""
+
+    suite: str
+    seed: int
+    robot: str
+
+
+def run_opening(order: OpeningOrder) -> OpeningRecord:
+    """Run one episode; whatever breaks becomes its record."""
+    scene = opening_scene(order.seed, order.suite)
+    try:
+        return _run(order, scene)
+    except Exception:
+        return _broken(order, scene, traceback.format_exc())
+
+
+def died(order: OpeningOrder) -> OpeningRecord:
+    """The record of an episode whose process died."""
+    return _broken(order, opening_scene(order.seed, order.suite), "the process died")
+
+
+def _broken(order: OpeningOrder, scene: OpeningScene, why: str) -> OpeningRecord:
+    return OpeningRecord(order.seed, order.suite, scene.kind, scene.hinge, scene.locked, "error", detail=why)
+
+
+def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
+    felt: list[float] = []
+
+    def listen(event: object) -> None:
+        if isinstance(event, Measured) and "peak_force_n" in event.numbers:
+            felt.append(float(event.numbers["peak_force_n"]))
+
+    assembly = assemble(order.robot, scene.read(), order.seed, sink=listen)
+    truth: SimulatorTruth = assembly.world.truth
+    soles = tuple(sole.frame for sole in assembly.model.description.soles)
+    judge = OpeningJudge(truth, soles, FURNITURE)
+    faults = assembly.perception.faults
+    faults.misplace("handle", scene.handle_error_m, first_look_only=False)
+    faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
+    session = assembly.session
+    session.watch_periods(judge.on_period)
+    noun = ObjectDescription(kind="fridge" if scene.kind == "door" else "drawer")
+    command = OpenTask("open it", noun) if order.suite == "open" else CloseTask("close it", noun)
+    result = session.run_task(command)
+    session.hold(_HELD_S)
+    return _record(order, scene, judge, result, max(felt, default=0.0))
+
+
+def _record(
+    order: OpeningOrder, scene: OpeningScene, judge: OpeningJudge, result: TaskResult, felt_n: float
+) -> OpeningRecord:
+    door = scene.kind == "door"
+    unit = "deg" if door else "m"
+    links = chain(result.failure)
+    told = " ← ".join(f"{link.where}: {link.message}" for link in links)
+    claim, felt = result.evidence.get(f"opening_{unit}"), result.evidence.get(f"felt_{unit}")
+    return OpeningRecord(
+        seed=order.seed,
+        suite=order.suite,
+        kind=scene.kind,
+        hinge=scene.hinge,
+        locked=scene.locked,
+        outcome=result.outcome,
+        failure=told or None,
+        failure_kind=links[-1].kind.value if links else None,
+        stuck="is stuck" in told,
+        attempts=result.attempts,
+        opening=math.degrees(judge.opening) if door else judge.opening,
+        claimed=None if claim is None else float(claim),
+        felt=None if felt is None else float(felt),
+        felt_n=felt_n,
+        peak_n=judge.peak_force_n,
+        feet_slip_m=judge.feet_slip_m,
+        com_margin_m=judge.com_margin_m,
+        fell=judge.fell,
+        touched=tuple(sorted(judge.touched)),
+        simulated_s=result.times.simulated_s,
+        wall_s=result.times.wall_s,
+        planning_ms=1e3 * result.times.planning_wall_s / max(result.attempts, 1),
+    )

@@ -1,0 +1,82 @@
+"""One episode of a skill: a room, tasks, and the truth about how the last one ended."""
+
+from __future__ import annotations
+
+import traceback
+
+from executive.assembly import assemble
+from executive.task_result import chain
+from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.records import EpisodeRecord
+from tools.evaluate.scenes import episode_rng
+from tools.evaluate.skills.registry import SKILL_SUITES
+from tools.evaluate.skills.suite import SkillJudge, Trial
+from tools.evaluate.skills.watch import SafetyWatch
+
+AFTER_S = 0.5
+
+
+def trial_of(suite: str, seed: int) -> Trial:
+    """The episode of a seed."""
+    return SKILL_SUITES[suite].trial(episode_rng(seed, 10))
+
+
+def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
+    """Run one episode; whatever breaks becomes its record."""
+    try:
+        return _run(suite, order)
+    except Exception as broken:
+        return EpisodeRecord(
+            seed=order.seed,
+            outcome="error",
+            truth=False,
+            failure_kind="ERROR",
+            failure=f"{type(broken).__name__}: {broken}",
+            detail=traceback.format_exc(),
+        )
+
+
+def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
+    trial = trial_of(suite, order.seed)
+    judges: list[SkillJudge] = []
+
+    def sink(event: object) -> None:
+        for judge in judges:
+            judge.on_event(event)
+
+    assembly = assemble(order.robot, trial.scene, order.seed, sink=sink)
+    judge = SKILL_SUITES[suite].judge(assembly, trial, episode_rng(order.seed, 11))
+    judges.append(judge)
+    watch = SafetyWatch(assembly.world.truth)
+    assembly.session.watch_periods(judge.on_period)
+    assembly.session.watch_periods(watch.on_period)
+    results = []
+    for task in trial.tasks:
+        results.append(assembly.session.run_task(task))
+        if results[-1].outcome != "done":
+            break
+    prepared = len(results) == len(trial.tasks)
+    assembly.session.hold(AFTER_S)
+    verdict = judge.verdict(results)
+    last = results[-1]
+    links = chain(last.failure)
+    told = " ← ".join(f"{link.where}: {link.message}" if link.where else link.message for link in links)
+    if not prepared:
+        told = f"while preparing with {last.text!r}: {told}"
+    moving_wall_s = last.times.wall_s - last.times.planning_wall_s
+    return EpisodeRecord(
+        seed=order.seed,
+        outcome=last.outcome if prepared else "failed",
+        truth=prepared and verdict.done and not watch.fell,
+        failure_kind=links[-1].kind.value if links else None,
+        failure=told or verdict.why or None,
+        attempts=last.attempts,
+        fell=watch.fell,
+        furniture_contacts=tuple(sorted(watch.contacts)),
+        com_margin_m=watch.com_margin_m,
+        planning_ms=1e3 * last.times.planning_wall_s / max(last.attempts, 1),
+        simulated_s=last.times.simulated_s,
+        wall_s=last.times.wall_s,
+        realtime_factor=last.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,
+        numbers=dict(verdict.numbers),
+    )

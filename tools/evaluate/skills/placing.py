@@ -1,0 +1,123 @@
+"""Suite of place: on a table, or beside something on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from executive.assembly import Assembly
+from executive.task_result import TaskResult
+from kinematics import poses
+from kinematics.shapes import Box
+from robots.scene_description import SceneItem
+from tools.evaluate.skills import rooms
+from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
+from tools.evaluate.skills.watch import Bystanders
+from trees.events import Measured
+from trees.tasks import ObjectDescription, PickTask, PlaceTask, Relation, RelationKind, Task
+
+OFF_M = 0.02
+TURNED_RAD = math.radians(5.0)
+STANDING_M = 0.005
+# Beside something: no farther from it than this, and so near to the named direction.
+BESIDE_M = 0.30
+DIRECTION_RAD = math.radians(50.0)
+RELATIONS: tuple[RelationKind, ...] = ("left_of", "right_of", "in_front_of", "behind", "next_to")
+_AHEAD = {"left_of": 0.5 * math.pi, "right_of": -0.5 * math.pi, "in_front_of": math.pi, "behind": 0.0}
+_BESIDE_CHANCE = 0.5
+_HELD_CHANCE = 0.7
+
+
+class PlaceJudge:
+    """Compares where the object stands with the robot's last plan, and with what was asked."""
+
+    def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
+        self._truth, self._trial = assembly.world.truth, trial
+        self._gripped = assembly.model.description.grippers
+        self._others = Bystanders(self._truth, [trial.aim])
+        self._plan: Mapping[str, Figure] = {}
+
+    def on_event(self, event: object) -> None:
+        """The last plan of a place counts."""
+        if isinstance(event, Measured) and event.where.endswith("plan place"):
+            self._plan = dict(event.numbers)
+
+    def on_period(self) -> None:
+        """Only the end counts."""
+
+    def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
+        """Where it was meant to be, upright, let go, and nothing else moved."""
+        if not self._plan:
+            return Verdict(False, {}, "never planned")
+        name = self._trial.aim
+        pose = self._truth.world_T_object(name)
+        planned = self._truth.world_T_odom() @ poses.transform(
+            poses.rotation_z(float(self._plan["yaw_rad"])),
+            (float(self._plan["x_m"]), float(self._plan["y_m"]), float(self._plan["z_m"])),
+        )
+        off_m = float(np.linalg.norm((pose - planned)[:2, 3]))
+        item = next(one for one in self._trial.scene.objects if one.name == name)
+        turned = 0.0
+        if isinstance(item.shape, Box):
+            turned = abs(poses.yaw_of(planned[:3, :3].T @ pose[:3, :3]))
+        tilt, lift_m = self._truth.tilt_rad(name), self._truth.lift_m(name)
+        touching = self._truth.object_contacts(name)
+        pads = {link for gripper in self._gripped.values() for link in gripper.touch_links}
+        moved = self._others.moved()
+        faults = {
+            f"{1e3 * off_m:.0f} mm from the plan": off_m > OFF_M,
+            f"turned by {math.degrees(turned):.0f} degrees": turned > TURNED_RAD,
+            f"leans by {math.degrees(tilt):.0f} degrees": tilt > TURNED_RAD,
+            f"{1e3 * lift_m:.0f} mm above the table": abs(lift_m) > STANDING_M,
+            "still in the hand": bool(pads & set(touching)),
+            f"moved: {', '.join(sorted(moved))}": bool(moved),
+            "not beside what was named": not self._as_asked(item),
+        }
+        wrong = [words for words, so in faults.items() if so]
+        numbers = {"off_m": off_m, "turned_rad": turned, "tilt_rad": tilt}
+        return Verdict(not wrong, numbers, "; ".join(wrong))
+
+    def _as_asked(self, item: SceneItem) -> bool:
+        task = self._trial.tasks[-1]
+        to = getattr(task, "to", None)
+        if not isinstance(to, ObjectDescription) or to.relation is None:
+            return True
+        reference = to.relation.to
+        assert isinstance(reference, ObjectDescription)
+        other = self._truth.world_T_object(f"{reference.color} {reference.kind}")[:2, 3]
+        way = self._truth.world_T_object(item.name)[:2, 3] - other
+        if float(np.linalg.norm(way)) > BESIDE_M:
+            return False
+        if to.relation.kind == "next_to":
+            return True
+        heading = self._trial.scene.robot_start.yaw_rad + _AHEAD[to.relation.kind]
+        off = math.remainder(math.atan2(way[1], way[0]) - heading, 2.0 * math.pi)
+        return abs(off) <= DIRECTION_RAD
+
+
+def place_trial(rng: np.random.Generator) -> Trial:
+    """A table with two to four things; one of them is put somewhere else."""
+    table = rooms.table(rng)
+    objects = rooms.things(rng, table, int(rng.integers(2, 5)))
+    item = objects[0]
+    meant = _meant(item)
+    if len(objects) > 1 and rng.random() < _BESIDE_CHANCE:
+        kind = RELATIONS[int(rng.integers(len(RELATIONS)))]
+        to = ObjectDescription(relation=Relation(kind, _meant(objects[1])))
+        words = f"{kind.replace('_', ' ')} the {objects[1].name}"
+        place = PlaceTask(f"put the {item.name} {words}", meant, to=to)
+    else:
+        place = PlaceTask(f"put the {item.name} on the table", meant, on="table")
+    tasks: tuple[Task, ...] = (place,)
+    if rng.random() < _HELD_CHANCE:
+        tasks = (PickTask(f"pick up the {item.name}", meant), place)
+    return Trial(rooms.room("place", rng, [table], objects), tasks, item.name)
+
+
+def _meant(item: SceneItem) -> ObjectDescription:
+    return ObjectDescription(item.kind, item.color)
+
+
+PLACE = SkillSuite(place_trial, PlaceJudge)

@@ -1,0 +1,20 @@
+"""Every skill's suite by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from tools.evaluate.skills import gestures, placing, talk
+from tools.evaluate.skills.suite import SkillSuite
+
+SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
+    {
+        "say": talk.SAY,
+        "wait": talk.WAIT,
+        "wave": gestures.WAVE,
+        "point_at": gestures.POINT_AT,
+        "look_at": gestures.LOOK_AT,
+        "place": placing.PLACE,
+    }
+)

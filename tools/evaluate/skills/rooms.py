@@ -1,0 +1,145 @@
+"""Random rooms: a table or two ahead, things on them, people about. Each range is named once here."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from kinematics import poses
+from kinematics.shapes import Box, Cylinder, Shape
+from robots.scene_description import (
+    Furniture,
+    PerceptionModel,
+    Person,
+    RobotStart,
+    SceneDescription,
+    SceneItem,
+)
+from robots.scene_file import dump, read_scene
+
+START_OFFSET_M = 0.03
+START_YAW_RAD = math.radians(5.0)
+TABLE_HEIGHT_M = (0.75, 1.0)
+EDGE_AHEAD_M = (0.31, 0.35)
+TABLE_DEPTH_M = (0.5, 0.7)
+TABLE_WIDTH_M = (1.1, 1.5)
+# On the table: from its front edge, and from its middle to the sides.
+ROOM_AT_EDGE_M = 0.07
+ASIDE_M = 0.40
+APART_M = 0.20
+PERSON_FAR_M = (1.1, 2.2)
+PERSON_BEARING_RAD = math.radians(50.0)
+NAMES = ("Ana", "Ben", "Cleo")
+PEOPLE_APART_M = 0.7
+KINDS = ("cup", "box", "bottle", "can")
+COLORS = ("red", "blue", "green", "yellow", "white", "black")
+
+
+def start(rng: np.random.Generator) -> RobotStart:
+    """Where the robot stands: about the origin."""
+    x, y = (float(value) for value in rng.uniform(-START_OFFSET_M, START_OFFSET_M, 2))
+    return RobotStart(x, y, float(rng.uniform(-START_YAW_RAD, START_YAW_RAD)))
+
+
+def table(rng: np.random.Generator) -> Furniture:
+    """A table ahead."""
+    depth, width = float(rng.uniform(*TABLE_DEPTH_M)), float(rng.uniform(*TABLE_WIDTH_M))
+    edge, height = float(rng.uniform(*EDGE_AHEAD_M)), float(rng.uniform(*TABLE_HEIGHT_M))
+    return Furniture("table", "table", (depth, width, height), (edge + 0.5 * depth, 0.0))
+
+
+def shape_of(kind: str, rng: np.random.Generator) -> Shape:
+    """A random size that a hand can hold."""
+    if kind == "box":
+        x, y, z = (float(value) for value in rng.uniform((0.04, 0.04, 0.07), (0.07, 0.09, 0.14)))
+        return Box((x, y, z))
+    low, high = {"bottle": (0.15, 0.20), "can": (0.10, 0.13), "cup": (0.08, 0.14)}[kind]
+    return Cylinder(float(rng.uniform(0.025, 0.038)), float(rng.uniform(low, high)))
+
+
+def item(
+    name: str,
+    kind: str,
+    color: str,
+    shape: Shape,
+    carrier: Furniture,
+    place: tuple[float, float],
+    rng: np.random.Generator,
+) -> SceneItem:
+    """A thing that stands on a piece of furniture; ``place`` is in the world."""
+    turn = poses.rotation_z(float(rng.uniform(-math.pi, math.pi)) if isinstance(shape, Box) else 0.0)
+    pose = poses.transform(turn, (*place, carrier.size_m[2] + 0.5 * shape.height_m))
+    mass, friction = float(rng.uniform(0.1, 0.5)), float(rng.uniform(0.5, 1.0))
+    return SceneItem(name, kind, color, shape, mass, friction, pose)
+
+
+def spot(
+    rng: np.random.Generator,
+    carrier: Furniture,
+    others: Sequence[SceneItem],
+    apart_m: float = APART_M,
+    deepest_m: float = 0.32,
+) -> tuple[float, float] | None:
+    """A free place on a table, in the world; None when there is hardly any."""
+    edge = carrier.position_m[0] - 0.5 * carrier.size_m[0]
+    back = min(carrier.size_m[0] - ROOM_AT_EDGE_M, deepest_m)
+    for _ in range(60):
+        x = edge + float(rng.uniform(ROOM_AT_EDGE_M, back))
+        y = float(rng.uniform(-ASIDE_M, ASIDE_M))
+        if all(math.hypot(x - o.world_T_object[0, 3], y - o.world_T_object[1, 3]) >= apart_m for o in others):
+            return x, y
+    return None
+
+
+def things(
+    rng: np.random.Generator, carrier: Furniture, count: int, kinds: Sequence[str] = KINDS
+) -> list[SceneItem]:
+    """Up to so many things on a table, each with a colour and kind of its own."""
+    found: list[SceneItem] = []
+    looks = [(kind, color) for kind in kinds for color in COLORS]
+    order = rng.permutation(len(looks))[:count]
+    for kind, color in (looks[i] for i in order):
+        place = spot(rng, carrier, found)
+        if place is not None:
+            shape = shape_of(kind, rng)
+            found.append(item(f"{color} {kind}", kind, color, shape, carrier, place, rng))
+    return found
+
+
+def people(
+    rng: np.random.Generator,
+    count: int,
+    furniture: Sequence[Furniture],
+    bearing_rad: float = PERSON_BEARING_RAD,
+) -> list[Person]:
+    """People who stand about and face the robot, each in sight of the other side of what is there."""
+    found: list[Person] = []
+    behind = max((piece.position_m[0] + 0.5 * piece.size_m[0] + 0.35 for piece in furniture), default=0.0)
+    for name in NAMES[:count]:
+        for _ in range(200):
+            far = float(rng.uniform(*PERSON_FAR_M))
+            bearing = float(rng.uniform(-bearing_rad, bearing_rad))
+            x, y = far * math.cos(bearing), far * math.sin(bearing)
+            clear = all(math.dist((x, y), other.position_m) >= PEOPLE_APART_M for other in found)
+            if clear and x >= behind:
+                yaw = math.atan2(-y, -x) + float(rng.uniform(-0.3, 0.3))
+                found.append(Person(name, (x, y), yaw))
+                break
+    return found
+
+
+def room(
+    name: str,
+    rng: np.random.Generator,
+    furniture: Sequence[Furniture] = (),
+    objects: Sequence[SceneItem] = (),
+    crowd: Sequence[Person] = (),
+    perception: PerceptionModel | None = None,
+) -> SceneDescription:
+    """A scene, written as TOML and read back: the file of an episode is that episode to the last bit."""
+    scene = SceneDescription(
+        name, start(rng), perception or PerceptionModel(), tuple(furniture), tuple(objects), tuple(crowd)
+    )
+    return read_scene(dump(scene), f"episode {name}", name)

@@ -1,0 +1,75 @@
+"""What a skill's suite is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+
+from executive.assembly import Assembly
+from executive.task_result import TaskResult
+from robots.scene_description import SceneDescription
+from trees.tasks import Task
+
+Figure = float | int | str | bool
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What the truth says about an episode.
+
+    Attributes:
+        done: Whether what was asked for really happened.
+        numbers: What was measured; keys carry their unit.
+        why: What was wrong, for people; empty when nothing was.
+    """
+
+    done: bool
+    numbers: Mapping[str, Figure] = field(default_factory=dict)
+    why: str = ""
+
+
+class SkillJudge(Protocol):
+    """Watches the truth beside the run and never tells the robot."""
+
+    def on_event(self, event: object) -> None:
+        """Take one event of any kind."""
+        ...
+
+    def on_period(self) -> None:
+        """Look at the world; called after each control period."""
+        ...
+
+    def verdict(self, results: Sequence[TaskResult]) -> Verdict:
+        """After the last task."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """One episode: what is there, and what is asked.
+
+    Attributes:
+        scene: The world.
+        tasks: Asked one after the other; the last one is what the suite is about.
+        aim: Name of the object, person or furniture that the last task is about.
+    """
+
+    scene: SceneDescription
+    tasks: tuple[Task, ...]
+    aim: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class SkillSuite:
+    """How to make and judge the episodes of one skill.
+
+    Attributes:
+        trial: Makes an episode from a generator.
+        judge: Makes its judge, before the first task; the generator is another one than the trial's.
+    """
+
+    trial: Callable[[np.random.Generator], Trial]
+    judge: Callable[[Assembly, Trial, np.random.Generator], SkillJudge]

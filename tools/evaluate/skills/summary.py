@@ -1,0 +1,45 @@
+"""What the episodes of a skill say together."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from tools.evaluate.records import FALSE_FAILURE_BAR, SUCCESS_BAR, Bar, Summary
+
+
+@dataclass(frozen=True, slots=True)
+class SkillSummary(Summary):
+    """The demands on a household skill."""
+
+    def bars(self) -> list[Bar]:
+        """Truth, claims, falls, contacts and balance."""
+        count = len(self.records)
+        errors = sum(record.outcome == "error" for record in self.records)
+        margin = min((record.com_margin_m for record in self.records), default=math.inf)
+        limit = self.com_margin_limit_m
+        share = self.false_failure / max(count, 1)
+        return [
+            Bar(
+                "truly done",
+                f"{self.success_rate:.1%}",
+                f"≥ {SUCCESS_BAR:.0%}",
+                self.success_rate >= SUCCESS_BAR,
+            ),
+            Bar("claimed, and not so", str(self.false_success), "0", self.false_success == 0),
+            Bar(
+                "so, and not claimed",
+                f"{share:.1%}",
+                f"≤ {FALSE_FAILURE_BAR:.0%}",
+                share <= FALSE_FAILURE_BAR,
+            ),
+            Bar("falls", str(self.falls), "0", self.falls == 0),
+            Bar(
+                "episodes with furniture or people touched",
+                str(self.unwanted_contacts),
+                "0",
+                not self.unwanted_contacts,
+            ),
+            Bar("CoM margin", f"{1e3 * margin:.0f} mm", f"≥ {1e3 * limit:.0f} mm", margin >= limit),
+            Bar("broken episodes", str(errors), "0", errors == 0),
+        ]

@@ -1,0 +1,172 @@
+"""What a task is aimed at: an object, a piece of furniture or a person, as it was last seen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.poses import Transform
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Shape
+from robots.perception.detector import Category
+from robots.perception.object_estimate import ObjectEstimate
+from trees.believed_thing import Surroundings
+from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.grounding import Ambiguous, Found, Missing, ground
+from trees.scene_update import kind_of
+from trees.tasks import Destination, ObjectDescription, ObjectOf
+
+# From the top of a person's cylinder down to the middle of the face.
+_FACE_BELOW_TOP_M = 0.13
+_ANYBODY = ("me", "in_front", "in front", "person", "somebody")
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Something that a task is aimed at.
+
+    Attributes:
+        name: Its name in the planning scene.
+        category: What sort of thing it is.
+        shape: Its solid.
+        odom_T_place: Its pose, shape (4, 4).
+        confidence: Of the sighting, in [0, 1].
+    """
+
+    name: str
+    category: Category
+    shape: Shape
+    odom_T_place: Transform
+    confidence: float
+
+    @property
+    def aim_m(self) -> NDArray[np.float64]:
+        """What to look at or point at, shape (3,): the middle of a thing, the face of a person."""
+        middle: NDArray[np.float64] = self.odom_T_place[:3, 3].copy()
+        if self.category == "person":
+            middle[2] += 0.5 * self.shape.height_m - _FACE_BELOW_TOP_M
+        return middle
+
+
+def aim_of(task: object) -> Destination | None:
+    """The slot of a task that says what it is aimed at: an object, a person, or a place.
+
+    Raises:
+        TypeError: It refers to an object of another task that was not filled in.
+    """
+    for slot in ("object", "person", "to", "on", "source"):
+        wanted: Destination | None = getattr(task, slot, None)
+        if isinstance(wanted, ObjectOf):
+            raise TypeError("the object of an earlier task was not filled in")
+        if wanted is not None:
+            return wanted
+    return None
+
+
+def resolve(
+    wanted: Destination | None, seen: Mapping[str, ObjectEstimate], around: Surroundings
+) -> Place | Failure:
+    """Find what is meant among what was seen.
+
+    Args:
+        wanted: A description, or the name of a person, a place or a piece of furniture; "me" is the
+            nearest person, "in_front" (and None) the one who stands most straight ahead.
+        seen: Estimates by the names that they have in the planning scene.
+        around: What is believed, for descriptions that compare things.
+
+    Returns:
+        The place, or why not: nothing fits, or several things do (the failure has ``choices``).
+    """
+    if isinstance(wanted, ObjectOf):
+        raise TypeError("the object of an earlier task was not filled in")
+    if isinstance(wanted, ObjectDescription) and wanted.kind != "person" and not wanted.name:
+        fitting = {name: item for name, item in seen.items() if _is_furniture(wanted, name, item)}
+        if not fitting:
+            return _grounded(wanted, seen, around)
+    else:
+        word = (
+            wanted if isinstance(wanted, str) else "in_front" if wanted is None else wanted.name or "person"
+        )
+        fitting = _named(word, seen)
+    if not fitting:
+        words = ", ".join(sorted(seen)) or "nothing"
+        return Failure.postcondition(f"no {_words(wanted)} seen", seen=words)
+    if len(fitting) > 1:
+        return Failure.infeasible(
+            f"which {_words(wanted)}? there are {len(fitting)}",
+            choices=CHOICES_JOINED_BY.join(sorted(fitting)),
+            count=len(fitting),
+        )
+    ((name, item),) = fitting.items()
+    return place_from(name, item)
+
+
+def place_from(name: str, item: ObjectEstimate) -> Place:
+    """A sighting as a place."""
+    return Place(name, item.category, item.shape, item.odom_T_object, item.confidence)
+
+
+def people_first(seen: Mapping[str, ObjectEstimate]) -> list[str]:
+    """Names of the people in view, the one who stands most straight ahead first."""
+    people = [name for name, item in seen.items() if item.category == "person"]
+    return sorted(people, key=lambda name: (_off_ahead(seen[name]), name))
+
+
+def furniture_named(kind: str, scene: PlanningScene) -> list[SceneObject]:
+    """The solids of a kind of furniture in a scene, the one with the largest face first."""
+    found = [item for item in scene.objects.values() if not item.movable and kind_of(item.name) == kind]
+    return sorted(found, key=lambda item: -_face_m2(item))
+
+
+def _grounded(
+    wanted: ObjectDescription, seen: Mapping[str, ObjectEstimate], around: Surroundings
+) -> Place | Failure:
+    """An object among those that are believed; it must have been seen just now."""
+    match ground(wanted, around):
+        case Ambiguous(message, choices):
+            words = [choice.words for choice in choices]
+            return Failure.infeasible(message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+        case Missing(message):
+            return Failure.postcondition(message, seen=", ".join(sorted(seen)) or "nothing")
+        case Found(names):
+            if names[0] in seen:
+                return place_from(names[0], seen[names[0]])
+            return Failure.postcondition(f"the {names[0]} was seen before, but is not in view now")
+
+
+def _is_furniture(wanted: ObjectDescription, name: str, item: ObjectEstimate) -> bool:
+    """Of furniture, "table" is its top."""
+    return item.category == "furniture" and wanted.kind == item.kind == name and wanted.color is None
+
+
+def _named(word: str, seen: Mapping[str, ObjectEstimate]) -> dict[str, ObjectEstimate]:
+    people = people_first(seen)
+    if word in _ANYBODY:
+        if word == "me":
+            people.sort(key=lambda name: float(np.linalg.norm(seen[name].odom_T_object[:2, 3])))
+        return {name: seen[name] for name in people[:1]}
+    same = [name for name in people if name.casefold() == word.casefold()]
+    # of furniture, "table" is its top, "table 2" a leg or another one
+    kinds = [name for name, item in seen.items() if item.category == "furniture" and name == word]
+    things = [name for name, item in seen.items() if item.category == "object" and word in (name, item.kind)]
+    return {name: seen[name] for name in same or kinds or things}
+
+
+def _off_ahead(item: ObjectEstimate) -> float:
+    x, y = item.odom_T_object[:2, 3]
+    return abs(math.atan2(y, x))
+
+
+def _face_m2(item: SceneObject) -> float:
+    size = getattr(item.shape, "size_m", (0.0, 0.0, 0.0))
+    return float(size[0] * size[1])
+
+
+def _words(wanted: Destination | None) -> str:
+    if wanted is None or wanted in _ANYBODY:
+        return "person"
+    return str(wanted)

@@ -1,0 +1,267 @@
+"""Which of the things around the robot a description means: one, several, or none.
+
+Nothing that was said is left out: what perception cannot tell (a material, somebody's name for a thing)
+leads to a question among those that fit otherwise.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from trees.believed_thing import BelievedThing, Surroundings, split_words
+from trees.choice_words import from_the_left, told_apart
+from trees.doubts import NoneFitsError, UntellableError
+from trees.ranking import least, ordered, sized, there_are
+from trees.scene_update import kind_of
+from trees.spatial_relation import between_m, lies, lies_from_robot
+from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
+
+ROBOT = ("robot", "you")
+"""What a sentence calls the robot itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One of several things that fit, with words that fit no other of them."""
+
+    name: str
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What is meant; names of the planning scene, the nearest first when there are several."""
+
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Ambiguous:
+    """Only a person can say which is meant.
+
+    Attributes:
+        message: What is unclear, as a question.
+        choices: All that fit, from the robot's left to its right.
+    """
+
+    message: str
+    choices: tuple[Choice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """Nothing fits.
+
+    Attributes:
+        message: What is missing, for people.
+        seen: Whether things were seen that fit all but the last condition: another look will not help
+            as much as another wording.
+    """
+
+    message: str
+    seen: bool = False
+
+
+Grounding = Found | Ambiguous | Missing
+
+
+def ground(
+    wanted: ObjectDescription,
+    around: Surroundings,
+    source: Destination | None = None,
+    count: Count = 1,
+) -> Grounding:
+    """Find what a description means.
+
+    Args:
+        wanted: The description; its ``name`` may be a name of the planning scene.
+        around: What the robot believes to be around it.
+        source: Where it is said to be: a piece of furniture, or a thing that it is in or on.
+        count: How many are meant. For a number more than fit, the nearest ones; "both" needs exactly two.
+    """
+    try:
+        fitting = _fitting(wanted, around, source)
+    except NoneFitsError as none:
+        return Missing(none.message, none.had)
+    except UntellableError as untellable:
+        return Ambiguous(untellable.message, _choices(untellable.among))
+    return _counted(wanted, fitting, count)
+
+
+def exactly(name: str) -> ObjectDescription:
+    """A description that means one known object, and names it as people do."""
+    kind, color = split_words(name)
+    return ObjectDescription(kind=kind, color=color, name=name)
+
+
+def _counted(wanted: ObjectDescription, fitting: list[BelievedThing], count: Count) -> Grounding:
+    nearest = sorted(fitting, key=lambda thing: (thing.distance_m, thing.name))
+    names = tuple(thing.name for thing in nearest)
+    noun = str(wanted)
+    if count == "all":
+        return Found(names)
+    if count == "both":
+        if len(names) == 2:
+            return Found(names)
+        return Missing(f"{there_are(len(names))} {noun} in view, so it is not clear what both are", True)
+    if count > len(names):
+        return Missing(f"only {len(names)} {noun} in view, not {count}", True)
+    if count == 1 and len(names) > 1:
+        return Ambiguous(f"which {noun}? there are {len(names)}", _choices(fitting))
+    return Found(names[:count])
+
+
+def _choices(things: Sequence[BelievedThing]) -> tuple[Choice, ...]:
+    return tuple(Choice(thing.name, words) for thing, words in told_apart(things))
+
+
+def _fitting(
+    wanted: ObjectDescription, around: Surroundings, source: Destination | None
+) -> list[BelievedThing]:
+    """Objects for which everything holds.
+
+    Raises:
+        NoneFitsError: There is none.
+        UntellableError: Something cannot be told.
+    """
+    noun = str(wanted)
+    fitting = [
+        thing
+        for thing in around.objects
+        if wanted.kind in (None, thing.kind) and wanted.color in (None, thing.color)
+    ]
+    if not fitting:
+        held = [name for name in around.held if _like(wanted, name)]
+        raise NoneFitsError(f"the {kind_of(held[0])} is in the hand" if held else f"no {noun} seen", False)
+    if wanted.relation is not None:
+        fitting = _related(wanted.relation, fitting, around, noun)
+    if source is not None:
+        fitting = _at(source, fitting, around, str(replace(wanted, relation=None)))
+    if wanted.name is not None:
+        fitting = _named(wanted.name, fitting, around)
+    if wanted.ordinal == "other":
+        fitting = _other(fitting, around, noun)
+    if wanted.size is not None:
+        fitting = sized(wanted.size, fitting, noun)
+    if wanted.material is not None:
+        raise UntellableError(
+            f"which one is made of {wanted.material}? that cannot be seen", from_the_left(fitting)
+        )
+    if wanted.ordinal not in (None, "other"):
+        fitting = ordered(str(wanted.ordinal), fitting, noun)
+    return fitting
+
+
+def _like(wanted: ObjectDescription, name: str) -> bool:
+    kind, color = split_words(name)
+    return wanted.kind in (None, kind) and wanted.color in (None, color)
+
+
+# --- relations -----------------------------------------------------------------------------------
+
+
+def _related(
+    relation: Relation, fitting: list[BelievedThing], around: Surroundings, noun: str
+) -> list[BelievedThing]:
+    references: list[BelievedThing] = []
+    if relation.to in ROBOT:
+        kept = [thing for thing in fitting if lies_from_robot(relation.kind, thing)]
+    else:
+        references = _references(relation.to, around, fitting)
+        kept = [thing for thing in fitting if any(lies(relation.kind, thing, other) for other in references)]
+    if not kept:
+        raise NoneFitsError(f"no {noun} seen", True)
+    if relation.kind != "nearest":
+        return kept
+    return least(
+        kept,
+        lambda thing: min(
+            (between_m(thing, other) for other in references if other is not thing), default=thing.distance_m
+        ),
+    )
+
+
+def _references(to: Destination, around: Surroundings, fitting: list[BelievedThing]) -> list[BelievedThing]:
+    """What a relation compares with; several when several fit, each of which may be meant."""
+    if isinstance(to, ObjectOf):
+        raise TypeError("the object of an earlier task was not filled in")
+    if isinstance(to, ObjectDescription):
+        try:
+            return _fitting(to, around, None)
+        except NoneFitsError:
+            found = _furniture(to.name or to.kind or "", around)
+            if found:
+                return found
+            raise
+    if to == "me":
+        people = _people(around)
+        if len(people) == 1:
+            return people
+        raise UntellableError("which one? it cannot be seen who speaks", fitting)
+    found = _furniture(to, around)
+    if not found:
+        raise NoneFitsError(f"no {to} seen", True)
+    return found
+
+
+def _furniture(name: str, around: Surroundings) -> list[BelievedThing]:
+    """The piece of that name; without one the first solid of that kind, which is the one that carries."""
+    wanted = name.lower()
+    fixed = [thing for thing in around.things if not thing.movable]
+    named = [thing for thing in fixed if thing.name.lower() == wanted]
+    return named or [thing for thing in fixed if thing.kind.lower() == wanted][:1]
+
+
+def _people(around: Surroundings) -> list[BelievedThing]:
+    return [thing for thing in around.things if not thing.movable and thing.kind == "person"]
+
+
+def _at(
+    source: Destination, fitting: list[BelievedThing], around: Surroundings, noun: str
+) -> list[BelievedThing]:
+    """Those that are where they are said to be."""
+    if isinstance(source, str):
+        kept = [thing for thing in fitting if thing.support is not None and _is_called(thing.support, source)]
+        where = f"on the {source}"
+    else:
+        references = _references(source, around, fitting)
+        kept = [
+            thing
+            for thing in fitting
+            if any(lies("on", thing, other) or lies("in", thing, other) for other in references)
+        ]
+        where = f"in or on the {source}"
+    if not kept:
+        raise NoneFitsError(f"a {noun} is seen, but not {where}", True)
+    return kept
+
+
+def _is_called(furniture: str, said: str) -> bool:
+    return said.lower() in (furniture.lower(), kind_of(furniture).lower())
+
+
+# --- names and memories --------------------------------------------------------------------------
+
+
+def _named(name: str, fitting: list[BelievedThing], around: Surroundings) -> list[BelievedThing]:
+    kept = [thing for thing in fitting if thing.name == name]
+    if kept:
+        return kept
+    if name in around.held:
+        raise NoneFitsError(f"the {kind_of(name)} is in the hand", False)
+    if re.search(r"\d$", name) or any(thing.words == name for thing in fitting):
+        # a name that the scene gave, of something that has moved since
+        return [thing for thing in fitting if thing.words == kind_of(name)] or fitting
+    raise UntellableError(f"which one is {name}? names cannot be seen", from_the_left(fitting))
+
+
+def _other(fitting: list[BelievedThing], around: Surroundings, noun: str) -> list[BelievedThing]:
+    before = around.last_acted_on
+    if before is None:
+        raise UntellableError(f"other than which? no {noun.removeprefix('other ')} was named before", fitting)
+    kept = [thing for thing in fitting if thing.name != before]
+    if not kept:
+        raise NoneFitsError(f"no {noun} seen", True)
+    return kept

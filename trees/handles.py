@@ -1,0 +1,141 @@
+"""Doors and drawers as a look shows them: where the handle goes, and how far it is open."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from kinematics import poses
+from kinematics.opening_path import DoorArc, DrawerLine, OpeningPath
+from kinematics.robot_description import Hand
+from kinematics.shapes import Box
+from robots.perception.object_estimate import ObjectEstimate
+from trees.scene_update import kind_of
+
+DOOR, DRAWER, HANDLE = "door", "drawer", "handle"
+PART_KINDS = (DOOR, DRAWER, HANDLE)
+BODY_OF: Mapping[str, str] = {DOOR: "fridge", DRAWER: "drawers"}
+"""What a door or drawer belongs to, by the kinds that perception tells."""
+MEANT_BY: Mapping[str, str] = {
+    "fridge": DOOR,
+    "refrigerator": DOOR,
+    "door": DOOR,
+    "cupboard": DOOR,
+    "drawer": DRAWER,
+    "drawers": DRAWER,
+    "chest": DRAWER,
+}
+"""What is opened when a thing is named."""
+OPEN_TO: Mapping[str, float] = {DOOR: math.radians(71.0), DRAWER: 0.30}
+"""How far things are opened, rad or m."""
+OPEN_ENOUGH: Mapping[str, float] = {DOOR: math.radians(65.5), DRAWER: 0.26}
+SHUT: Mapping[str, float] = {DOOR: math.radians(2.5), DRAWER: 0.02}
+"""Less open than this is closed, as far as a look can tell."""
+CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}
+"""Where a handle is led to close: somewhat beyond, for what the opening was misjudged by."""
+_PANEL_TO_BODY_M = 0.02
+_PAIRED_M = 1.0
+"""A handle belongs to the nearest front within this."""
+
+
+@dataclass(frozen=True, slots=True)
+class HandleTarget:
+    """A handle to be moved.
+
+    Attributes:
+        kind: What it opens.
+        handle, part: Names in the planning scene of its bar, and of the door or drawer.
+        path: Where the bar goes.
+        opening: How far it is open, rad or m.
+        hands: The hands that can follow it, the better one first.
+        unit: Of ``opening``.
+    """
+
+    kind: Literal["door", "drawer"]
+    handle: str
+    part: str
+    path: OpeningPath
+    opening: float
+    hands: tuple[Hand, ...]
+
+    @property
+    def unit(self) -> str:
+        """Unit of openings, for names of numbers."""
+        return "deg" if self.kind == DOOR else "m"
+
+    def shown(self, opening: float) -> float:
+        """An opening in ``unit``."""
+        return math.degrees(opening) if self.kind == DOOR else opening
+
+
+def handles_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+    """Every handle that was seen with its door or drawer.
+
+    Args:
+        seen: What a look saw, by name in the planning scene.
+    """
+    fronts = {name: item for name, item in seen.items() if kind_of(name) in BODY_OF}
+    found = []
+    for name, bar in seen.items():
+        if kind_of(name) != HANDLE or not fronts:
+            continue
+        away = {
+            front: float(np.linalg.norm(item.odom_T_object[:3, 3] - bar.odom_T_object[:3, 3]))
+            for front, item in fronts.items()
+        }
+        nearest = min(away, key=lambda front: (away[front], front))
+        if away[nearest] <= _PAIRED_M:
+            found.append(_target(name, bar, nearest, fronts[nearest], seen.values()))
+    return found
+
+
+def opening_in(estimates: Iterable[ObjectEstimate], kind: str) -> float | None:
+    """How far the only door or drawer of a look is open; None when it or its body was not seen."""
+    listed = list(estimates)
+    fronts = [item for item in listed if item.kind == kind]
+    bodies = [item for item in listed if item.kind == BODY_OF[kind]]
+    if not fronts or not bodies:
+        return None
+    return _opening(kind, fronts[0], bodies)
+
+
+def _opening(kind: str, front: ObjectEstimate, bodies: list[ObjectEstimate]) -> float:
+    """From the poses of a front and of what it closes; both have x pointing inwards."""
+    body = max(bodies, key=lambda item: float(item.odom_T_object[2, 3]))  # its top
+    yaw = poses.yaw_of(body.odom_T_object[:3, :3])
+    if kind == DOOR:
+        turned = poses.yaw_of(front.odom_T_object[:3, :3]) - yaw
+        return abs((turned + math.pi) % (2.0 * math.pi) - math.pi)
+    inwards = poses.rotation_z(yaw)[:, 0]
+    depth_m = body.shape.size_m[0] if isinstance(body.shape, Box) else 0.0
+    to_front_m = float((body.odom_T_object[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
+    return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
+
+
+def _target(
+    name: str, bar: ObjectEstimate, part: str, front: ObjectEstimate, seen: Iterable[ObjectEstimate]
+) -> HandleTarget:
+    kind = kind_of(part)
+    listed = list(seen)
+    bodies = [item for item in listed if item.kind == BODY_OF[kind]]
+    opening = _opening(kind, front, bodies) if bodies else 0.0
+    place, panel = bar.odom_T_object[:3, 3], front.odom_T_object
+    inwards, left = panel[:3, 0], panel[:3, 1]
+    if (place - panel[:3, 3]) @ inwards > 0.0:  # a handle is in front of what it opens
+        inwards, left = -inwards, -left
+    yaw = math.atan2(inwards[1], inwards[0])
+    if kind == DRAWER:
+        line = DrawerLine(place, yaw).through(place, opening)
+        first: Hand = "left" if place[1] > 0.0 else "right"
+        return HandleTarget(
+            DRAWER, name, part, line, opening, (first, "right" if first == "left" else "left")
+        )
+    side = -1.0 if (place - panel[:3, 3]) @ left > 0.0 else 1.0
+    width_m = front.shape.size_m[1] if isinstance(front.shape, Box) else 0.0
+    hinge = panel[:2, 3] + 0.5 * width_m * side * left[:2]
+    arc = DoorArc(hinge, yaw + side * opening, side, 0.0, 0.0, 0.0).through(place, opening)
+    return HandleTarget(DOOR, name, part, arc, opening, ("left" if side > 0.0 else "right",))

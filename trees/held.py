@@ -1,0 +1,75 @@
+"""What a hand holds, as the world model has it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinematics.poses import Transform
+from kinematics.robot_description import Hand
+from kinematics.shapes import Shape
+from trees.believed_thing import split_words
+from trees.failures import Failure
+from trees.tasks import ObjectDescription, Thing
+from trees.toolbox import Toolbox
+
+
+@dataclass(frozen=True, slots=True)
+class HeldObject:
+    """An attached body with the hand that holds it.
+
+    Attributes:
+        name: Its name in the planning scene.
+        hand: The hand.
+        shape: Its solid.
+        tcp_T_object: Pose in the hand's TCP frame, shape (4, 4).
+    """
+
+    name: str
+    hand: Hand
+    shape: Shape
+    tcp_T_object: Transform
+
+    @property
+    def kind(self) -> str:
+        """Its kind: "cup"."""
+        return split_words(self.name)[0]
+
+    @property
+    def color(self) -> str | None:
+        """Its colour, or None."""
+        return split_words(self.name)[1]
+
+
+def held_object(toolbox: Toolbox, wanted: Thing | None, hand: Hand | None) -> HeldObject | Failure:
+    """The object in a hand that is meant.
+
+    Args:
+        toolbox: Knows what is attached, and what the grippers feel.
+        wanted: What is meant, or None for whatever is held.
+        hand: The hand that is named, or None.
+    """
+    frames = {frame: side for side, frame in toolbox.model.description.tcp_frames.items()}
+    fitting = []
+    for name, body in sorted(toolbox.world.scene.attached.items()):
+        side = frames.get(body.frame)
+        if side is None or hand not in (None, side) or not _is_meant(name, wanted):
+            continue
+        fitting.append(HeldObject(name, side, body.body.shape, body.frame_T_object))
+    if not fitting:
+        what = "nothing" if wanted is None else f"no {wanted}"
+        return Failure.postcondition(f"{what} is in the {hand} hand" if hand else f"{what} is in a hand")
+    held = fitting[0]
+    if not toolbox.grippers[held.hand].reading().holding:
+        return Failure.postcondition(
+            f"the {held.name} is no longer in the {held.hand} hand",
+            opening_m=toolbox.grippers[held.hand].reading().opening_m,
+        )
+    return held
+
+
+def _is_meant(name: str, wanted: Thing | None) -> bool:
+    if not isinstance(wanted, ObjectDescription):
+        return wanted is None
+    kind, color = split_words(name)
+    named = wanted.name in (None, name)
+    return named and wanted.kind in (None, kind) and wanted.color in (None, color)

@@ -1,0 +1,47 @@
+"""What is known of a handle once a hand holds it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.opening_path import OpeningPath
+from kinematics.requests import Grasp
+from kinematics.scene import PlanningScene
+from trees.handles import HandleTarget
+from trees.toolbox import Toolbox
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class HeldHandle:
+    """A handle in a hand.
+
+    Attributes:
+        target: Which handle.
+        grasp: How it is held.
+        path: Of the TCP that holds it.
+        bias: Of the hand's force estimate, measured before anything was touched, shape (6,).
+    """
+
+    target: HandleTarget
+    grasp: Grasp
+    path: OpeningPath
+    bias: Array
+
+
+def scene_of_hand(toolbox: Toolbox, target: HandleTarget, grasp: Grasp) -> PlanningScene:
+    """The present scene, in which the hand may touch the handle and what it opens."""
+    links = toolbox.model.description.grippers[grasp.hand].touch_links
+    scene = toolbox.world.scene
+    parts = [name for name in (target.part, target.handle) if name in scene.objects]
+    return scene.allowing((link, part) for link in links for part in parts)
+
+
+def tcp_m(toolbox: Toolbox, grasp: Grasp, q: Array) -> Array:
+    """Where the hand's TCP is at a configuration, shape (3,)."""
+    frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
+    return toolbox.model.frame_pose(q, frame)[:3, 3]

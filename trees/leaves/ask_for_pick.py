@@ -1,0 +1,35 @@
+"""Say what has to be picked up first."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE, Leaf
+from trees.ports import ports
+from trees.tasks import PickTask
+
+
+class AskForPick(Leaf):
+    """Make the task of picking up the object that this task is about."""
+
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports(pick_task=PickTask)
+    CONTRACT = Contract(
+        precondition="no hand holds anything",
+        postcondition="the pick is described",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Describe it; without an object there is nothing to pick up."""
+        task = self.get_input("task")
+        if task.object is None:
+            return Failure.postcondition("nothing is in a hand, and nothing was named")
+        if self.toolbox.world.scene.attached:
+            held = ", ".join(sorted(self.toolbox.world.scene.attached))
+            return Failure.infeasible(f"the hands are not free: they hold the {held}")
+        source = getattr(task, "source", None)
+        self._set_output("pick_task", PickTask(task.text, task.object, source, task.hand))
+        return DONE

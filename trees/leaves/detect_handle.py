@@ -1,0 +1,58 @@
+"""See a door or drawer with its handle, and remember it."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.handles import MEANT_BY, PART_KINDS, HandleTarget, handles_in
+from trees.leaf import DONE
+from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.ports import ports
+from trees.scene_update import kind_of, updated_scene
+from trees.sight import in_view
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+
+
+class DetectHandle(LookLeaf):
+    """Fuse a few frames into the world model, and find the handle of what the task names."""
+
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports(handle=HandleTarget)
+    CONTRACT = Contract(
+        precondition="the head is at rest",
+        postcondition="exactly one handle that fits was seen with what it opens; everything seen is in the "
+        "world model",
+        deadline_s=2.0,
+    )
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """Update the world model, then choose."""
+        world, policy = self.toolbox.world, self.toolbox.policy
+        estimates = estimates_of(views)
+        scene = world.scene
+        fresh = {estimate.kind for estimate in estimates} & set(PART_KINDS)
+        for name in [name for name in scene.objects if kind_of(name) in fresh]:
+            scene = scene.without_object(name)  # unlike other furniture, these move
+        camera, pose = self.toolbox.model.description.camera, views[-1].odom_T_camera
+        update = updated_scene(scene, estimates, policy, lambda point: not in_view(camera, pose, point))
+        world.update(update.scene)
+        self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
+        task: OpenTask | CloseTask = self.get_input("task")
+        wanted = task.object
+        noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
+        kind = MEANT_BY.get(noun) if noun is not None else None
+        if noun is not None and kind is None:
+            return Failure.infeasible(f"a {noun} is nothing that I can open or close")
+        fitting = [item for item in handles_in(update.seen) if kind in (None, item.kind)]
+        if not fitting:
+            return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
+        if len(fitting) > 1:
+            choices = CHOICES_JOINED_BY.join(f"the {item.part}" for item in fitting)
+            message = f"which {noun or 'one'}? there are {len(fitting)}"
+            return Failure.infeasible(message, choices=choices, count=len(fitting))
+        (handle,) = fitting
+        self._set_output("handle", handle)
+        self.feedback_message = f"{handle.part}, open by {handle.shown(handle.opening):.2f} {handle.unit}"
+        return DONE

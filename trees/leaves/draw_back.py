@@ -1,0 +1,38 @@
+"""Draw an open hand back from what it held."""
+
+from __future__ import annotations
+
+from kinematics.requests import RetreatRequest
+from trees.contract import Contract
+from trees.held import HeldObject
+from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import ports
+
+
+class DrawBack(PlannedMotionLeaf):
+    """Straight back along the hand's own axis, the way that it could have come."""
+
+    INPUT_PORTS = ports(held=HeldObject)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the hand is open",
+        postcondition="every joint is measured to be where the hand is clear of the object",
+        deadline_s=30.0,
+        moves="body",
+    )
+
+    def goal(self) -> RetreatRequest:
+        """The fingers may touch what they held; everything else keeps its distance."""
+        toolbox, held = self.toolbox, self.get_input("held")
+        gripper = toolbox.model.description.grippers[held.hand]
+        reference = toolbox.motion.reference()
+        back = -toolbox.policy.retreat_m * toolbox.model.frame_pose(reference, gripper.tcp_frame)[:3, 0]
+        pairs = [(min(link, held.name), max(link, held.name)) for link in sorted(gripper.touch_links)]
+        x, y, z = (float(value) for value in back)
+        return RetreatRequest(
+            q_start=reference,
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene.allowing(pairs),
+            hand=held.hand,
+            world_offset_m=(x, y, z),
+        )

@@ -1,0 +1,43 @@
+"""See where there is room."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.common import Status
+
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE
+from trees.look_around import LookAround
+from trees.placement import spots_for
+from trees.ports import ports
+from trees.tasks import PlaceTask
+
+
+class FindSpots(LookAround):
+    """Look, and list free spots for the held object where the task wants it."""
+
+    INPUT_PORTS = ports(task=PlaceTask, held=HeldObject)
+    OUTPUT_PORTS = ports(spots=tuple)
+    CONTRACT = Contract(
+        precondition="the head is at rest; the object is an attached body",
+        postcondition="there is at least one spot with room, on a surface that was seen; the best first",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Search the surfaces of the world model."""
+        del seen  # what was believed before counts as well
+        task, toolbox = self.get_input("task"), self.toolbox
+        base = toolbox.model.frame_pose(toolbox.sensing.state().q, toolbox.model.description.base_link)
+        spots = spots_for(
+            self.get_input("held"), task.on, task.to, toolbox.world.scene, base, toolbox.policy.support_gap_m
+        )
+        if isinstance(spots, Failure):
+            return spots
+        self._set_output("spots", spots)
+        self.feedback_message = f"{len(spots)} free spots"
+        return DONE

@@ -1,0 +1,112 @@
+"""Lead a held handle along its way."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from py_trees.common import Status
+
+from kinematics.opening_measure import moved_by
+from kinematics.opening_rehearsal import scene_at
+from robots.control.motion_handle import MotionHandle
+from robots.control.yielding_hand import YieldingHand
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.handles import SHUT
+from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
+from trees.leaf import DONE, RUNNING
+from trees.motion_leaf import MotionLeaf
+from trees.ports import ports
+
+_MOST_S = 40.0
+
+
+class LeadHandle(MotionLeaf):
+    """Open or close with the whole body: pull along the path, yield across it, feel when it is stuck.
+
+    How far it came is measured: a door's angle about the centre of the circle that the hand described.
+    """
+
+    INPUT_PORTS = ports(held=HeldHandle, lead_to=float)
+    OUTPUT_PORTS = ports(opening=float, opened=dict)
+    CONTRACT = Contract(
+        precondition="the hand was measured to hold the handle",
+        postcondition="the handle was led to where it should be, with the hand still about it; the world "
+        "model knows the door or drawer there",
+        deadline_s=_MOST_S,
+        moves="body",
+        on_success="the hand holds the handle at the end of its way",
+        on_failure="the hand holds where it came to; from something stuck it has gone back to the start",
+    )
+
+    def start(self) -> MotionHandle | Failure:
+        """Begin to lead."""
+        held: HeldHandle = self.get_input("held")
+        target, toolbox = held.target, self.toolbox
+        self._points: list[NDArray[np.float64]] = []
+        lead_to: float = self.get_input("lead_to")
+        closing = lead_to < target.opening
+        self._motion = YieldingHand(
+            toolbox.model,
+            toolbox.motion.stance(),
+            held.grasp.hand,
+            toolbox.motion.reference(),
+            scene_of_hand(toolbox, target, held.grasp),
+            (target.part, target.handle),
+            held.path,
+            target.opening,
+            lead_to,
+            period_s=toolbox.motion.period_s,
+            bias=held.bias,
+            stop_from=_STOP_FROM[target.kind] if closing else None,
+        )
+        return toolbox.motion.start(self._motion)
+
+    def step(self) -> Status | Failure:
+        """Follow the motion, and remember where the hand has been."""
+        outcome = super().step()
+        held: HeldHandle = self.get_input("held")
+        if outcome is RUNNING:
+            self._points.append(tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q))
+        return outcome
+
+    def finish(self) -> Status | Failure:
+        """Judge how it ended."""
+        held: HeldHandle = self.get_input("held")
+        target, report = held.target, self._motion.report
+        opening = target.opening + moved_by(np.array(self._points), held.path)
+        self._tell_world(held, opening)
+        shown = {f"opening_{target.unit}": round(target.shown(opening), 4)}
+        felt = {
+            "peak_force_n": round(report.peak_force_n, 1),
+            "peak_pull_n": round(report.peak_pull_n, 1),
+        }
+        self.measured(**shown, **felt)
+        self.feedback_message = f"{target.shown(opening):.2f} {target.unit}, {report.peak_pull_n:.0f} N"
+        if report.outcome == "stuck":
+            return Failure.execution(f"the {target.part} is stuck", **shown, **felt)
+        if report.outcome == "lost":
+            return Failure.execution(f"the hand lost the handle of the {target.part}", **shown, **felt)
+        self._set_output("opening", opening)
+        self._set_output("opened", {**shown, **felt})
+        return DONE
+
+    def _tell_world(self, held: HeldHandle, opening: float) -> None:
+        """Turn the door in the world model; the handle is where the hand has it."""
+        world, target = self.toolbox.world, held.target
+        parts = tuple(name for name in (target.part, target.handle) if name in world.scene.objects)
+        if not parts or opening == target.opening:
+            return
+        scene = scene_at(world.scene, parts, target.path, target.opening, opening)
+        if target.handle in scene.objects:
+            bar = scene.objects[target.handle]
+            pose = bar.world_T_object.copy()
+            pose[:2, 3] = tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]
+            scene = scene.with_object(replace(bar, world_T_object=pose))
+        world.update(scene)
+
+
+_STOP_FROM = {kind: 3.0 * shut for kind, shut in SHUT.items()}
+"""A closing door or drawer that stops nearer than this to being shut has met its frame."""

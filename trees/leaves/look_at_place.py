@@ -1,0 +1,68 @@
+"""Look at something, and see that it is in the middle of the picture."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics.body_gaze import body_gaze
+from kinematics.requests import MoveRequest
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.leaf import DONE
+from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import ports
+
+
+class LookAtPlace(PlannedMotionLeaf):
+    """Turn the head, and where that is not enough the trunk, to what is meant."""
+
+    INPUT_PORTS = ports(place=Place)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="what is meant was seen",
+        postcondition="from the encoders, it is in the middle of the picture to within the policy's share",
+        deadline_s=30.0,
+        moves="body",
+        on_success="the head holds the gaze",
+    )
+
+    def goal(self) -> MoveRequest | Failure:
+        """A motion of head and trunk alone."""
+        toolbox, place = self.toolbox, self.get_input("place")
+        reference = toolbox.motion.reference()
+        torso = toolbox.model.description.groups["torso"]
+        lean = toolbox.model.description.camera.lean_joint
+        turning = next((joint for joint in torso if joint != lean), None)
+        joints = body_gaze(toolbox.model, reference, place.aim_m, turning)
+        if joints is None:
+            return Failure.infeasible(f"no posture looks at the {place.name} from here")
+        return MoveRequest(
+            q_start=reference,
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            joints=joints,
+            keep_others=True,
+            seed=int(toolbox.rng.integers(2**31)),
+        )
+
+    def step(self) -> Status | Failure:
+        """Move, then measure how far from the picture's centre it is."""
+        outcome = super().step()
+        if outcome is not DONE:
+            return outcome
+        camera = self.toolbox.model.description.camera
+        pose = self.toolbox.model.frame_pose(self.toolbox.sensing.state().q, camera.frame)
+        x, y, z = pose[:3, :3].T @ (self.get_input("place").aim_m - pose[:3, 3])
+        half = np.tan([0.5 * camera.horizontal_fov_rad, 0.5 * camera.vertical_fov_rad])
+        off = math.inf if z <= 0.0 else float(np.max(np.abs(np.array([x, y]) / z) / half))
+        self.measured(off_centre=off)
+        if off > self.toolbox.policy.centred:
+            return Failure.postcondition(
+                "it is beside the picture's centre", off_centre=off, tolerance=self.toolbox.policy.centred
+            )
+        self._set_output("evidence", {"off_centre": off})
+        return DONE

@@ -1,0 +1,45 @@
+"""Lift what the hand holds away from where it could not be put."""
+
+from __future__ import annotations
+
+from kinematics.requests import RetreatRequest
+from trees.contract import Contract
+from trees.held import HeldObject
+from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import optional, ports
+from trees.steps import Placement
+
+_UP_M = 0.08
+
+
+class RaiseHeld(PlannedMotionLeaf):
+    """Straight up by a hand's breadth, when the hand still holds the object near its spot."""
+
+    INPUT_PORTS = ports(held=HeldObject, placement=optional(Placement))
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the object is clear of its spot, or the hand was not there",
+        deadline_s=30.0,
+        moves="body",
+    )
+
+    def goal(self) -> RetreatRequest | None:
+        """Up, unless nothing is held."""
+        toolbox, held = self.toolbox, self.get_input("held")
+        placement: Placement | None = self.optional("placement")
+        if placement is None or held.name not in toolbox.world.scene.attached:
+            return None
+        reference = toolbox.motion.reference()
+        tcp = toolbox.model.frame_pose(reference, toolbox.model.description.tcp_frames[held.hand])
+        above_m = float((tcp @ held.tcp_T_object)[2, 3] - placement.odom_T_object[2, 3])
+        if above_m > _UP_M:
+            return None
+        pairs = [(min(held.name, name), max(held.name, name)) for name in placement.touches]
+        return RetreatRequest(
+            q_start=reference,
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene.allowing(pairs),
+            hand=held.hand,
+            world_offset_m=(0.0, 0.0, _UP_M),
+        )

@@ -1,0 +1,82 @@
+"""Draw the open hand back from a handle."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.requests import Grasp, RetreatRequest
+from kinematics.scene import PlanningScene
+from trees.contract import Contract
+from trees.handles import HandleTarget
+from trees.held_handle import scene_of_hand, tcp_m
+from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import optional, ports
+from trees.toolbox import Toolbox
+
+_BACK_M = 0.10
+_CLEAR_M = 0.12
+_NEAR_M = 0.08
+"""A hand whose TCP is nearer to the bar is about it; where a door was opened wide, the hand that has drawn
+back is still beside the door."""
+_BESIDE_M = 0.25
+
+
+class StepBack(PlannedMotionLeaf):
+    """Move the hand straight back along its own approach, clear of the handle."""
+
+    INPUT_PORTS = ports(handle=optional(HandleTarget), grasp=optional(Grasp))
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the gripper is open",
+        postcondition="the hand is clear of the handle, at rest",
+        deadline_s=20.0,
+        moves="body",
+        on_success="the hand is before the handle",
+    )
+
+    def __init__(self, name: str, toolbox: Toolbox, clear: bool = False) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            clear: Away from the front itself, after the hand was drawn back from the bar.
+        """
+        super().__init__(name, toolbox)
+        self._clear = clear
+
+    def goal(self) -> RetreatRequest | None:
+        """A straight line against the TCP's x axis; None where the hand is not about the handle."""
+        toolbox, target = self.toolbox, self.optional("handle")
+        grasp: Grasp | None = self.optional("grasp")
+        if grasp is None or target is None or target.handle not in toolbox.world.scene.objects:
+            return None
+        frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
+        q = toolbox.motion.reference()
+        bar_m = toolbox.world.scene.objects[target.handle].world_T_object[:3, 3]
+        away_m = float(np.linalg.norm(tcp_m(toolbox, grasp, q) - bar_m))
+        if away_m > (_BESIDE_M if self._clear else _NEAR_M):
+            return None
+        back = -_BACK_M * toolbox.model.frame_pose(q, frame)[:3, 0]
+        if self._clear:
+            back = _CLEAR_M * _outward(toolbox.world.scene, target)
+        x, y, z = (float(value) for value in back)
+        return RetreatRequest(
+            q_start=q,
+            stance=toolbox.motion.stance(),
+            scene=scene_of_hand(toolbox, target, grasp),
+            hand=grasp.hand,
+            world_offset_m=(x, y, z),
+        )
+
+
+def _outward(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
+    """Horizontal unit vector from the front to its handle, square to the front."""
+    if target.part not in scene.objects:
+        return target.path.at(target.opening).outward
+    pose = scene.objects[target.part].world_T_object
+    normal = pose[:3, 0] * np.array([1.0, 1.0, 0.0])
+    normal /= np.linalg.norm(normal)
+    bar_m = scene.objects[target.handle].world_T_object[:3, 3]
+    return np.asarray(normal if (bar_m - pose[:3, 3]) @ normal > 0.0 else -normal)

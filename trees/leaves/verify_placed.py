@@ -1,0 +1,58 @@
+"""See that the object stands where it was put."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE
+from trees.look_around import LookAround
+from trees.ports import ports
+from trees.steps import Placement
+
+# A perceived lean below this is noise.
+_UPRIGHT_RAD = math.radians(15.0)
+
+
+class VerifyPlaced(LookAround):
+    """The object is seen near its placement, and stands."""
+
+    INPUT_PORTS = ports(held=HeldObject, placement=Placement)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the hand is clear of the object, the head at rest",
+        postcondition="the object was seen within the policy's tolerance of its placement, upright, and the "
+        "hand holds nothing",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Compare what was seen with what was meant."""
+        held, placement = self.get_input("held"), self.get_input("placement")
+        place = placement.odom_T_object[:3, 3]
+        same = [
+            item
+            for item in seen.values()
+            if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
+        ]
+        if not same:
+            return Failure.postcondition(f"the {held.name} is not seen where it was put", frames=len(seen))
+        nearest = min(same, key=lambda item: float(np.linalg.norm(item.odom_T_object[:3, 3] - place)))
+        off_m = float(np.linalg.norm(nearest.odom_T_object[:3, 3] - place))
+        numbers = {"off_m": off_m, "tilt_rad": nearest.tilt_rad}
+        self.measured(**numbers)
+        if off_m > self.toolbox.policy.placed_tolerance_m:
+            return Failure.postcondition(f"the {held.name} is not where it was put", None, **numbers)
+        if nearest.lying or nearest.tilt_rad > _UPRIGHT_RAD:
+            return Failure.postcondition(f"the {held.name} has fallen over", None, **numbers)
+        on = placement.touches[0] if placement.touches else ""
+        self._set_output("evidence", {"object": held.name, "on": on, "hand": held.hand, **numbers})
+        self.feedback_message = f"{off_m * 1000:.0f} mm from where it was meant to stand"
+        return DONE

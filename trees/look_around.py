@@ -1,0 +1,66 @@
+"""A look that is folded into the world model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from py_trees.common import Status
+
+from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.standing import standing_on_tops
+from trees.believed_thing import Surroundings, surroundings
+from trees.failures import Failure
+from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.scene_update import updated_scene
+from trees.sight import behind_a_hand, in_view
+
+
+class LookAround(LookLeaf):
+    """Gathers a look, replaces the world model's scene by what it tells, and hands on what was seen.
+
+    What is in a hand is left out: it is attached, and must not become an obstacle as well.
+    """
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """What follows from the things seen, by their names in the scene."""
+        raise NotImplementedError
+
+    def around(self) -> Surroundings:
+        """What is believed now, from where the robot stands."""
+        toolbox = self.toolbox
+        model, q = toolbox.model, toolbox.sensing.state().q
+        odom_T_base = model.frame_pose(q, model.description.base_link)
+        gap_m = toolbox.policy.support_gap_m
+        return surroundings(toolbox.world.scene, odom_T_base, gap_m, toolbox.world.last_acted_on)
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """Update the world model, then judge what was seen."""
+        world, policy = self.toolbox.world, self.toolbox.policy
+        estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
+        update = updated_scene(world.scene, estimates, policy, lambda point: self._unseen(views[-1], point))
+        world.update(update.scene)
+        self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
+        return self.found(update.seen)
+
+    def _not_in_hand(self, estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
+        scene, q = self.toolbox.world.scene, self.toolbox.sensing.state().q
+        held = [
+            (self.toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
+            for body in scene.attached.values()
+        ]
+        near = self.toolbox.policy.same_object_m
+        return [
+            estimate
+            for estimate in estimates
+            if all(float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place)) > near for place in held)
+        ]
+
+    def _unseen(self, view: View, point: NDArray[np.float64]) -> bool:
+        model = self.toolbox.model
+        if not in_view(model.description.camera, view.odom_T_camera, point):
+            return True
+        q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
+        eye = view.odom_T_camera[:3, 3]
+        return behind_a_hand(model, q, eye, point, self.toolbox.policy.hidden_by_hand_m)

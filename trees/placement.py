@@ -1,0 +1,162 @@
+"""Where an object is to be put, and why there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.place_requests import Spot
+from kinematics.placing_spots import FreeSpot, footprint_radius_m, spots_beside, spots_on
+from kinematics.poses import Transform
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+from trees.believed_thing import surroundings
+from trees.destination import furniture_named
+from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.grounding import Ambiguous, Found, ground
+from trees.held import HeldObject
+from trees.scene_update import kind_of, support_of
+from trees.tasks import Destination, ObjectDescription, Relation
+
+Array = NDArray[np.float64]
+
+# Where a hand puts things down most easily, from the point between the feet: ahead, and to its own side.
+COMFORTABLE_M = (0.48, 0.25)
+_DIRECTIONS = {
+    "left_of": (0.5 * math.pi,),
+    "right_of": (-0.5 * math.pi,),
+    "in_front_of": (math.pi,),
+    "behind": (0.0,),
+    "next_to": (0.5 * math.pi, -0.5 * math.pi, math.pi, 0.0),
+}
+_SURFACES = ("table", "counter", "shelf", "desk", "floor")
+
+
+def spots_for(
+    held: HeldObject,
+    on: Destination | None,
+    to: Destination | None,
+    scene: PlanningScene,
+    odom_T_base: Transform,
+    support_gap_m: float,
+) -> tuple[Spot, ...] | Failure:
+    """Free spots for a held object, the best first.
+
+    Args:
+        held: The object.
+        on: The surface that is named, or None.
+        to: The other thing that is named: beside what it goes, or another surface; or None.
+        scene: What is believed to be around.
+        odom_T_base: Pose of the robot's base, shape (4, 4).
+        support_gap_m: Between an object's lowest point and what it stands on, at most.
+    """
+    relation = _relation(to)
+    wish = _comfort(held, odom_T_base)
+    radius = footprint_radius_m(held.shape)
+    if relation is not None:
+        found = _beside(relation, held, scene, odom_T_base, support_gap_m, wish)
+        if isinstance(found, Failure):
+            return found
+        top, spots = found
+    else:
+        surface = _surface(on if on is not None else to, scene, wish)
+        if isinstance(surface, Failure):
+            return surface
+        top, spots = surface, spots_on(surface, scene, radius, wish)
+    if not spots:
+        return Failure.infeasible(f"there is no free spot on the {top.name} for the {held.name}")
+    return tuple(_resting(held, spot, top) for spot in spots)
+
+
+def _relation(to: Destination | None) -> Relation | None:
+    """What a destination says about where beside something else it is."""
+    if isinstance(to, ObjectDescription):
+        if to.relation is not None and to.relation.kind in _DIRECTIONS and to.kind is None:
+            return to.relation
+        if to.kind is not None and to.kind not in _SURFACES:
+            return Relation("next_to", to)
+    return None
+
+
+def _surface(
+    named: Destination | None, scene: PlanningScene, wish: Callable[[Array], float]
+) -> SceneObject | Failure:
+    kinds = _kinds(named, scene)
+    tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if _flat(item)]
+    if not tops:
+        what = f"no {named}" if named is not None else "nothing to put it on"
+        return Failure.postcondition(f"{what} seen", seen=", ".join(sorted(scene.objects)) or "nothing")
+    return min(tops, key=lambda item: (wish(item.world_T_object[:3, 3]), item.name))
+
+
+def _kinds(named: Destination | None, scene: PlanningScene) -> list[str]:
+    if isinstance(named, str):
+        return [named]
+    if isinstance(named, ObjectDescription) and named.kind is not None:
+        return [named.kind]
+    fixed = {kind_of(item.name) for item in scene.objects.values() if not item.movable}
+    return sorted(kind for kind in fixed if kind in _SURFACES)
+
+
+def _flat(item: SceneObject) -> bool:
+    return isinstance(item.shape, Box) and min(item.shape.size_m[:2]) > 2.0 * item.shape.height_m
+
+
+def _beside(
+    relation: Relation,
+    held: HeldObject,
+    scene: PlanningScene,
+    odom_T_base: Transform,
+    support_gap_m: float,
+    wish: Callable[[Array], float],
+) -> tuple[SceneObject, list[FreeSpot]] | Failure:
+    other = _other(relation.to, scene, odom_T_base, support_gap_m)
+    if isinstance(other, Failure):
+        return other
+    top = support_of(other, scene, support_gap_m)
+    if top is None:
+        return Failure.postcondition(f"what the {other.name} stands on is not seen")
+    heading = poses.yaw_of(odom_T_base[:3, :3])
+    directions = [heading + angle for angle in _DIRECTIONS[relation.kind]]
+    radius = footprint_radius_m(held.shape)
+    return top, spots_beside(other, top, scene, radius, directions, wish)
+
+
+def _other(
+    to: Destination, scene: PlanningScene, odom_T_base: Transform, support_gap_m: float
+) -> SceneObject | Failure:
+    """The object that a relation compares with."""
+    if isinstance(to, str):
+        to = ObjectDescription(kind=to)
+    if not isinstance(to, ObjectDescription):
+        raise TypeError("the object of an earlier task was not filled in")
+    answer = ground(to, surroundings(scene, odom_T_base, support_gap_m))
+    if isinstance(answer, Found):
+        return scene.objects[answer.names[0]]
+    if isinstance(answer, Ambiguous):
+        words = [choice.words for choice in answer.choices]
+        return Failure.infeasible(answer.message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+    return Failure.postcondition(answer.message)
+
+
+def _comfort(held: HeldObject, odom_T_base: Transform) -> Callable[[Array], float]:
+    """Distance from where this hand puts things down most easily, m."""
+    ahead, aside = COMFORTABLE_M
+    side = aside if held.hand == "left" else -aside
+    turn = poses.rotation_z(poses.yaw_of(odom_T_base[:3, :3]))
+    best = odom_T_base[:2, 3] + (turn @ (ahead, side, 0.0))[:2]
+
+    def wish(place: Array) -> float:
+        return float(np.linalg.norm(place[:2] - best))
+
+    return wish
+
+
+def _resting(held: HeldObject, spot: FreeSpot, top: SceneObject) -> Spot:
+    """The pose of an object that stands upright on a spot."""
+    place = spot.place_m + np.array([0.0, 0.0, 0.5 * held.shape.height_m])
+    return Spot(poses.transform(np.eye(3), place), (top.name,))

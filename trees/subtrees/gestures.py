@@ -1,0 +1,46 @@
+"""Gestures: wave, point at, look at."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+
+from trees.leaves.go_home import GoHome
+from trees.leaves.look_at_place import LookAtPlace
+from trees.leaves.point_at import PointAt
+from trees.leaves.raise_hand import RaiseHand
+from trees.leaves.swing_hand import SwingHand
+from trees.leaves.wait import Hold
+from trees.subtrees.search_place import everywhere, search_place
+from trees.subtrees.tidily import tidily
+from trees.toolbox import Toolbox
+
+
+def wave(toolbox: Toolbox) -> Behaviour:
+    """Find the person, turn to them, wave, and lower the hand. Reads "task", writes "evidence"."""
+    children: list[Behaviour] = [
+        search_place("find the person", toolbox, toolbox.policy.level_gazes),
+        RaiseHand("raise hand", toolbox),
+        SwingHand("swing hand", toolbox),
+        GoHome("lower hand", toolbox),
+    ]
+    return tidily("wave", children, toolbox)
+
+
+def point_at(toolbox: Toolbox) -> Behaviour:
+    """Find it, point at it for a while, and lower the arm. Reads "task", writes "evidence"."""
+    children: list[Behaviour] = [
+        search_place("find it", toolbox, everywhere(toolbox)),
+        PointAt("stretch arm", toolbox),
+        Hold("hold", toolbox, toolbox.policy.pointing_hold_s),
+        GoHome("lower arm", toolbox),
+    ]
+    return tidily("point at", children, toolbox)
+
+
+def look_at(toolbox: Toolbox) -> Behaviour:
+    """Find it, and keep it in the middle of the picture. Reads "task", writes "evidence"."""
+    children: list[Behaviour] = [
+        search_place("find it", toolbox, everywhere(toolbox)),
+        LookAtPlace("turn to it", toolbox),
+    ]
+    return tidily("look at", children, toolbox)

@@ -1,0 +1,165 @@
+"""Open or close a door or drawer: look, plan, reach, take hold, lead, let go, and look again."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives, defect
+from trees.best_effort import BestEffort
+from trees.clean_up import CleanUp
+from trees.deadline import Deadline
+from trees.failures import Failure, FailureKind
+from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.detect_handle import DetectHandle
+from trees.leaves.exclude_grasp import ExcludeGrasp
+from trees.leaves.go_home import GoHome
+from trees.leaves.grasp_handle import GraspHandle
+from trees.leaves.lead_handle import LeadHandle
+from trees.leaves.look_at import LookAt
+from trees.leaves.look_at_handle import LookAtHandle
+from trees.leaves.plan_handle import PlanHandle
+from trees.leaves.release import Release
+from trees.leaves.step_back import StepBack
+from trees.leaves.stream_motion import StreamMotion
+from trees.leaves.verify_opening import VerifyOpening
+from trees.policy import Gaze
+from trees.retry import Retry
+from trees.toolbox import Toolbox
+
+ATTEMPTS = 3
+GAZES = (
+    Gaze("ahead", tilt_rad=0.6),
+    Gaze("left", tilt_rad=0.5, pan_rad=0.5),
+    Gaze("right", tilt_rad=0.5, pan_rad=-0.5),
+    Gaze("low", tilt_rad=0.77),
+    Gaze("far left", tilt_rad=0.6, pan_rad=0.9),
+    Gaze("far right", tilt_rad=0.6, pan_rad=-0.9),
+    Gaze("beside left", tilt_rad=0.7, pan_rad=1.2),
+    Gaze("beside right", tilt_rad=0.7, pan_rad=-1.2),
+)
+"""Handles are before the chest, up to an arm's length to the sides."""
+
+
+def open_or_close(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, _hopeless)
+    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), attempts])
+    main.transparent = True
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    return CleanUp("open or close", timed, _leave(toolbox), worth_it=_tidying_helps)
+
+
+class _Sequence(Sequence):
+    """A sequence that may be left out of places in the tree."""
+
+    transparent = False
+
+
+def _sequence(name: str, *children: Behaviour) -> _Sequence:
+    return _Sequence(name, memory=True, children=list(children))
+
+
+def _search(name: str, toolbox: Toolbox) -> Alternatives:
+    """Look until the handle is seen; where one is known to be first."""
+    looks = [
+        _sequence(
+            "look there", LookAtHandle("look", toolbox, between=0.0), DetectHandle("detect handle", toolbox)
+        ),
+        *(
+            _sequence(
+                f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectHandle("detect handle", toolbox)
+            )
+            for gaze in GAZES
+        ),
+    ]
+    return Alternatives(name, looks, hopeless=_looking_elsewhere_is_useless)
+
+
+def _attempt(toolbox: Toolbox) -> Behaviour:
+    move = _sequence(
+        "move",
+        _sequence(
+            "plan",
+            PlanHandle("plan handle", toolbox),
+            CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
+            CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
+        ),
+        _sequence(
+            "reach",
+            Release("open gripper", toolbox),
+            StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
+            StreamMotion("stream approach", toolbox, {"checked": "checked_approach"}),
+        ),
+        _sequence("grasp", GraspHandle("grasp handle", toolbox)),
+        _sequence("lead", LeadHandle("lead handle", toolbox)),
+        _sequence("let go", Release("release", toolbox), StepBack("step back", toolbox)),
+        _sequence("leave", *_going(toolbox)),
+        Alternatives(
+            "verify",
+            [
+                _sequence("look there", LookAtHandle("look", toolbox), VerifyOpening("verify", toolbox)),
+                *(
+                    _sequence(
+                        f"look {gaze.name}", LookAt("look", toolbox, gaze), VerifyOpening("verify", toolbox)
+                    )
+                    for gaze in GAZES[:3]
+                ),
+            ],
+            hopeless=defect,
+        ),
+    )
+    move.transparent = True
+    attempt = Alternatives("attempt", [VerifyOpening("see whether it is so", toolbox), move])
+    attempt.transparent = True
+    return attempt
+
+
+def _going(toolbox: Toolbox) -> list[Behaviour]:
+    """See where the door is now, for the arm has to get past it, and go home.
+
+    A door that stands wide open may be where a hand is at home; then the arm stays clear of it where it is.
+    """
+    seen = _sequence("see it", LookAtHandle("look", toolbox), DetectHandle("detect", toolbox, _ELSEWHERE))
+    clear = BestEffort(StepBack("step clear", toolbox, clear=True))
+    return [clear, BestEffort(seen), BestEffort(GoHome("go home", toolbox))]
+
+
+_ELSEWHERE = {"handle": "handle_now"}
+"""What is seen on the way back must not replace what was planned for."""
+
+
+def _recover(toolbox: Toolbox) -> Behaviour:
+    """Let go, draw back, go home, and look where it is now."""
+    return _sequence(
+        "recover",
+        ExcludeGrasp("exclude grasp", toolbox, {"tried_now": "tried"}),
+        Release("release", toolbox),
+        BestEffort(StepBack("step back", toolbox)),
+        BestEffort(_sequence("leave", *_going(toolbox))),
+        BestEffort(_search("look again", toolbox)),
+    )
+
+
+def _leave(toolbox: Toolbox) -> Behaviour:
+    """Whatever went wrong: the hand is free of the handle and the robot stands at home."""
+    return _sequence(
+        "give up",
+        BestEffort(Release("release", toolbox)),
+        BestEffort(StepBack("step back", toolbox)),
+        *_going(toolbox),
+    )
+
+
+def _looking_elsewhere_is_useless(failure: Failure) -> bool:
+    return defect(failure) or failure.kind is FailureKind.INFEASIBLE
+
+
+def _hopeless(failure: Failure, before: Failure | None) -> bool:
+    """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    return defect(failure) or bool(failure.choices) or twice or "is stuck" in failure.message
+
+
+def _tidying_helps(failure: Failure) -> bool:
+    return not defect(failure) and not failure.choices

@@ -1,0 +1,96 @@
+"""Put an object down: find room, plan, check, bring it there, lower it until it stands, let go, look."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives, defect
+from trees.best_effort import BestEffort
+from trees.failures import Failure, FailureKind
+from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.draw_back import DrawBack
+from trees.leaves.exclude_spot import ExcludeSpot
+from trees.leaves.find_spots import FindSpots
+from trees.leaves.go_home import GoHome
+from trees.leaves.let_go import LetGo
+from trees.leaves.look_at import LookAt
+from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.lower import Lower, LowerFurther
+from trees.leaves.plan_place import PlanPlace
+from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.stream_motion import StreamMotion
+from trees.leaves.verify_placed import VerifyPlaced
+from trees.retry import Retry
+from trees.subtrees.have_it import have_it
+from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.subtrees.tidily import tidily
+from trees.toolbox import Toolbox
+
+# Steps farther down before a support is taken not to be there: 2 cm in all, beyond any perception error.
+_FURTHER_STEPS = 3
+
+
+def place(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    attempts = Retry(
+        "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
+    )
+    children: list[Behaviour] = [
+        have_it(toolbox),
+        _find_room(toolbox),
+        attempts,
+        BestEffort(DrawBack("draw back", toolbox)),
+        GoHome("clear the view", toolbox),
+        LookAtPlacement("look", toolbox),
+        VerifyPlaced("verify placed", toolbox),
+    ]
+    return tidily("place", children, toolbox)
+
+
+def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Behaviour]:
+    """Over the spot, and down until the object stands. Reads "transfer" and "lower", writes "touched"."""
+    further: list[Behaviour] = [
+        LowerFurther(f"lower further {k}", toolbox, {"touched_now": "touched"})
+        for k in range(1, further_steps + 1)
+    ]
+    return [
+        CheckTrajectory("check transfer", toolbox, {"step": "transfer", "checked": "checked_transfer"}),
+        CheckTrajectory("check lower", toolbox, {"step": "lower", "checked": "checked_lower"}),
+        StreamMotion("transfer", toolbox, {"checked": "checked_transfer"}),
+        Lower("lower", toolbox, {"checked": "checked_lower"}),
+        *further,
+    ]
+
+
+def _find_room(toolbox: Toolbox) -> Behaviour:
+    """Looks until a surface with room is seen; no room at all is no reason to look elsewhere."""
+    looks: list[Behaviour] = []
+    for gaze in toolbox.policy.search_gazes:
+        children: list[Behaviour] = [LookAt("look", toolbox, gaze), FindSpots("find spots", toolbox)]
+        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+    return Alternatives("find room", looks, hopeless=looking_elsewhere_is_useless)
+
+
+def _attempt(toolbox: Toolbox) -> Behaviour:
+    children: list[Behaviour] = [
+        PlanPlace("plan place", toolbox),
+        *set_down(toolbox),
+        LetGo("let go", toolbox),
+    ]
+    return Sequence("set down", memory=True, children=children)
+
+
+def _recover(toolbox: Toolbox) -> Behaviour:
+    children: list[Behaviour] = [
+        ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
+        BestEffort(RaiseHeld("lift it again", toolbox)),
+        _find_room(toolbox),
+    ]
+    return Sequence("try another spot", memory=True, children=children)
+
+
+def _no_other_spot_helps(failure: Failure, before: Failure | None) -> bool:
+    """A defect, or the planner's second no in a row."""
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    return defect(failure) or bool(failure.choices) or twice

@@ -1,0 +1,30 @@
+"""Look around for what a task is aimed at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence as Many
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives
+from trees.leaves.locate import Locate
+from trees.leaves.look_at import LookAt
+from trees.policy import Gaze
+from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.toolbox import Toolbox
+
+
+def search_place(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternatives:
+    """From here first, then one gaze after the other, until it is seen; writes "place"."""
+    looks: list[Behaviour] = [Locate("look from here", toolbox)]
+    for gaze in gazes:
+        children: list[Behaviour] = [LookAt("look", toolbox, gaze), Locate("locate", toolbox)]
+        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+
+
+def everywhere(toolbox: Toolbox) -> tuple[Gaze, ...]:
+    """Gazes for what may be a thing or a person: at the table ahead, at people, then the rest."""
+    policy = toolbox.policy
+    return (*policy.search_gazes[:1], *policy.level_gazes, *policy.search_gazes[1:])

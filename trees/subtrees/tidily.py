@@ -1,0 +1,25 @@
+"""A skill that leaves the robot at home when it fails."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import defect
+from trees.clean_up import CleanUp
+from trees.deadline import Deadline
+from trees.failures import Failure
+from trees.leaves.go_home import GoHome
+from trees.toolbox import Toolbox
+
+
+def tidily(name: str, children: list[Behaviour], toolbox: Toolbox) -> CleanUp:
+    """One thing after the other, in time; after a failure that is no question, home."""
+    main = Sequence("do", memory=True, children=children)
+    main.transparent = True
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=_tidying_helps)
+
+
+def _tidying_helps(failure: Failure) -> bool:
+    return not defect(failure) and not failure.choices
