@@ -30,6 +30,7 @@ from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.skills.episode import run_skill_episode
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.summary import SkillSummary
+from tools.evaluate.soak import run_soak
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
@@ -42,6 +43,7 @@ SUITES = (
     "fault",
     "kill",
     "fuzz",
+    "soak",
     *OPENING_SUITES,
     *SKILL_SUITES,
 )
@@ -70,6 +72,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_stop_suite(options, messages)
     if options.suite == "fuzz":
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
+    if options.suite == "soak":
+        return run_soak(options, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
     if options.suite in OPENING_SUITES:

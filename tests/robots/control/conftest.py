@@ -49,6 +49,7 @@ class PerfectRobot:
             i = self.description.actuated.index(joint)
             if q[i] < limit:
                 effort[i] += self._stiffness[i] * (q[i] - limit)
+                effort[i] += self.description.gains[joint].damping * v[i]
                 q[i], v[i] = limit, 0.0
         for joint, place in self.stuck_rad.items():
             i = self.description.actuated.index(joint)
