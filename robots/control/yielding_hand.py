@@ -35,7 +35,7 @@ from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample
 from robots.control.guarded_motion import MotionBounds
-from robots.control.yield_settings import Outcome, YieldReport, YieldSettings
+from robots.control.yield_settings import USUAL, Outcome, YieldReport, YieldSettings
 from robots.gripper_reading import read_gripper
 from robots.interface import RobotState
 
@@ -68,7 +68,7 @@ class YieldingHand:
         *,
         bias: Array | None = None,
         stop_from: float | None = None,
-        settings: YieldSettings = YieldSettings(),
+        settings: YieldSettings = USUAL,
     ) -> None:
         """Prepare.
 
