@@ -297,7 +297,10 @@ class ControlLoop:
         self._stuck = True
 
     def _look_after_health(self) -> None:
-        new, over = self._health.judge(self.sensing.state(), self._gate.last, self._streamer.standing)
+        streamer = self._streamer
+        new, over = self._health.judge(
+            self.sensing.state(), self._gate.last, streamer.standing, streamer.in_contact
+        )
         if not new and not over:
             return
         self._tell_health(new, over)

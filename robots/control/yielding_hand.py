@@ -132,6 +132,11 @@ class YieldingHand:
         )
 
     @property
+    def in_contact(self) -> bool:
+        """It is made for contact."""
+        return True
+
+    @property
     def report(self) -> YieldReport:
         """What was felt so far."""
         bias = np.zeros(6) if self._bias is None else self._bias

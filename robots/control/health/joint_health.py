@@ -61,8 +61,14 @@ class JointHealth:
         self._origin = None
         self._past.clear()
 
-    def judge(self, state: RobotState, setpoint: JointSetpoint) -> list[Finding]:
+    def judge(self, state: RobotState, setpoint: JointSetpoint, in_contact: bool = False) -> list[Finding]:
         """Take one period's readings, made while the robot followed a setpoint.
+
+        Args:
+            state: The readings.
+            setpoint: What was followed.
+            in_contact: A hand holds something that may not move: a joint that does not follow is judged by
+                how far it stays behind alone.
 
         Returns:
             What is wrong now; nothing in the periods between two judgements.
@@ -77,7 +83,9 @@ class JointHealth:
             return []
         motors = self._motors(state, setpoint)
         blamed = {finding.part for finding in motors}  # a joint without effort does not follow either
-        followers = [finding for finding in self._followers(state, setpoint) if finding.part not in blamed]
+        followers = [
+            finding for finding in self._followers(state, setpoint, in_contact) if finding.part not in blamed
+        ]
         return [*motors, *followers, *self._encoders(state)]
 
     def _motors(self, state: RobotState, setpoint: JointSetpoint) -> list[Finding]:
@@ -97,8 +105,10 @@ class JointHealth:
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found
 
-    def _followers(self, state: RobotState, setpoint: JointSetpoint) -> list[Finding]:
+    def _followers(self, state: RobotState, setpoint: JointSetpoint, in_contact: bool) -> list[Finding]:
         n, limits = self._bodies, self._limits
+        if in_contact:
+            self._past.clear()
         self._past.append((setpoint.q[:n], state.q[:n]))
         then_wanted, then = self._past[0]
         wanted = np.abs(setpoint.q[:n] - then_wanted)
