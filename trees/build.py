@@ -9,19 +9,29 @@ from py_trees.behaviour import Behaviour
 
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
+from trees.subtrees.hand_over import hand_over
+from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.subtrees.place import place
+from trees.subtrees.put_in import put_in
 from trees.subtrees.talk import say, wait
+from trees.subtrees.telling import count, describe, find
 from trees.task_tree import TaskTree
 from trees.tasks import (
     CloseTask,
+    CountTask,
+    DescribeTask,
+    FindTask,
     GoHomeTask,
+    HandOverTask,
     LookAtTask,
+    MoveTask,
     OpenTask,
     PickTask,
     PlaceTask,
     PointAtTask,
+    PutInTask,
     SayTask,
     Task,
     WaitTask,
@@ -35,6 +45,11 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
     {
         PickTask: pick,
         PlaceTask: place,
+        PutInTask: put_in,
+        HandOverTask: hand_over,
+        FindTask: find,
+        CountTask: count,
+        DescribeTask: describe,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
         CloseTask: open_or_close,
@@ -43,6 +58,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         LookAtTask: look_at,
         SayTask: say,
         WaitTask: wait,
+        MoveTask: move,
     }
 )
 """What makes the root of each task's tree."""

@@ -69,7 +69,8 @@ class Lower(MotionLeaf):
             self._handle = started
         if (ended := motion_failure(self._handle)) is not None:
             return ended
-        lift_n = float(self._watch.feel()[2])
+        trajectory = self.get_input("checked").checked.trajectory
+        lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
         self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.touch_n else 0
         self.feedback_message = f"{self._handle.progress:.0%}, {lift_n:.1f} N"
         if self._strong >= _READINGS:
@@ -159,7 +160,10 @@ class LowerFurther(PlannedMotionLeaf):
         outcome = super().step()
         if self._handle is None or isinstance(outcome, Failure):
             return outcome
-        self._strong = self._strong + 1 if float(self._watch.feel()[2]) >= self.toolbox.policy.touch_n else 0
+        if self._checked is None:
+            raise RuntimeError(f"{self.name} moves without a checked trajectory")
+        lift_n = float(self._watch.feel(self._checked.trajectory, self._handle.progress)[2])
+        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.touch_n else 0
         if self._strong >= _READINGS:
             self._touched_s = self.elapsed_s
             if not self._handle.finished:
