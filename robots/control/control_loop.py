@@ -306,8 +306,9 @@ class ControlLoop:
         self._stuck = True
 
     def _look_after_health(self) -> None:
-        standing = self._streamer.standing and not self._walker.active
-        new, over = self._health.judge(self.sensing.state(), self._gate.last, standing)
+        streamer = self._streamer
+        standing = streamer.standing and not self._walker.active
+        new, over = self._health.judge(self.sensing.state(), self._gate.last, standing, streamer.in_contact)
         if not new and not over:
             return
         self._tell_health(new, over)
