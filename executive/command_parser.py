@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator
 from functools import lru_cache, partial
+from typing import Any
 
 from lark import Token, Tree
 
@@ -13,6 +14,7 @@ from executive.meaning import Command, Parsed, Question, Refusal, StopCommand
 from executive.tokens import UNKNOWN, MalformedTextError, Word, normalise, words_of
 from executive.vocabulary import Vocabulary, load_vocabulary
 from kinematics.robot_description import HANDS
+from trees.extensions import extensions
 from trees.tasks import GoHomeTask, ObjectDescription, PickTask
 
 EXAMPLES = (
@@ -29,9 +31,18 @@ _SHOWN = 40
 """Characters of an offending word that are repeated to the user."""
 
 
+LONGEST_PHRASE = 200
+"""Characters of a sentence that is offered to skills of other packages."""
+
+
 def parse(text: str) -> Parsed:
     """Understand one text. It is untrusted: any string gives an answer."""
-    return _parser().parse(text)
+    parsed = _parser().parse(text)
+    if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
+        outside: Any = extensions().for_phrase(text)
+        if outside is not None:
+            return Parsed(text, commands=(outside,))
+    return parsed
 
 
 @lru_cache(maxsize=1)
