@@ -187,7 +187,14 @@ class Session:
         self._periodic.append(call)
 
     def hold(self, seconds: float) -> None:
-        """Let simulated time pass while the robot holds what it does."""
+        """Let simulated time pass while the robot holds what it does.
+
+        No task is under way meanwhile, so that a cancel asked for in this time has nothing to cancel.
+        """
+        self._let_pass(seconds)
+        self._cancel_reason = None
+
+    def _let_pass(self, seconds: float) -> None:
         for _ in range(round(seconds / (PERIOD_S * PERIODS_A_TICK))):
             self._advance()
 
@@ -207,7 +214,7 @@ class Session:
         began_s, planned_s = self.now_s, self._planning.wall_s
         self._sink(TaskAccepted(began_s, command.text, command_json(command)))
         tree: TaskTree | None = None
-        refusal = None if self._supervisor is None else self._supervisor.admit(self.hold)
+        refusal = None if self._supervisor is None else self._supervisor.admit(self._let_pass)
         outcome: tuple[Outcome, Failure | None]
         if isinstance(command, StopCommand):
             outcome = self._halted_nothing()
@@ -216,6 +223,7 @@ class Session:
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
             outcome = yield from self._run_guarded(tree, began_s + timeout_s)
+            self._stand()
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
@@ -246,7 +254,7 @@ class Session:
                 raise
             outcome, failure = "failed", from_exception(defect).at("control")
             tree.halt(failure.message)
-            self.hold(HALT_TICKS * PERIODS_A_TICK * PERIOD_S)
+            self._let_pass(HALT_TICKS * PERIODS_A_TICK * PERIOD_S)
         root = failure
         while root is not None and root.cause is not None:
             root = root.cause
@@ -282,6 +290,12 @@ class Session:
             return "done", None
         asks = tree.failure is not None and tree.failure.choices
         return ("question" if asks else "failed"), tree.failure
+
+    def _stand(self) -> None:
+        """Let a walk that was stopped make its last steps."""
+        walking = self._toolbox.walking
+        while walking is not None and walking.active:
+            self._advance()
 
     def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
         tree.halt(reason)

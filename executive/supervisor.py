@@ -111,6 +111,9 @@ class Supervisor:
         stopped = self.stopped()
         if stopped is not None:
             return Failure.refused(f"{stopped}; a person has to reset it")
+        unwell = self.unwell()
+        if unwell is not None:  # noticed after the last task, or in its last moment
+            self.note_defect(unwell.message)
         if self.lifecycle.state is LifecycleState.ERROR:
             self.lifecycle.take(Trigger.RECOVER, "a command came")
         if self.lifecycle.state is LifecycleState.RECOVERY:

@@ -11,6 +11,7 @@ from trees.extensions import extensions
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
+from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.subtrees.place import place
@@ -26,6 +27,7 @@ from trees.tasks import (
     GoHomeTask,
     HandOverTask,
     LookAtTask,
+    MoveTask,
     OpenTask,
     PickTask,
     PlaceTask,
@@ -57,6 +59,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         LookAtTask: look_at,
         SayTask: say,
         WaitTask: wait,
+        MoveTask: move,
     }
 )
 """What makes the root of each task's tree."""

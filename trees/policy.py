@@ -40,6 +40,8 @@ class TreePolicy:
         object_margin_m: Kept from every object, unless the plan lets the pair touch.
         search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
             too near for the head alone, then what is far to the sides.
+        survey_gazes: Where else the head looks before it is said which of several things is meant: what the
+            first gaze cuts off on both sides of a table, without leaning.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
@@ -59,9 +61,11 @@ class TreePolicy:
         in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
+        fastest_m_s, fastest_rad_s: Speed limits of a walk; the robot's own may be lower.
+        move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
         peering_gazes: Further ones, that put the eyes elsewhere: past what hides something.
-        survey_gazes: The looks that together see everything within reach of the arms.
+        inventory_gazes: The looks that together see everything within reach of the arms.
         wave_swings: How often a waving hand goes from side to side.
         wave_width_m: From one side to the other.
         wave_least_m: A swing narrower than this, as measured, does not count.
@@ -102,6 +106,10 @@ class TreePolicy:
         Gaze("far left", tilt_rad=0.5, pan_rad=0.7),
         Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
     )
+    survey_gazes: tuple[Gaze, ...] = (
+        Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),
+        Gaze("to the right", tilt_rad=0.75, pan_rad=-0.5),
+    )
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05
     same_furniture_m: float = 0.20
@@ -115,6 +123,9 @@ class TreePolicy:
     slip_max_m: float = 0.008
     in_hand_tolerance_m: float = 0.04
     unseen_hold_factor: float = 2.0
+    fastest_m_s: float = 0.5
+    fastest_rad_s: float = 1.0
+    move_s: float = 3.0
     level_gazes: tuple[Gaze, ...] = (
         Gaze("level", tilt_rad=0.15),
         Gaze("level left", tilt_rad=0.15, pan_rad=0.85),
@@ -127,7 +138,7 @@ class TreePolicy:
         Gaze("from far left", tilt_rad=0.5, pan_rad=-1.0, lean_rad=0.7, turn_rad=1.15),
         Gaze("from far right", tilt_rad=0.5, pan_rad=1.0, lean_rad=0.7, turn_rad=-1.15),
     )
-    survey_gazes: tuple[Gaze, ...] = (
+    inventory_gazes: tuple[Gaze, ...] = (
         Gaze("ahead", tilt_rad=0.75),
         Gaze("left", tilt_rad=0.7, pan_rad=0.6),
         Gaze("right", tilt_rad=0.7, pan_rad=-0.6),

@@ -16,6 +16,9 @@ from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 
+_STRAY_RAD = 1e-3
+"""Legs farther than this from the stance are not straying between samples: something else is wrong."""
+
 
 class StopProfile:
     """The rows of a stop, one a control period."""
@@ -43,7 +46,7 @@ class StopProfile:
             None when nothing within the limits ends before the trajectory itself does.
         """
         rows = brake_along(model, stance, sampler, t_s, period_s)
-        return None if rows is None else cls(rows)
+        return None if rows is None else cls(_resting_on_the_stance(model, stance, rows, period_s))
 
     @classmethod
     def at_once(cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float) -> StopProfile:
@@ -66,3 +69,31 @@ class StopProfile:
         base[-1] = last[:7]
         still = np.zeros((periods, 6))
         return cls(MotionSample(np.hstack([base, q]), np.hstack([still, v]), np.hstack([still, a])))
+
+
+def _resting_on_the_stance(
+    model: RobotModel, stance: Stance, rows: MotionSample, period_s: float
+) -> MotionSample:
+    """Let the legs end exactly where base and stance put them.
+
+    Between the samples of a trajectory they stray from there by 1e-5 rad: nothing while it is played, but
+    a plan that begins there would have to jump by as much.
+    """
+    space = free_coordinates(model, stance)
+    exact, reached = space.to_q(space.from_q(rows.q[-1])[None, :])
+    gap = exact[0, 7:] - rows.q[-1, 7:]
+    if not reached[0] or np.abs(gap).max() > _STRAY_RAD:
+        return rows
+    n = len(rows.q)
+    u = np.arange(1, n + 1) / n
+    # A quintic from rest to rest, and its rates.
+    duration_s = n * period_s
+    s = u**3 * (10.0 - 15.0 * u + 6.0 * u**2)
+    ds = 30.0 * u**2 * (1.0 - u) ** 2 / duration_s
+    dds = 60.0 * u * (1.0 - 3.0 * u + 2.0 * u**2) / duration_s**2
+    q, v, a = rows.q.copy(), rows.v.copy(), rows.a.copy()
+    q[:, 7:] += s[:, None] * gap
+    v[:, 6:] += ds[:, None] * gap
+    a[:, 6:] += dds[:, None] * gap
+    q[-1, 7:], v[-1], a[-1] = exact[0, 7:], 0.0, 0.0
+    return MotionSample(q, v, a)

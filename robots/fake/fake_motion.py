@@ -85,11 +85,6 @@ class FakeMotion:
         """Configuration that is commanded now, shape (nq,)."""
         return self._q.copy()
 
-    @property
-    def period_s(self) -> float:
-        """The control period of a body that has none."""
-        return 0.002
-
     def acceleration(self) -> Array:
         """Of the trajectory under way, shape (nv,): what its efforts are felt from."""
         if self._active is None:

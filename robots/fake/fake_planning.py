@@ -135,8 +135,10 @@ class FakePlanning:
             frame = self._model.description.grippers[request.hand].tcp_frame
             place = self._model.frame_pose(request.q_start, frame)[:3, 3] + request.world_offset_m
             goal = self._reach(request.q_start, request.hand, place)
-        else:
+        elif isinstance(request, MoveRequest):
             goal = self._posture(request)
+        else:
+            return NoPlan(f"a fake planner has no answer to {type(request).__name__}", {"fake": 1})
         return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))
 
     def _pick(self, request: PickRequest) -> PickPlan | NoPlan:

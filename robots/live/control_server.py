@@ -98,7 +98,7 @@ class ControlServer:
         self._number, self._world_version = 0, 0
         self._busy = self._looking = False
         self._frame, self._polls = -1, 0
-        self._told_emergency = self._emergency()
+        self._told_emergency, self._told_health = self._emergency(), self._health_now()
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
@@ -121,7 +121,7 @@ class ControlServer:
             self._loop.stop(1, reason)
             self._commander.send(write_message("error", reason=reason))
             self._commander.close(reason)
-        self._tell_emergency()
+        self._tell_condition()
         self._tell_events()
         self._tell_motions()
         self._show_frame()
@@ -204,7 +204,8 @@ class ControlServer:
             connection.allow_documents()
         self._listeners.append(connection)
         welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
-        connection.send(write_message("welcome", role=role, emergency=self._emergency(), **welcome))
+        condition = {"emergency": self._emergency(), "health": self._health_now()}
+        connection.send(write_message("welcome", role=role, **condition, **welcome))
 
     def _hear(self, connection: Connection, message: Heartbeat) -> None:
         self._require_commander(connection)
@@ -279,6 +280,10 @@ class ControlServer:
             return {"engaged": "", "category": 0, "t_s": 0.0}
         return {"engaged": engaged.reason, "category": engaged.category, "t_s": engaged.t_s}
 
+    def _health_now(self) -> dict[str, list[str]]:
+        """What is wrong with the robot: so that it must not move, so that it takes no new task."""
+        return {"defects": list(self._loop.defects), "reservations": list(self._loop.reservations)}
+
     def _running(self) -> list[MotionHandle]:
         return [handle for handle in self._motions.values() if not handle.finished]
 
@@ -291,6 +296,7 @@ class ControlServer:
             **self._about,
             "t_s": round(self._clock.now_s(), 3),
             "emergency": None if self._loop.emergency is None else self._emergency(),
+            **self._health_now(),
             "resting": self._loop.motion.resting,
             "under_way": self.under_way,
             "motions": [handle.name for handle in self._running()],
@@ -316,14 +322,14 @@ class ControlServer:
                 told = write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])
         self._commander.send(told)
 
-    def _tell_emergency(self) -> None:
-        engaged = self._emergency()
-        if engaged == self._told_emergency:
-            return
-        self._told_emergency = engaged
-        told = write_message("emergency", **engaged)
-        for listener in self._listeners:
-            listener.send(told)
+    def _tell_condition(self) -> None:
+        engaged, health = self._emergency(), self._health_now()
+        told = [] if engaged == self._told_emergency else [write_message("emergency", **engaged)]
+        told += [] if health == self._told_health else [write_message("health", **health)]
+        self._told_emergency, self._told_health = engaged, health
+        for message in told:
+            for listener in self._listeners:
+                listener.send(message)
 
     def _tell_events(self) -> None:
         events, self._events = self._events, []

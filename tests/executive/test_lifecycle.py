@@ -96,6 +96,7 @@ class Supervised(RuleBasedStateMachine):
         refusal = self.supervisor.admit(let_pass)
         state = self.supervisor.lifecycle.state
         assert (refusal is None) == (state is LifecycleState.NORMAL)
+        assert refusal is not None or not self.loop.defects
         if was is LifecycleState.EMERGENCY:
             assert refusal is not None
             assert state is was
@@ -223,3 +224,26 @@ def test_after_a_persons_reset_the_next_command_recovers_first(supervised):
     assert supervisor.admit(lambda seconds: None) is None
 
     assert [event.after for event in events] == ["EMERGENCY", "RECOVERY", "NORMAL"]
+
+
+@pytest.mark.requirement("F5", "S5")
+def test_a_command_to_a_robot_that_fell_ill_meanwhile_is_refused_with_the_reason(supervised):
+    loop, supervisor, events = supervised
+    loop.defects = ("motor offline: arm_left_2_joint",)
+
+    refusal = supervisor.admit(lambda seconds: None)
+
+    assert "motor offline: arm_left_2_joint" in refusal.message
+    assert [event.after for event in events] == ["ERROR", "RECOVERY", "ERROR"]
+
+
+@pytest.mark.requirement("F7")
+def test_with_a_low_battery_no_new_task_is_begun(supervised):
+    loop, supervisor, _ = supervised
+    loop.reservations = ("battery low: battery (0.1, bound 0.15)",)
+
+    refusal = supervisor.admit(lambda seconds: None)
+
+    assert refusal.kind is FailureKind.REFUSED
+    assert "battery low" in refusal.message
+    assert supervisor.lifecycle.state is LifecycleState.NORMAL

@@ -21,7 +21,7 @@ class Served:
 
     def __init__(self, folder):
         request = ServiceRequest(
-            folder / "live", "talos", "tabletop", 0, folder / "runs", 0.4, realtime=False, evaluation=True
+            folder / "live", "talos", "tabletop", 0, folder / "runs", 0.2, realtime=False, evaluation=True
         )
         self.service = Service(request, lambda _line: None)
         self.folder = self.service.folder
@@ -31,7 +31,6 @@ class Served:
 
     def wait(self, condition, what):
         for _ in range(round(PATIENCE_S / 0.01)):
-            self.events += self.observer.arrived("event")
             if condition():
                 return
             time.sleep(0.01)
@@ -70,6 +69,7 @@ class Served:
         return heard[-1]
 
     def of(self, kind, since=0):
+        self.events += self.observer.arrived("event")
         return [event for event in self.events[since:] if event["event"] == kind]
 
     def until_it_moves(self):

@@ -15,11 +15,14 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from robots.description import known_robots, load_description
 from robots.errors import RobotsError
 from robots.scene_file import load_scene
+from tools.evaluate.ailing.body_fault import BODY_FAULTS
+from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.kill import run_kill
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.questions import run_question_episode
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.skills.episode import run_skill_episode
@@ -28,7 +31,7 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "stop", "cancel", "kill", *OPENING_SUITES, *SKILL_SUITES)
+SUITES = ("pick", "question", "stop", "cancel", "fault", "kill", *OPENING_SUITES, *SKILL_SUITES)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -42,21 +45,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except RobotsError as wrong:
         messages.print(f"error: {wrong}", style="bold", markup=False)
         return 2
+    if options.suite == "fault":
+        if options.fault not in BODY_FAULTS:
+            messages.print(f"error: --fault must be one of {', '.join(BODY_FAULTS)}", style="bold")
+            return 2
+        return run_fault_suite(options, messages)
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
+    if options.fault is not None and options.fault not in FAULTS:
+        messages.print(f"error: {options.fault} is a fault of the suite 'fault'", style="bold")
+        return 2
     orders = [
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
     ]
-    skill = options.suite in SKILL_SUITES
+    skill = options.suite in (*SKILL_SUITES, "question")
     if skill and (options.fault or options.scene):
         messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
         return 2
-    run = partial(run_skill_episode, options.suite) if skill else run_episode
+    run: Run = partial(run_skill_episode, options.suite) if skill else run_episode
+    if options.suite == "question":
+        run = run_question_episode
     records = _run(orders, options.jobs, messages, run)
     make = SkillSummary if skill else Summary
     summary = make(options.suite, options.seed, options.fault, description.com_margin_m, records)
@@ -88,7 +101,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--episodes", type=_positive, default=200)
     parser.add_argument("--seed", type=int, default=0, help="seed of the first episode; the others follow")
     parser.add_argument("--jobs", type=_positive, default=2, help="processes")
-    parser.add_argument("--fault", choices=sorted(FAULTS))
+    parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS}))
     parser.add_argument("--scene", help="a scene's name or file in place of random ones")
     parser.add_argument("--robot", default="talos", choices=known_robots())
     parser.add_argument(

@@ -158,7 +158,12 @@ def _looking_elsewhere_is_useless(failure: Failure) -> bool:
 def _hopeless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or bool(failure.choices) or twice or "is stuck" in failure.message
+    slipped_again = before is not None and _SLIPS in before.message and _SLIPS in failure.message
+    stuck = "is stuck" in failure.message and _SLIPS not in failure.message
+    return defect(failure) or bool(failure.choices) or twice or stuck or slipped_again
+
+
+_SLIPS = "the hand slips off"
 
 
 def _tidying_helps(failure: Failure) -> bool:

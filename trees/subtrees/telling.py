@@ -36,7 +36,7 @@ def describe(toolbox: Toolbox) -> Behaviour:
 def _looks(toolbox: Toolbox) -> list[Behaviour]:
     """A survey from each gaze, and home again: a posture that cannot be reached is left out."""
     looks: list[Behaviour] = []
-    for gaze in toolbox.policy.survey_gazes:
+    for gaze in toolbox.policy.inventory_gazes:
         pair: list[Behaviour] = [
             LookAt("look", toolbox, gaze),
             Survey("survey", toolbox, {"sightings_now": "sightings"}),

@@ -92,7 +92,7 @@ class JointHealth:
         )
         found = []
         for i in np.flatnonzero(missing > bound).tolist():
-            dead = abs(self._given[i]) < _OFFLINE_SHARE * self._effort[i]
+            dead = abs(state.effort[i]) < _OFFLINE_SHARE * self._effort[i]
             ailment = Ailment.OFFLINE if dead else Ailment.WEAK
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found

@@ -28,6 +28,7 @@ class PerfectRobot:
         self._v = np.zeros_like(self._q)
         self._effort = np.zeros_like(self._q)
         self._stamp_ns = 0
+        self._followed = None
         self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
 
     def read(self):
@@ -42,18 +43,21 @@ class PerfectRobot:
     def advance(self, period_s):
         self._stamp_ns += round(period_s * 1e9)
         setpoint = self.commands[-1]
-        q, effort = setpoint.q.copy(), setpoint.tau.copy()
+        q, v, effort = setpoint.q.copy(), setpoint.v.copy(), setpoint.tau.copy()
         for joint, limit in self.obstacle_rad.items():
             i = self.description.actuated.index(joint)
             if q[i] < limit:
                 effort[i] += self._stiffness[i] * (q[i] - limit)
-                q[i] = limit
+                q[i], v[i] = limit, 0.0
         for joint, place in self.stuck_rad.items():
             i = self.description.actuated.index(joint)
             limit = self.description.limits[joint].effort
-            effort[i] = np.clip(self._stiffness[i] * (q[i] - place), -limit, limit)
-            q[i] = place
-        self._q, self._v, self._effort = q, setpoint.v, effort
+            damping = self.description.gains[joint].damping * v[i]
+            effort[i] = np.clip(effort[i] + self._stiffness[i] * (q[i] - place) + damping, -limit, limit)
+            q[i], v[i] = place, 0.0
+        arrived = setpoint is self._followed  # it holds what it was told before
+        self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else v, effort
+        self._followed = setpoint
 
 
 class Rig:

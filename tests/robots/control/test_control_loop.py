@@ -3,7 +3,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from robots.control.events import SetpointRefused, StopStarted
+from robots.control.emergency_stop import PersonsReset
+from robots.control.events import HealthChanged, SetpointRefused, StopStarted
 from robots.control.guarded_motion import MotionBounds
 from robots.control.motion_handle import MotionStatus
 
@@ -273,3 +274,27 @@ def test_a_gripper_on_the_move_goes_on_smoothly_when_something_else_is_refused(r
     q = rig.commanded("gripper_left_joint")
     np.testing.assert_allclose(np.diff(q[:, 0]), 0.001 * (q[1:, 1] + q[:-1, 1]), atol=1e-12)
     assert rig.loop.statistics.refused == 1
+
+
+@pytest.mark.requirement("F5")
+def test_a_stuck_joint_stops_the_robot_and_no_motion_is_taken_until_a_person_has_looked(rig, motions):
+    rig.run(0.5)
+    rig.robot.stuck_rad["head_1_joint"] = rig.description.home["head_1_joint"]
+    handle = rig.loop.motion.start(motions.joint(rig.loop.motion.reference(), "head_1_joint", 0.3))
+    rig.run(1.5)
+
+    assert handle.status is MotionStatus.CANCELED
+    assert "joint stuck: head_1_joint" in handle.reason
+    assert rig.of_kind(HealthChanged)[0].ailment == "joint stuck"
+    again = rig.loop.motion.start(motions.arms(rig.loop.motion.reference(), amount=0.1))
+    assert again.status is MotionStatus.REFUSED
+    assert "joint stuck: head_1_joint" in again.reason
+    assert resting_at_the_end(rig)
+
+    del rig.robot.stuck_rad["head_1_joint"]
+    rig.run(0.02)  # it snaps back
+    rig.loop.reset(PersonsReset("Ana"))
+    mended = rig.loop.motion.start(motions.arms(rig.loop.motion.reference(), amount=0.1))
+    rig.run(1.5)
+
+    assert mended.status is MotionStatus.DONE

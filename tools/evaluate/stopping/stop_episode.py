@@ -193,7 +193,8 @@ class _Stopper:
             held=tuple(sorted(judge.held)),
             dropped=tuple(sorted(judge.dropped)),
             fell=judge.fell,
-            foreign=tuple(sorted(judge.foreign)),
+            # a cancelled motion brakes under its own name; after a stop nobody else's name may appear
+            foreign=tuple(sorted(judge.foreign)) if self._order.suite == "stop" else (),
             bypassed=judge.bypassed,
             moved=judge.moved,
             compute_ms=self._compute_ms,

@@ -1,0 +1,214 @@
+"""Each fault is noticed as what it is; a healthy robot, and one that touches things, is left alone."""
+
+import dataclasses
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from kinematics.robot_model import RobotModel
+from robots.control.health.finding import Ailment, Response
+from robots.control.health.health_monitor import HealthMonitor
+from robots.description import load_description
+from robots.interface import JointSetpoint, RobotState
+
+PERIOD_S = 0.002
+ELBOW = "arm_left_4_joint"
+
+
+@pytest.fixture(scope="module")
+def talos():
+    return RobotModel(load_description("talos"))
+
+
+class Body:
+    """A robot that follows its setpoints as its servos' law says, and may be broken."""
+
+    def __init__(self, model):
+        description = model.description
+        self.model, self.names = model, description.actuated
+        self.stiffness = np.array([description.gains[name].stiffness for name in self.names])
+        self.q = np.array([description.home[name] for name in self.names])
+        self.most = np.array([description.limits[name].effort for name in self.names])
+        self.tau = np.zeros(len(self.q))
+        self.tau[self.index(ELBOW)] = 20.0
+        self.monitor = HealthMonitor(model, PERIOD_S)
+        self.periods, self.new, self.over = 0, [], []
+        self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
+        self.gyro, self.battery, self.load, self.touch = (
+            np.zeros(3),
+            1.0,
+            [450.0, 450.0],
+            np.zeros(len(self.q)),
+        )
+
+    def index(self, joint):
+        return self.names.index(joint)
+
+    def run(self, seconds, speed_rad_s=0.0):
+        for _ in range(round(seconds / PERIOD_S)):
+            self.periods += 1
+            v = np.zeros(len(self.q))
+            v[self.index(ELBOW)] = speed_rad_s
+            wanted = self.wanted = getattr(self, "wanted", self.q.copy()) + v * PERIOD_S
+            lag = self.touch / self.stiffness
+            q = wanted - lag
+            for joint in self.stuck:
+                q[self.index(joint)], v[self.index(joint)] = self.q[self.index(joint)], 0.0
+            self.q = q
+            effort = self.share * np.clip(self.tau + self.stiffness * (wanted - q), -self.most, self.most)
+            feet = np.zeros((2, 6))
+            feet[:, 2] = self.load
+            state = RobotState(
+                self.periods * PERIOD_S,
+                q + self.offset,
+                v,
+                effort,
+                self.gyro,
+                np.zeros(3),
+                feet,
+                self.battery,
+            )
+            # the servo goes by its encoder, so that position and speed alone tell of the offset
+            setpoint = JointSetpoint(0.0, 1, "hold", wanted + self.offset, v, self.tau)
+            estimate = self.model.q_home.copy()
+            estimate[7:] = (q + self.offset)[: len(self.model.joints)]
+            new, over = self.monitor.judge(SimpleNamespace(readings=state, q=estimate), setpoint, True)
+            self.new += new
+            self.over += over
+
+    def ailments(self):
+        return [(finding.ailment, finding.part) for finding in self.new]
+
+
+@pytest.fixture
+def body(talos):
+    return Body(talos)
+
+
+def test_a_healthy_robot_is_left_alone_at_rest_and_on_the_move(body):
+    body.run(1.0)
+    body.run(1.0, speed_rad_s=0.5)
+    body.run(1.0)
+
+    assert not body.new
+    assert body.monitor.reasons(Response.STOP) == body.monitor.reasons(Response.REFUSE) == ()
+
+
+@pytest.mark.requirement("F5")
+def test_a_touch_is_no_fault_of_a_motor_or_a_joint(body):
+    body.run(0.6, speed_rad_s=0.3)
+    body.touch[body.index(ELBOW)] = 9.0
+    body.run(1.0, speed_rad_s=0.05)
+
+    assert not body.new
+
+
+@pytest.mark.requirement("F5")
+def test_a_motor_that_gives_nothing_is_offline(body):
+    body.run(0.5)
+    body.share[body.index(ELBOW)] = 0.0
+    body.run(0.3)
+
+    assert body.ailments() == [(Ailment.OFFLINE, ELBOW)]
+    assert "motor offline: arm_left_4_joint" in body.monitor.reasons(Response.STOP)[0]
+
+
+@pytest.mark.requirement("F5")
+def test_a_motor_that_gives_a_part_is_weak(body):
+    body.run(0.5)
+    body.share[body.index(ELBOW)] = 0.3
+    body.run(0.3)
+
+    assert body.ailments() == [(Ailment.WEAK, ELBOW)]
+
+
+@pytest.mark.requirement("F5")
+def test_a_joint_whose_setpoint_moves_away_from_it_is_stuck(body):
+    body.run(0.5)
+    body.stuck.add(ELBOW)
+    body.run(0.5)
+    assert not body.new  # nothing was asked of it
+
+    body.run(0.2, speed_rad_s=0.3)
+
+    assert body.ailments() == [(Ailment.STUCK, ELBOW)]
+
+
+@pytest.mark.requirement("F5")
+def test_a_stuck_joint_stays_noted_until_a_person_has_looked(body):
+    body.stuck.add(ELBOW)
+    body.run(0.3, speed_rad_s=0.3)
+    body.run(3.0)
+    assert body.monitor.reasons(Response.STOP)
+
+    body.stuck.clear()
+    (over,) = body.monitor.acknowledge()
+
+    assert over.ailment is Ailment.STUCK
+    body.run(1.0)
+    assert not body.monitor.reasons(Response.STOP)
+
+
+@pytest.mark.requirement("F6")
+@pytest.mark.parametrize("offset_rad", [np.radians(2.0), -np.radians(2.0)])
+def test_an_encoder_that_slips_by_two_degrees_is_noticed(body, offset_rad):
+    body.run(0.5)
+    for step in range(10):
+        body.offset[body.index(ELBOW)] = offset_rad * (step + 1) / 10
+        body.run(0.05)
+
+    assert body.ailments() == [(Ailment.ENCODER_OFFSET, ELBOW)]
+    assert body.new[0].value * offset_rad > 0.0
+
+
+@pytest.mark.requirement("F6")
+def test_a_gyro_bias_of_a_degree_a_second_is_noticed_and_new_tasks_are_refused(body):
+    body.run(1.5)
+    body.gyro = np.array([0.0, np.radians(1.0), 0.0])
+    body.run(1.5)
+
+    assert body.ailments() == [(Ailment.GYRO_BIAS, "gyro")]
+    assert body.monitor.reasons(Response.REFUSE)
+    assert not body.monitor.reasons(Response.STOP)
+
+
+def test_a_foot_that_loses_the_floor_is_noticed_and_over_when_it_carries_again(body):
+    body.load[1] = 3.0
+    body.run(0.2)
+    assert body.ailments() == [(Ailment.FOOT_CONTACT_LOST, "leg_right_6_link")]
+
+    body.load[1] = 450.0
+    body.run(1.2)
+
+    assert body.over == body.new
+    assert not body.monitor.findings
+
+
+@pytest.mark.requirement("F7")
+def test_a_low_battery_refuses_new_tasks_only(body):
+    body.battery = 0.10
+    body.run(0.1)
+
+    assert body.ailments() == [(Ailment.BATTERY_LOW, "battery")]
+    assert body.monitor.reasons(Response.REFUSE) == ("battery low: battery (0.1, bound 0.15)",)
+    assert not body.monitor.reasons(Response.STOP)
+
+
+def test_late_control_periods_are_noticed(body):
+    for _ in range(300):
+        body.monitor.note_late(0.01)
+        body.run(PERIOD_S)
+
+    assert body.ailments() == [(Ailment.OVERRUNS, "control loop")]
+
+
+def test_thresholds_are_data_of_the_robot(talos):
+    strict = dataclasses.replace(
+        talos.description, health=dataclasses.replace(talos.description.health, battery_low=0.5)
+    )
+    body = Body(RobotModel(strict))
+    body.battery = 0.4
+    body.run(0.1)
+
+    assert body.ailments() == [(Ailment.BATTERY_LOW, "battery")]

@@ -1,0 +1,1 @@
+"""Motors and sensors that fail at random instants of whole tasks."""

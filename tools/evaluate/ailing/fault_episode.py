@@ -1,0 +1,157 @@
+"""One episode: a whole task, in which a part of the body breaks."""
+
+from __future__ import annotations
+
+import traceback
+from dataclasses import dataclass
+
+import numpy as np
+
+from executive.command_parser import parse
+from executive.events import Event, TaskEnded
+from executive.task_result import chain
+from robots.control.events import HealthChanged
+from tools.evaluate.ailing.body_fault import BODY_FAULTS, BodyFault, struck_joint
+from tools.evaluate.ailing.fault_record import FaultRecord
+from tools.evaluate.scenes import TARGET, episode_rng
+from tools.evaluate.stopping.courses import COURSES, CourseRun, phase_of
+from trees.events import NodeChanged
+
+WHEN_S = (0.5, 14.0)
+"""The part breaks at a time drawn from here; a pick takes about 12 s."""
+WATCHED_S = 10.0
+_LAST_S = 1.0
+_REST_EVERY = 5
+
+
+@dataclass(frozen=True, slots=True)
+class FaultOrder:
+    """Which episode to run."""
+
+    seed: int
+    fault: str
+    robot: str = "talos"
+
+
+def run_fault(order: FaultOrder) -> FaultRecord:
+    """Run one episode; whatever breaks becomes its record."""
+    try:
+        return _Episode(order).run()
+    except Exception:
+        return FaultRecord(order.seed, order.fault, error=traceback.format_exc())
+
+
+def died(order: FaultOrder) -> FaultRecord:
+    """The record of an episode whose process died."""
+    return FaultRecord(order.seed, order.fault, error="the process died")
+
+
+class _Episode:
+    def __init__(self, order: FaultOrder, standing: bool = False) -> None:
+        self._order, self._standing = order, standing
+        rng = episode_rng(order.seed, 4)
+        self._fault: BodyFault = BODY_FAULTS[order.fault]
+        self._run = CourseRun(COURSES[0], order.seed, order.robot, self._take)
+        assembly = self._run.assembly
+        description = assembly.model.description
+        joint = struck_joint(description, rng)
+        self._part = joint if self._fault.of_a_joint else ""
+        self._index = description.actuated.index(joint)
+        self._t_s = 1.0 if standing else float(rng.uniform(*WHEN_S))
+        self._phase, self._struck_phase = "", ""
+        self._struck = False
+        self._noticed: HealthChanged | None = None
+        self._ended: list[TaskEnded] = []
+        self._asked = [np.inf, -np.inf]
+        self._off_rad = 0.0
+        self._late: float | None = None
+        self._fell = False
+        self._periods = 0
+
+        def strike() -> None:
+            self._struck, self._struck_phase = True, self._phase
+            self._fault.act(assembly.world.body_faults, joint, rng)
+
+        assembly.world.faults.at(self._t_s, strike)
+        assembly.session.watch_periods(self._look)
+
+    def run(self) -> FaultRecord:
+        assembly = self._run.assembly
+        session, truth = assembly.session, assembly.world.truth
+        if self._standing:
+            session.hold(self._t_s + WATCHED_S)
+            return self._record(False, False)
+        self._run.run()
+        claimed_falsely = any(
+            ended.outcome == "done"
+            and "pick" in ended.text
+            and truth.lift_m(TARGET) < 0.05
+            and not self._fell
+            for ended in self._ended[-1:]
+        )
+        left_s = self._t_s + WATCHED_S - assembly.clock.now_s()
+        session.hold(max(left_s, 2.0))
+        refused = self._next_is_refused()
+        self._late = 0.0
+        session.hold(_LAST_S)
+        return self._record(refused, claimed_falsely)
+
+    def _next_is_refused(self) -> bool:
+        (command,) = parse("go home").commands
+        result = self._run.assembly.session.run_task(command)
+        return result.outcome == "refused" and result.failure is not None and bool(result.failure.message)
+
+    def _record(self, refused: bool, claimed_falsely: bool) -> FaultRecord:
+        noticed, ended = self._noticed, self._ended[0] if self._ended else None
+        tops = chain(ended.failure) if ended is not None else []
+        expected = {ailment.value for ailment in self._fault.noticed_as}
+        typed = noticed is not None and noticed.ailment in expected
+        typed = typed and self._part in ("", noticed.part if noticed is not None else "")
+        fells_standing = None
+        if self._fell and not self._standing:
+            fells_standing = _Episode(self._order, standing=True).run().fell
+        low, high = self._asked
+        return FaultRecord(
+            seed=self._order.seed,
+            fault=self._order.fault,
+            part=self._part,
+            t_s=round(self._t_s, 3),
+            phase=self._struck_phase,
+            noticed_s=None if noticed is None else round(noticed.t_s - self._t_s, 3),
+            ailment="" if noticed is None else noticed.ailment,
+            blamed="" if noticed is None else noticed.part,
+            outcome="" if ended is None else ended.outcome,
+            claimed_falsely=claimed_falsely,
+            failure_kind=tops[0].kind.value if tops else None,
+            asked_rad=round(max(high - low, 0.0), 4),
+            off_rad=round(self._off_rad, 4),
+            refused=refused,
+            state=self._run.assembly.supervisor.lifecycle.state.value,
+            late_rad_s=round(self._late or 0.0, 4),
+            fell=self._fell,
+            fells_standing=fells_standing,
+            typed=typed,
+        )
+
+    def _take(self, event: Event) -> None:
+        if isinstance(event, HealthChanged) and event.present and self._noticed is None:
+            self._noticed = event
+        elif isinstance(event, NodeChanged) and event.status == "running":
+            self._phase = phase_of(event.where)
+        elif isinstance(event, TaskEnded):
+            self._ended.append(event)
+            self._phase = "hold"
+
+    def _look(self) -> None:
+        assembly, i = self._run.assembly, self._index
+        truth = assembly.world.truth
+        self._periods += 1
+        if self._struck:
+            wanted = float(assembly.loop.setpoint.q[i])
+            self._asked = [min(self._asked[0], wanted), max(self._asked[1], wanted)]
+            self._off_rad = max(self._off_rad, abs(wanted - float(truth.joint_positions()[i])))
+        if self._periods % _REST_EVERY == 0:
+            self._fell = self._fell or truth.fallen()
+        if self._late is not None:
+            bodies = len(assembly.model.joints)
+            self._late = max(self._late, float(np.abs(truth.joint_velocities()[:bodies]).max()))
