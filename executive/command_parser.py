@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from executive.config import cache_directory, config_files
 from executive.language.chart import Chart, TooTangledError
@@ -21,6 +22,7 @@ from executive.language.sentences import Sentence
 from executive.language.tokens import MalformedTextError, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
+from trees.extensions import extensions
 from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
@@ -28,6 +30,10 @@ __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with
 Outcome = tuple[Command, ...] | Trouble
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
+
+
+LONGEST_PHRASE = 200
+"""Characters of a sentence that is offered to skills of other packages."""
 
 
 def parse(text: str, config: Path | None = None) -> Parsed:
@@ -40,7 +46,12 @@ def parse(text: str, config: Path | None = None) -> Parsed:
     Raises:
         VocabularyError: A file of words is malformed.
     """
-    return parser_with(config_files(config)).parse(text)
+    parsed = parser_with(config_files(config)).parse(text)
+    if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
+        outside: Any = extensions().for_phrase(text)
+        if outside is not None:
+            return Parsed(text, commands=(outside,))
+    return parsed
 
 
 def parse_selection(text: str) -> ObjectDescription | None:
