@@ -163,6 +163,11 @@ class MotionStreamer:
         return not any(track.moves_body for track in self._guarded)
 
     @property
+    def in_contact(self) -> bool:
+        """Whether a motion runs that holds something which may not move."""
+        return any(track.in_contact for track in self._guarded)
+
+    @property
     def carrying_out(self) -> bool:
         """Whether a checked trajectory runs."""
         return self._body_handle is not None

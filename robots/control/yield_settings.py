@@ -56,6 +56,10 @@ class YieldSettings:
     lost_s: float = 0.1
 
 
+USUAL = YieldSettings()
+"""For doors and drawers."""
+
+
 @dataclass(frozen=True, slots=True)
 class YieldReport:
     """What a yielding hand felt.

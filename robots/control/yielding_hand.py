@@ -35,7 +35,7 @@ from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample
 from robots.control.guarded_motion import MotionBounds
-from robots.control.yield_settings import Outcome, YieldReport, YieldSettings
+from robots.control.yield_settings import USUAL, Outcome, YieldReport, YieldSettings
 from robots.gripper_reading import read_gripper
 from robots.interface import RobotState
 
@@ -68,7 +68,8 @@ class YieldingHand:
         *,
         bias: Array | None = None,
         stop_from: float | None = None,
-        settings: YieldSettings = YieldSettings(),
+        holding: bool = True,
+        settings: YieldSettings = USUAL,
     ) -> None:
         """Prepare.
 
@@ -83,8 +84,10 @@ class YieldingHand:
             s_from, s_to: Where along it to lead.
             bias: Of the force estimate; measured at the start when left out.
             stop_from: What stands still nearer to ``s_to`` than this has met its stop, and is not stuck.
+            holding: Whether the hand holds something that it can lose.
             settings: How it yields.
         """
+        self._holding = holding
         self._stop_from = stop_from
         self._model, self._path, self._settings = model, path, settings
         self._tracker = HandTracker(model, stance, hand, q)
@@ -127,6 +130,11 @@ class YieldingHand:
             effort=model.effort,
             duration_s=way_s + 15.0,
         )
+
+    @property
+    def in_contact(self) -> bool:
+        """It is made for contact."""
+        return True
 
     @property
     def report(self) -> YieldReport:
@@ -223,7 +231,7 @@ class YieldingHand:
         if self._phase == "lead":
             self._peak_pull_n = max(self._peak_pull_n, against_n)
             self._advance(self._s_to, self._way, against_n)
-            if self._empty_s > settings.lost_s:
+            if self._holding and self._empty_s > settings.lost_s:
                 self._end("lost", "settle")
             elif self._s == self._s_to:
                 self._end("arrived", "ease" if self._stop_from is not None else "settle")
@@ -277,7 +285,9 @@ class YieldingHand:
 
     def _yield_across(self, outward: Array, across: Array) -> None:
         settings = self._settings
-        for axis in (across, np.cross(outward, across)):
+        # Fingers that close push the hand off what is behind the bar; along the way only the way leads.
+        axes = (across, np.cross(outward, across)) if self._leading else np.eye(3)
+        for axis in axes:
             force_n = float(self._felt[:3] @ axis)
             beyond_n = math.copysign(max(abs(force_n) - settings.deadband_n, 0.0), force_n)
             speed = min(max(beyond_n / settings.give_ns_m, -settings.give_m_s), settings.give_m_s)

@@ -10,6 +10,7 @@ from trees.best_effort import BestEffort
 from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
+from trees.leaves.approach_handle import ApproachHandle
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.detect_handle import DetectHandle
 from trees.leaves.exclude_grasp import ExcludeGrasp
@@ -89,7 +90,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
             "reach",
             Release("open gripper", toolbox),
             StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
-            StreamMotion("stream approach", toolbox, {"checked": "checked_approach"}),
+            ApproachHandle("approach", toolbox),
         ),
         _sequence("grasp", GraspHandle("grasp handle", toolbox)),
         _sequence("lead", LeadHandle("lead handle", toolbox)),

@@ -39,7 +39,12 @@ class HealthMonitor:
         self._body.note_late(late_s)
 
     def judge(
-        self, sensed: SensedState, setpoint: JointSetpoint, standing: bool, stepping: bool = False
+        self,
+        sensed: SensedState,
+        setpoint: JointSetpoint,
+        standing: bool,
+        in_contact: bool = False,
+        stepping: bool = False,
     ) -> tuple[list[Finding], list[Finding]]:
         """Take one period's readings.
 
@@ -47,13 +52,15 @@ class HealthMonitor:
             sensed: The newest readings.
             setpoint: What the robot followed while they were made.
             standing: Whether both soles are meant to carry.
+            in_contact: Whether a hand holds something that may not move.
             stepping: Whether the feet move: efforts change so fast then that averages lag behind.
 
         Returns:
             What counts from now on, and what is over.
         """
         now_s = sensed.readings.stamp_s
-        found = self._joints.judge(sensed.readings, setpoint, _STEPPING_ROOM if stepping else 1.0)
+        room = _STEPPING_ROOM if stepping else 1.0
+        found = self._joints.judge(sensed.readings, setpoint, in_contact, room)
         found += self._body.judge(sensed, standing, stepping)
         new = []
         for finding in found:
