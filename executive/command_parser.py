@@ -6,7 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
+from executive.config import cache_directory, config_files
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import Rule, load_rules
 from executive.language.lattice import Lattice
@@ -20,6 +22,7 @@ from executive.language.sentences import Sentence
 from executive.language.tokens import MalformedTextError, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
+from trees.extensions import extensions
 from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
@@ -29,9 +32,26 @@ Outcome = tuple[Command, ...] | Trouble
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
 
-def parse(text: str) -> Parsed:
-    """Understand one text. It is untrusted: any string gives an answer."""
-    return parser_with().parse(text)
+LONGEST_PHRASE = 200
+"""Characters of a sentence that is offered to skills of other packages."""
+
+
+def parse(text: str, config: Path | None = None) -> Parsed:
+    """Understand one text. It is untrusted: any string gives an answer.
+
+    Args:
+        text: What was said.
+        config: A file with words of the user's own, besides that of the configuration folder.
+
+    Raises:
+        VocabularyError: A file of words is malformed.
+    """
+    parsed = parser_with(config_files(config)).parse(text)
+    if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
+        outside: Any = extensions().for_phrase(text)
+        if outside is not None:
+            return Parsed(text, commands=(outside,))
+    return parsed
 
 
 def parse_selection(text: str) -> ObjectDescription | None:
@@ -39,7 +59,7 @@ def parse_selection(text: str) -> ObjectDescription | None:
 
     None when it is no such answer.
     """
-    return parser_with().parse_selection(text)
+    return parser_with(config_files()).parse_selection(text)
 
 
 @lru_cache(maxsize=4)
@@ -54,7 +74,7 @@ def parser_with(user_files: tuple[Path, ...] = ()) -> CommandParser:
 
 @lru_cache(maxsize=1)
 def _rules() -> Mapping[str, Rule]:
-    return load_rules()
+    return load_rules(cache_directory())
 
 
 class CommandParser:

@@ -302,8 +302,10 @@ class Session:
         for _ in range(HALT_TICKS):
             self._advance()
         self._show(tree)
-        cause = tree.failure
-        return Failure(kind, reason, cause=cause if cause is not None and cause.kind is not kind else None)
+        halted = tree.failure  # says the same from below, with its place and what had gone wrong before
+        if halted is None:
+            return Failure(kind, reason)
+        return Failure(kind, reason, where=halted.where, cause=halted.cause)
 
     def _supervised(self) -> Supervisor:
         if self._supervisor is None:

@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
+from trees.extensions import extensions
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
@@ -74,7 +75,7 @@ class NoSkillError(ValueError):
 
 def has_skill(task: Task) -> bool:
     """Tell whether there is a tree for such a task."""
-    return type(task) in SKILLS
+    return type(task) in SKILLS or extensions().for_task(task) is not None
 
 
 def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
@@ -85,4 +86,6 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     """
     if not has_skill(task):
         raise NoSkillError(task)
-    return TaskTree(task, SKILLS[type(task)](toolbox), toolbox)
+    outside = extensions().for_task(task)
+    tree = SKILLS[type(task)] if outside is None else outside.tree
+    return TaskTree(task, tree(toolbox), toolbox)

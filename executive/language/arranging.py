@@ -137,23 +137,21 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     result = replace(result, hand=_only([one.side for one in item.details if isinstance(one, Hand)]))
     people = [one.person for one in item.details if isinstance(one, Benefit)]
     result = replace(result, person=_only(people), back="back" in item.details)
-    goal = [where for where in wheres if where.role == "to"]
-    if len(goal) > 1:
+    goals = [where for where in wheres if where.role == "to"]
+    if len(goals) > 1:
         raise unfit()
-    open_ones = [where for where in wheres if where.role == "either"]
-    if goes and not goal and open_ones:
-        goal = [_goal(open_ones)]
-        open_ones = []
-    elif goal and any(wheres.index(where) > wheres.index(goal[0]) for where in open_ones):
-        goal = [_nested(goal[0], open_ones)]
-        open_ones = [
-            where
-            for where in open_ones
-            if wheres.index(where) < wheres.index(next(w for w in wheres if w.role == "to"))
-        ]
-    said = [where for where in wheres if where.role in ("is", "from") or where in open_ones]
-    result = _at(result, said, has_source=has_source)
-    return replace(result, goal=goal[0] if goal else None)
+    open_ones = [where for where in wheres if where.role == "either"] if goes and not goals else []
+    if not goals and not open_ones:
+        return _at(result, wheres, has_source=has_source)
+    goal = goals[0] if goals else _goal(open_ones)
+    index = wheres.index(goals[0] if goals else open_ones[0])
+    before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]
+    for where in after:
+        if where.role == "from":
+            before.append(where)
+        else:
+            goal = _told(goal, where)
+    return replace(_at(result, before, has_source=has_source), goal=goal)
 
 
 def _only(values: list[Any]) -> Any:
@@ -179,12 +177,19 @@ def _goal(open_ones: list[Where]) -> Where:
     raise trouble("of these places, which is where it is, and which is where it goes?", asks=True)
 
 
-def _nested(goal: Where, later: list[Where]) -> Where:
-    """A place that is named after where the thing goes tells where that is."""
-    (where,) = later if len(later) == 1 else (None,)
-    if where is None or not goal.of.is_place or where.preposition != "in" or where.of.sort != "room":
+def _told(goal: Where, where: Where) -> Where:
+    """What is said after where the thing goes tells where that is: "to the man standing by the door"."""
+    of = goal.of
+    if of.reference or of.sort in ("me", "name", "you"):
         raise unfit()
-    return replace(goal, of=checked(goal.of.placed(Relative("in", where.of))))
+    if where.relation is None and of.is_place and where.of.sort != "room":
+        raise unfit()
+    return replace(goal, of=checked(of.placed(Relative(_kind(where), where.of))))
+
+
+def _kind(where: Where) -> str:
+    """A place as a relation."""
+    return where.relation or {"on": "on", "in": "in"}.get(where.preposition or "", "next_to")
 
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
@@ -195,13 +200,14 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
             and where.role != "from"
         ):
             raise unfit()
-        if where.relation is not None:
+        if where.relation is not None and where.of.is_place and result.source and result.source.is_place:
+            result = replace(result, source=checked(result.source.placed(Relative(where.relation, where.of))))
+        elif where.relation is not None:
             result = replace(result, object=checked(result.object.placed(Relative(where.relation, where.of))))
         elif not has_source:
             if where.role == "from":
                 raise unfit()
-            kind = {"on": "on", "in": "in"}.get(where.preposition or "", "next_to")
-            result = _told_apart(result, kind, where.of)
+            result = _told_apart(result, _kind(where), where.of)
         elif result.source is None:
             result = replace(result, source=where.of)
         elif where.of.sort == "room" and result.source.sort != "room":

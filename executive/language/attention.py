@@ -26,8 +26,8 @@ from executive.language.phrases import (
 )
 
 _NO_SPEECH = """
-to not your my what whatever how why who whom where when whether if which something anything nothing about it
-them so a an in the\\stime the\\sdate the\\sday the\\sweather the\\struth the\\snames? the\\snumber
+to not that your my what whatever how why who whom where when whether if which something anything nothing
+about it them so a an in the\\stime the\\sdate the\\sday the\\sweather the\\struth the\\snames? the\\snumber
 the\\scolou?r the\\slocation the\\sposition the\\sway the\\snews the\\sanswer the\\sresult yes\\sor\\sno
 """
 _IS_NO_SPEECH = re.compile(rf"(?:{'|'.join(_NO_SPEECH.split())})\b")
@@ -238,7 +238,9 @@ def _speech(parts: Parts, *, told: bool) -> str:
         raise unfit()
     if _SAID_HOW.search(lowered) or '"' in text:
         raise unfit()
-    if words(parts, "THAT"):
+    if words(parts, "THAT") or any(one.said.endswith(" that") for one in words(parts, "SAY")):
+        if lowered.startswith("you"):
+            raise unfit()
         return text
     if lowered in ("something", "anything"):
         raise trouble("what shall be said?", asks=True)

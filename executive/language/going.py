@@ -67,7 +67,10 @@ def _toward(parts: Parts) -> Nominal:
 
 
 def _toward_relation(parts: Parts) -> Relative:
-    return Relative(words(parts, "RELATION")[0].meaning, target(parts[-1]))
+    kind = words(parts, "RELATION")[0].meaning
+    if kind.endswith("_side_of"):
+        raise unfit()
+    return Relative(kind, target(parts[-1]))
 
 
 def _walk(parts: Parts) -> Clause:

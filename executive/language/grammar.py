@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import importlib.resources
+import json
+import os
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
 """Terminals that are recognised by their form, not listed."""
@@ -13,6 +18,10 @@ BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
 
 CLOSING = "rest"
 """The rule for all clauses after the first, to the end of the sentence."""
+
+
+Production = tuple[str, tuple[str, ...], str]
+"""A rule's name, its parts, and the name of its meaning."""
 
 
 @dataclass(slots=True)
@@ -49,13 +58,41 @@ class Rule:
     closes: bool
 
 
-Production = tuple[str, tuple[str, ...], str]
-"""A rule's name, its parts, and the name of its meaning."""
+def load_rules(cache: Path | None = None) -> dict[str, Rule]:
+    """Read the grammar.
+
+    Args:
+        cache: A folder where lark's productions are kept from one process to the next: a command that
+            only parses would spend most of its time on them. None keeps nothing.
+    """
+    text = grammar_text()
+    if cache is None:
+        return rules_of(_compiled(text))
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    kept = cache / f"grammar-{digest[:16]}.json"
+    productions = _kept(kept)
+    if productions is None:
+        productions = list(_compiled(text))
+        _keep(kept, productions)
+    return rules_of(productions)
 
 
-def load_rules() -> dict[str, Rule]:
-    """Read the grammar."""
-    return rules_of(_productions(grammar_text()))
+def _kept(file: Path) -> list[Production] | None:
+    try:
+        return [
+            (name, tuple(parts), function) for name, parts, function in json.loads(file.read_text("utf-8"))
+        ]
+    except (OSError, ValueError, TypeError):
+        return None
+
+
+def _keep(file: Path, productions: list[Production]) -> None:
+    """Write the file whole or not at all; a folder that cannot be written is no reason to fail."""
+    partial = file.with_suffix(f".{os.getpid()}.tmp")
+    with contextlib.suppress(OSError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        partial.write_text(json.dumps(productions), "utf-8")
+        partial.replace(file)
 
 
 def grammar_text() -> str:
@@ -68,7 +105,7 @@ def terminals_of(text: str) -> set[str]:
     return set(re.findall(r"\b[A-Z][A-Z_]+\b", re.sub(r"//.*", "", text)))
 
 
-def _productions(text: str) -> Iterable[Production]:
+def _compiled(text: str) -> Iterable[Production]:
     from lark import Lark
 
     declared = "\n%declare " + " ".join(sorted(terminals_of(text))) + "\n"

@@ -256,6 +256,8 @@ def _put(parts: Parts) -> Clause:
             bundles.append((_put_draft(nominal, one.goal, one.source, one.hand),))
         elif one.back:
             bundles.append((draft("place", object=nominal, hand=one.hand, there=Where("to", BACK, "at")),))
+        elif down and nominal.count == "all" and nominal.sort == "any" and nominal.is_plain:
+            raise trouble("what shall be put down?", asks=True)
         elif down:
             bundles.append(
                 (draft("place", object=nominal, source=one.source, hand=one.hand, count=count_of(nominal)),)

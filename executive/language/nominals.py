@@ -75,7 +75,8 @@ def _noun(parts: Parts) -> Nominal | None:
 
 def _filled(parts: Parts) -> Nominal | None:
     vessel, preposition, content = parts
-    return Nominal("thing", vessel.meaning, name=f"{vessel.meaning} {preposition.meaning} {content.said}")
+    name = f"{vessel.meaning} {preposition.meaning} {content.said}"
+    return Nominal("thing", vessel.meaning, name=name, plural=vessel.word_class == "KINDS")
 
 
 def _door_of(parts: Parts) -> Nominal:
@@ -152,6 +153,8 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
         return Trouble(
             f"{amount:g} things at once: a whole number from 1 to {MAX_COUNT} is understood", f"{amount:g}"
         )
+    if amount > 1 and nominal.ordinal not in (None, "other"):
+        return Trouble(f"{amount:g} things that are each the {nominal.ordinal} one", nominal.ordinal)
     return replace(nominal, count=int(amount), counted=True, determined=True)
 
 

@@ -41,18 +41,28 @@ def _relation(role: str) -> Meaning:
         link = words(parts, *_LINKS)[-1]
         if not isinstance(nominal, Nominal):
             return None
-        return Where(role, nominal, None, _KIND.get(link.word_class, link.meaning))  # type: ignore[arg-type]
+        kind = _relation_of(link, nominal)
+        return None if kind is None else Where(role, nominal, None, kind)  # type: ignore[arg-type]
 
     return meaning
+
+
+def _relation_of(link: Word, of: Nominal) -> str | None:
+    """The relation that a word says; the left side of a table is a part of it, and no relation to it."""
+    kind = _KIND.get(link.word_class, link.meaning)
+    if kind.endswith("_side_of"):
+        return None if of.is_place else kind.replace("_side", "")
+    return kind
 
 
 def _within(parts: Parts) -> Relative | None:
     """The second half of "the person next to the table", said of the noun before it."""
     link, of = parts
     if link.word_class in ("ON", "IN", "AT"):
-        kind = {"ON": "on", "IN": "in", "AT": "next_to"}[link.word_class]
-        return Relative(kind, of) if of.is_place else None
-    return Relative(_KIND.get(link.word_class, link.meaning), of)
+        place = {"ON": "on", "IN": "in", "AT": "next_to"}[link.word_class]
+        return Relative(place, of) if of.is_place else None
+    kind = _relation_of(link, of)
+    return None if kind is None else Relative(kind, of)
 
 
 def _qualified(parts: Parts) -> Nominal | Trouble | None:
@@ -148,6 +158,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "located_on": _place("is", "on"),
         "located_in": _place("is", "in"),
+        "located_at": _place("is", "at"),
         "located_relation": _relation("is"),
         "at_on": _place("either", "on"),
         "at_in": _place("either", "in"),

@@ -50,12 +50,14 @@ class WordClass:
         refusal: Why none of them is acted on, as a format of ``word`` and ``meaning``; None when the
             grammar uses them.
         meanings: What ``meaning`` reads like in ``refusal``.
+        derived: Whether its phrases are formed from those of another class.
     """
 
     name: str
     words: Mapping[str, tuple[str, ...]]
     refusal: str | None = None
     meanings: Mapping[str, str] = field(default_factory=dict)
+    derived: bool = False
 
 
 class Vocabulary:
@@ -203,10 +205,10 @@ def _classes(name: str, table: Mapping[str, Any], irregular: Mapping[str, str]) 
     yield WordClass(name, words, table.get("refusal"), table.get("meaning", {}))
     if "plural" in table:
         several = {meaning: tuple(map(plural, phrases)) for meaning, phrases in words.items()}
-        yield WordClass(table["plural"], several)
+        yield WordClass(table["plural"], several, derived=True)
     if table.get("proper"):
         owners = {meaning: tuple(f"{one}'s" for one in phrases) for meaning, phrases in words.items()}
-        yield WordClass("OWNER", owners)
+        yield WordClass("OWNER", owners, derived=True)
 
 
 def _meaning(meaning: str, table: Mapping[str, Any]) -> str:

@@ -47,10 +47,9 @@ Array = NDArray[np.float64]
 _AT_HOME_RAD = 0.02
 """Joints found nearer to the home posture than this are taken to rest there: sag and noise."""
 
-_FELT_PERIODS = 4
-"""Periods without a decision that the servos feel: a moving joint comes to rest, and starts again."""
 _FORGIVEN_PERIODS = 75
-"""For so long afterwards (0.15 s) efforts are no sign of contact: the joint gathers speed again."""
+"""For so long after a period without a decision (0.15 s) efforts are no sign of contact: a moving joint
+came to rest, and gathers speed again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,7 +184,6 @@ class ControlLoop:
             each()
         if periods > 0:
             self._gate.go_on(self._period_s)
-        if periods >= _FELT_PERIODS:
             self._forgiven = _FORGIVEN_PERIODS
 
     def stop(self, category: int, reason: str) -> None:

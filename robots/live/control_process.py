@@ -198,7 +198,7 @@ class ControlProcess:
 
     def _health(self) -> dict[str, Any]:
         lateness = dataclasses.asdict(self._pacer.lateness())
-        return {"scheduling": self._scheduling, "lateness": lateness, "defects": self._defects}
+        return {"scheduling": self._scheduling, "lateness": lateness, "loop_defects": self._defects}
 
     def _truth(self) -> dict[str, Any]:
         truth = self._world.truth

@@ -40,12 +40,14 @@ from robots.live.messages import (
     read_control_message,
     write_message,
 )
-from robots.live.socket_server import SocketServer
+from robots.live.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector
 
 MAX_AGE_S = 0.5
 """A command that is older was meant for a world that is gone; also the age at which a heartbeat is none."""
 MAX_AHEAD_S = 0.01
+IDLE_SILENCE_S = 3.0
+"""A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""
 MAX_MOTIONS = 32
 _PROGRESS_EVERY = 25
 """Polls between two reports of a motion's progress."""
@@ -88,7 +90,7 @@ class ControlServer:
         """
         self._loop, self._clock, self._detector = loop, clock, detector
         self._about, self._health = dict(about), health
-        self._server = SocketServer(path, self._take, self._ended, lambda one: one is not self._commander)
+        self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
         self._commander: Connection | None = None
@@ -98,6 +100,7 @@ class ControlServer:
         self._number, self._world_version = 0, 0
         self._busy = self._looking = False
         self._frame, self._polls = -1, 0
+        self._heard_s = clock.now_s()
         self._told_emergency, self._told_health = self._emergency(), self._health_now()
         self.ending = False
 
@@ -119,8 +122,9 @@ class ControlServer:
         if silence_s is not None and self._commander is not None:
             reason = f"no heartbeat for {silence_s:.1f} s"
             self._loop.stop(1, reason)
-            self._commander.send(write_message("error", reason=reason))
-            self._commander.close(reason)
+            self._let_go(reason)
+        elif self._commander is not None and self._clock.now_s() - self._heard_s > IDLE_SILENCE_S:
+            self._let_go(f"no heartbeat for {IDLE_SILENCE_S:g} s")
         self._tell_condition()
         self._tell_events()
         self._tell_motions()
@@ -146,6 +150,20 @@ class ControlServer:
         self._busy = self._looking = False
         self._motions.clear()
         self._admission.forget()
+
+    def _rank(self, connection: Connection) -> int:
+        """Strangers make room first, then observers; the commander never."""
+        return KEPT if connection is self._commander else int(connection in self._listeners)
+
+    def _let_go(self, reason: str) -> None:
+        """Give the place of a commander who is silent to another one."""
+        if self._commander is not None:
+            self._commander.send(write_message("error", reason=reason))
+            self._commander.close(reason)
+
+    def _hear_of_it(self) -> None:
+        self._watchdog.feed()
+        self._heard_s = self._clock.now_s()
 
     def _take(self, connection: Connection, frame: Frame) -> None:
         if frame.kind is FrameKind.DOCUMENT:
@@ -200,7 +218,7 @@ class ControlServer:
                 return
             self._commander = connection
             self._number, self._world_version = 0, 0
-            self._watchdog.feed()
+            self._hear_of_it()
             connection.allow_documents()
         self._listeners.append(connection)
         welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
@@ -212,7 +230,7 @@ class ControlServer:
         if not self._fresh(message.stamp_s) or message.number <= self._number:
             return  # one that comes late or twice is no sign of life
         self._number = message.number
-        self._watchdog.feed()
+        self._hear_of_it()
         self._busy, self._looking = message.busy, message.looking
         self._world_version = max(self._world_version, message.world_version)
 
@@ -228,7 +246,7 @@ class ControlServer:
             connection.send(_refused(number, f"number {number} after {self._number}"))
             return False
         self._number = number
-        self._watchdog.feed()
+        self._hear_of_it()
         return True
 
     def _may_command(self, connection: Connection, number: int, stamp_s: float) -> bool:

@@ -45,13 +45,14 @@ def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, stance,
     np.testing.assert_allclose(elbow - start, 0.5 * (shoulder - begin), atol=1e-9)
 
 
-def test_a_slow_motion_stops_much_sooner_than_a_fast_one(talos, stance):
+def test_a_slow_motion_stops_gently_and_sooner_than_a_fast_one(talos, stance):
     slow = brake_along(talos, stance, swing(talos, 0.1, 1.2), 0.6, PERIOD_S)
     fast = brake_along(talos, stance, swing(talos, 0.8, 1.2), 0.6, PERIOD_S)
 
     assert slow is not None
     assert fast is not None
-    assert len(slow.q) < 0.6 * len(fast.q)
+    assert 0.22 <= len(slow.q) * PERIOD_S <= 0.33
+    assert len(slow.q) < len(fast.q)
 
 
 def test_a_trajectory_that_ends_sooner_than_any_brake_is_left_alone(talos, stance):

@@ -7,7 +7,7 @@ from py_trees.common import Status
 from trees.contract import Contract
 from trees.destination import Place
 from trees.events import Said
-from trees.failures import Failure
+from trees.failures import Failure, Number
 from trees.leaf import DONE, Leaf
 from trees.ports import ports
 
@@ -32,7 +32,13 @@ class TellFound(Leaf):
         if place.category == "person":
             words = words.removeprefix("the ")
         self.toolbox.events(Said(self.toolbox.clock.now_s(), words))
-        evidence = {"found": place.name, "x_m": x, "y_m": y, "z_m": z, "confidence": place.confidence}
+        evidence: dict[str, Number] = {
+            "found": place.name,
+            "x_m": x,
+            "y_m": y,
+            "z_m": z,
+            "confidence": place.confidence,
+        }
         self.measured(**evidence)
         self._set_output("evidence", {"said": words, **evidence})
         self.feedback_message = words

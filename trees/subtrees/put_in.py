@@ -14,19 +14,16 @@ from trees.leaves.find_container import FindContainer
 from trees.leaves.go_home import GoHome
 from trees.leaves.let_go import LetGo
 from trees.leaves.look_at import LookAt
+from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
 from trees.leaves.verify_put_in import VerifyPutIn
-from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.place import set_down
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
-
-# From above: into a container, not against its wall.
-_INTO = Gaze("into it", tilt_rad=0.75, lean_rad=0.45)
 
 
 def put_in(toolbox: Toolbox) -> Behaviour:
@@ -54,9 +51,8 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         attempts,
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
-        BestEffort(LookAt("look into it", toolbox, _INTO)),
+        BestEffort(LookAtPlacement("look into it", toolbox)),
         VerifyPutIn("verify put in", toolbox),
-        GoHome("stand upright", toolbox),
     ]
     return tidily("put in", children, toolbox)
 

@@ -36,12 +36,12 @@ _FORGET_S = 30.0
 
 
 class JointHealth:
-    """Judges all actuated joints, every few control periods."""
+    """Judges the body's joints, every few control periods; a gripper is judged by what it holds."""
 
     def __init__(self, description: RobotDescription, period_s: float) -> None:
-        names = description.actuated
+        names = description.joints
         gains = [description.gains[name] for name in names]
-        self._names, self._bodies = names, len(description.joints)
+        self._names, self._bodies = names, len(names)
         self._limits = description.health
         self._stiffness = np.array([gain.stiffness for gain in gains])
         self._damping = np.array([gain.damping for gain in gains])
@@ -73,47 +73,49 @@ class JointHealth:
         Returns:
             What is wrong now; nothing in the periods between two judgements.
         """
+        n = self._bodies
+        q, v = state.q[:n], state.v[:n]
         if self._origin is None:
-            self._origin, self._v = state.q.copy(), state.v
+            self._origin, self._v = q.copy(), v
             self._travel[:] = 0.0
-        self._travel += (0.5 * self._period_s) * (self._v + state.v)
-        self._v = state.v
+        self._travel += (0.5 * self._period_s) * (self._v + v)
+        self._v = v
         self._periods += 1
         if self._periods % _EVERY:
             return []
-        motors = self._motors(state, setpoint)
+        motors = self._motors(q, v, state.effort[:n], setpoint)
         blamed = {finding.part for finding in motors}  # a joint without effort does not follow either
         followers = [
-            finding for finding in self._followers(state, setpoint, in_contact) if finding.part not in blamed
+            finding for finding in self._followers(q, setpoint, in_contact) if finding.part not in blamed
         ]
-        return [*motors, *followers, *self._encoders(state)]
+        return [*motors, *followers, *self._encoders(q)]
 
-    def _motors(self, state: RobotState, setpoint: JointSetpoint) -> list[Finding]:
-        asked = self._stiffness * (setpoint.q - state.q) + self._damping * (setpoint.v - state.v)
-        asked += setpoint.tau
+    def _motors(self, q: Array, v: Array, effort: Array, setpoint: JointSetpoint) -> list[Finding]:
+        n = self._bodies
+        asked = self._stiffness * (setpoint.q[:n] - q) + self._damping * (setpoint.v[:n] - v)
+        asked += setpoint.tau[:n]
         np.clip(asked, -self._effort, self._effort, out=asked)
         self._asked += self._share * (asked - self._asked)
-        self._given += self._share * (state.effort - self._given)
+        self._given += self._share * (effort - self._given)
         missing = np.abs(self._asked - self._given)
         bound = np.maximum(
             self._limits.motor_effort_fraction * self._effort, (1.0 - _GIVEN_SHARE) * np.abs(self._asked)
         )
         found = []
         for i in np.flatnonzero(missing > bound).tolist():
-            dead = abs(state.effort[i]) < _OFFLINE_SHARE * self._effort[i]
+            dead = abs(effort[i]) < _OFFLINE_SHARE * self._effort[i]
             ailment = Ailment.OFFLINE if dead else Ailment.WEAK
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found
 
-    def _followers(self, state: RobotState, setpoint: JointSetpoint, in_contact: bool) -> list[Finding]:
-        n, limits = self._bodies, self._limits
+    def _followers(self, q: Array, setpoint: JointSetpoint, in_contact: bool) -> list[Finding]:
+        wanted_now, limits = setpoint.q[: self._bodies], self._limits
         if in_contact:
             self._past.clear()
-        self._past.append((setpoint.q[:n], state.q[:n]))
+        self._past.append((wanted_now, q))
         then_wanted, then = self._past[0]
-        wanted = np.abs(setpoint.q[:n] - then_wanted)
-        followed = np.abs(state.q[:n] - then)
-        error = np.abs(setpoint.q[:n] - state.q[:n])
+        wanted, followed = np.abs(wanted_now - then_wanted), np.abs(q - then)
+        error = np.abs(wanted_now - q)
         stuck = (wanted > limits.stuck_rad) & (followed < _FOLLOWED_SHARE * wanted)
         stuck &= error > 0.5 * limits.stuck_rad
         stuck |= error > limits.tracking_rad
@@ -122,10 +124,10 @@ class JointHealth:
             for i in np.flatnonzero(stuck).tolist()
         ]
 
-    def _encoders(self, state: RobotState) -> list[Finding]:
+    def _encoders(self, q: Array) -> list[Finding]:
         if self._origin is None:
             return []
-        slipped = state.q - self._origin - self._travel
+        slipped = q - self._origin - self._travel
         self._origin += slipped * (_EVERY * self._period_s / _FORGET_S)
         bound = self._limits.encoder_offset_rad
         return [

@@ -23,6 +23,17 @@ def test_every_terminal_of_the_grammar_is_a_word_class():
     assert unknown_terminals(list(load_vocabulary().classes)) == set()
 
 
+def test_kept_productions_are_those_of_the_grammar_and_damaged_ones_are_made_anew(tmp_path):
+    fresh = load_rules()
+
+    assert load_rules(tmp_path) == fresh
+    assert load_rules(tmp_path) == fresh
+    (kept,) = tmp_path.iterdir()
+    kept.write_text('[["start"', "utf-8")
+    assert load_rules(tmp_path) == fresh
+    assert load_rules(tmp_path / "kept.json" / "no folder") == fresh
+
+
 def test_every_rule_that_a_production_names_exists():
     rules = load_rules()
 

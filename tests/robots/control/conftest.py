@@ -29,6 +29,7 @@ class PerfectRobot:
         self._effort = np.zeros_like(self._q)
         self._stamp_ns = 0
         self._followed = None
+        self._damping = np.array([description.gains[name].damping for name in description.actuated])
         self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
 
     def read(self):
@@ -48,6 +49,7 @@ class PerfectRobot:
             i = self.description.actuated.index(joint)
             if q[i] < limit:
                 effort[i] += self._stiffness[i] * (q[i] - limit)
+                effort[i] += self.description.gains[joint].damping * v[i]
                 q[i], v[i] = limit, 0.0
         for joint, place in self.stuck_rad.items():
             i = self.description.actuated.index(joint)
@@ -56,6 +58,8 @@ class PerfectRobot:
             effort[i] = np.clip(effort[i] + self._stiffness[i] * (q[i] - place) + damping, -limit, limit)
             q[i], v[i] = place, 0.0
         arrived = setpoint is self._followed  # it holds what it was told before
+        if arrived:
+            effort += self._damping * v
         self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else v, effort
         self._followed = setpoint
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from executive.assembly import Assembly
 from executive.task_result import TaskResult
+from kinematics import poses
 from kinematics.shapes import Box, Cylinder
 from robots.scene_description import Furniture, PerceptionModel, SceneItem
 from tools.evaluate.skills import rooms
@@ -118,7 +119,7 @@ def _hider(rng: np.random.Generator, target: SceneItem, table: Furniture) -> Sce
     made = rooms.item("brown box", "box", "brown", size, table, place, rng)
     turn = math.atan2(y, x)
     pose = made.world_T_object.copy()
-    pose[:3, :3] = [[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1]]
+    pose[:3, :3] = poses.rotation_z(turn)
     return SceneItem(made.name, "box", "brown", size, 1.0, made.friction, pose)
 
 
