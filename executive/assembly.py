@@ -120,6 +120,8 @@ def assemble(
         events=sink,
         rng=for_trees,
         policy=policy or TreePolicy(),
+        walking=loop.walking,
+        ranging=world.ranging,
     )
     supervisor = Supervisor(loop, clock, sink)
     session = Session(

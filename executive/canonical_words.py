@@ -7,18 +7,17 @@ from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any
 
+from executive.language.going import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
 
-MAX_LINEAR_M_S = 0.5
-MAX_ANGULAR_RAD_S = 1.0
-"""The bridge's speed limits; what exceeds them is refused, never clamped."""
-
 _FREE = ("name", "size", "material", "ordinal")
 """Slots of an object whose words are judged where the object is looked for; there they lead to a question."""
 _DESTINATIONS = ("source", "to", "on", "person")
-_ALWAYS_KNOWN = ("me", "in_front", "you", "robot")
+_NOUNS = ("KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE", "PERSON", "ROOM")
+_GOALS = ("FURNITURE", "CONTAINER", "DOOR", "ROOM", "PERSON", "NAME")
+_ALWAYS_KNOWN = ("me", "in_front", "you", "robot", "start")
 
 
 class UnknownWordError(Exception):
@@ -75,7 +74,7 @@ def _object(wanted: ObjectDescription) -> ObjectDescription:
         relation = Relation(relation.kind, to)
     return replace(
         wanted,
-        kind=None if wanted.kind is None else _canonical(wanted.kind, ("KIND",)),
+        kind=None if wanted.kind is None else _canonical(wanted.kind, _NOUNS),
         color=None if wanted.color is None else _canonical(wanted.color, ("COLOR",)),
         relation=relation,
         **{name: None if (said := getattr(wanted, name)) is None else said.lower() for name in _FREE[1:]},
@@ -83,7 +82,7 @@ def _object(wanted: ObjectDescription) -> ObjectDescription:
 
 
 def _destination(word: str) -> str:
-    return word if word in _ALWAYS_KNOWN else _canonical(word, ("FURNITURE", "PLACE", "PERSON", "NAME"))
+    return word if word in _ALWAYS_KNOWN else _canonical(word, _GOALS)
 
 
 def _canonical(word: str, preferred: Sequence[str]) -> str:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from executive.meaning import Parsed
 from trees.grounding import Ambiguous, Found, Grounding
+from trees.ranking import ORDER_WORDS, SIZE_WORDS
 from trees.tasks import ObjectDescription, ObjectOf, PickTask
 
 MAX_ANSWER = 200
@@ -210,7 +211,17 @@ def described(plain: str) -> ObjectDescription | None:
             plain_pick = task.source is None and task.hand is None and task.count == 1
             if plain_pick and not isinstance(task.object, ObjectOf):
                 return task.object
-    return None
+    return _one_word(plain)
+
+
+def _one_word(plain: str) -> ObjectDescription | None:
+    """The description in a single word of order or size."""
+    said = [word for word in plain.split() if word not in _FILLERS]
+    if len(said) != 1:
+        return None
+    if said[0] in ORDER_WORDS:
+        return ObjectDescription(ordinal=said[0])
+    return ObjectDescription(size=said[0]) if said[0] in SIZE_WORDS else None
 
 
 def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = None) -> Parsed:

@@ -10,6 +10,33 @@ from pathlib import Path
 APPLICATION = "humanoid-executive"
 
 
+def config_directory() -> Path:
+    """Where this user's settings are, by the platform's custom."""
+    home = Path.home()
+    if sys.platform == "win32":
+        return Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming") / APPLICATION
+    if sys.platform == "darwin":
+        return home / "Library" / "Application Support" / APPLICATION
+    return Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config") / APPLICATION
+
+
+def config_files(given: Path | None = None) -> tuple[Path, ...]:
+    """Files with a user's settings: ``config.toml`` of the user's folder, if it is there, and a given one."""
+    own = config_directory() / "config.toml"
+    files = [own] if own.is_file() else []
+    return tuple(files if given is None else [*files, given])
+
+
+def cache_directory() -> Path:
+    """Where what can be made anew is kept, by the platform's custom."""
+    home = Path.home()
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or home / "AppData" / "Local") / APPLICATION / "cache"
+    if sys.platform == "darwin":
+        return home / "Library" / "Caches" / APPLICATION
+    return Path(os.environ.get("XDG_CACHE_HOME") or home / ".cache") / APPLICATION
+
+
 def data_directory() -> Path:
     """Where this user's recorded runs and crash reports go, by the platform's custom."""
     home = Path.home()

@@ -1,13 +1,13 @@
 """Errors of the executive package.
 
 ExecutiveError
-├── UserError            something the user gave or the machine lacks; one line says what to do, exit code 2
-│   ├── NotWritableError     a folder or file that cannot be written
-│   ├── UnknownRunError      a recorded run that is not there
-│   ├── ScriptError          a task script that cannot be one: file, key and reason
-│   ├── TrajectoryFileError  a stored trajectory that cannot be one: file, place and reason
-│   └── MissingPartError     a library or program that an option needs is not installed
-└── VocabularyError      word lists that contradict the grammar: a defect of the data
+└── UserError            something the user gave or the machine lacks; one line says what to do, exit code 2
+    ├── NotWritableError     a folder or file that cannot be written
+    ├── UnknownRunError      a recorded run that is not there
+    ├── ScriptError          a task script that cannot be one: file, key and reason
+    ├── TrajectoryFileError  a stored trajectory that cannot be one: file, place and reason
+    ├── VocabularyError      a list of words that cannot be one: file, word class and reason
+    └── MissingPartError     a library or program that an option needs is not installed
 
 What a sentence means, a question and a refusal are return values, not errors.
 """
@@ -61,5 +61,5 @@ class MissingPartError(UserError):
     """A library or program that an option needs is not installed."""
 
 
-class VocabularyError(ExecutiveError):
-    """Word lists that contradict the grammar: a defect of the data."""
+class VocabularyError(UserError):
+    """A list of words that cannot be one: file, word class and reason."""

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from executive.check_report import CheckReport, MotionVerdict, Outcome
 from executive.config import leave_opengl_to_the_renderer
+from executive.errand import without_skill
 from executive.exit_codes import ExitCode
-from executive.meaning import wording
+from executive.meaning import Command, StopCommand, wording
+from executive.references import references
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.statement import Statement
 from executive.task_result import TaskResult, chain
@@ -19,10 +21,11 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.description import load_description_for_tasks
 from robots.scene_description import SceneDescription
 from robots.scene_file import load_scene
+from trees.build import NoSkillError
 from trees.failures import FailureKind
 from trees.policy import Gaze, TreePolicy
 from trees.rehearsal import build_rehearsal
-from trees.tasks import PickTask, Task
+from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Job, Planning, Toolbox
 
 if TYPE_CHECKING:
@@ -50,6 +53,10 @@ def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) 
     seed = next(value for value in (seed, script.seed, 0) if value is not None)
     world = load_scene(scene)
     for one in script.statements:
+        lacking = without_skill(one.parsed.commands)
+        if lacking is not None and one.expect != "refused":
+            message = f"refused: {NoSkillError(lacking)}"
+            return CheckReport(text, robot, scene, "refused", ExitCode.INVALID, message)
         if one.parsed.outcome not in ("tasks", one.expect):
             outcome, code, message = _not_understood(one)
             return CheckReport(text, robot, scene, outcome, code, message)
@@ -60,9 +67,10 @@ def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) 
             notes.append(f"{one.parsed.text!r}: {one.parsed.outcome}, as expected")
         for command in one.parsed.commands:
             if not isinstance(command, PickTask):
-                notes.append(
-                    f"{wording(command)}: from the home posture with nothing under way, nothing moves"
-                )
+                notes.append(f"{wording(command)}: {_unrehearsed(command)}")
+                continue
+            if references(command):
+                notes.append(f"{wording(command)}: about the object of an earlier task; checked when it runs")
                 continue
             rehearsal = _Rehearsal(robot, world, seed)
             result = rehearsal.of(command)
@@ -77,6 +85,13 @@ def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) 
             )
     planned = f"safe: {len(motions)} motions planned and checked" if motions else "safe: no motion is needed"
     return CheckReport(text, robot, scene, "safe", ExitCode.DONE, planned, notes, motions)
+
+
+def _unrehearsed(command: Command) -> str:
+    """What is said about a command that has no rehearsal."""
+    if isinstance(command, StopCommand | GoHomeTask):
+        return "from the home posture with nothing under way, nothing moves"
+    return "understood; its motions are planned and checked when it runs"
 
 
 def _not_understood(one: Statement) -> tuple[Outcome, ExitCode, str]:

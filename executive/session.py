@@ -223,6 +223,7 @@ class Session:
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
             outcome = yield from self._run_guarded(tree, began_s + timeout_s)
+            self._stand()
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}
         attempts = tree.attempts if tree is not None else 0
@@ -290,13 +291,21 @@ class Session:
         asks = tree.failure is not None and tree.failure.choices
         return ("question" if asks else "failed"), tree.failure
 
+    def _stand(self) -> None:
+        """Let a walk that was stopped make its last steps."""
+        walking = self._toolbox.walking
+        while walking is not None and walking.active:
+            self._advance()
+
     def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
         tree.halt(reason)
         for _ in range(HALT_TICKS):
             self._advance()
         self._show(tree)
-        cause = tree.failure
-        return Failure(kind, reason, cause=cause if cause is not None and cause.kind is not kind else None)
+        halted = tree.failure  # says the same from below, with its place and what had gone wrong before
+        if halted is None:
+            return Failure(kind, reason)
+        return Failure(kind, reason, where=halted.where, cause=halted.cause)
 
     def _supervised(self) -> Supervisor:
         if self._supervisor is None:

@@ -42,7 +42,7 @@ class StandingDynamics:
             [model.description.gains[name].armature for name in model.joints], dtype=np.float64
         )
         self._to_soles = _wrench_distribution(stance)
-        self._chains = [_chain_columns(model, frame) for frame, _ in stance.soles]
+        self._chains = [chain_columns(model, frame) for frame, _ in stance.soles]
         self._rest_v = np.zeros(model.nv)
         self._rest_a = np.zeros(model.nv)
 
@@ -89,7 +89,7 @@ def _to_origin(world_T_sole: Transform) -> Array:
     return move
 
 
-def _chain_columns(model: RobotModel, frame: str) -> tuple[slice, slice]:
+def chain_columns(model: RobotModel, frame: str) -> tuple[slice, slice]:
     """Columns of the Jacobian, and rows of ``q[7:]``, of the joints between the base and a frame.
 
     Pinocchio numbers joints depth first, so the joints of one limb follow each other.

@@ -152,14 +152,16 @@ class HandTracker:
     def _approach(self, goal: HandGoal) -> None:
         """Bring what is followed nearer to what is asked."""
         step = goal.position_m - self.followed_m
-        self.followed_m = self.followed_m + step * min(1.0, TARGET_STEP_M / max(np.linalg.norm(step), 1e-12))
+        self.followed_m = self.followed_m + step * min(
+            1.0, TARGET_STEP_M / max(float(np.linalg.norm(step)), 1e-12)
+        )
         turn = pin.log3(self._followed.T @ goal.rotation)
         self._followed = self._followed @ pin.exp3(
-            turn * min(1.0, TARGET_STEP_RAD / max(np.linalg.norm(turn), 1e-12))
+            turn * min(1.0, TARGET_STEP_RAD / max(float(np.linalg.norm(turn)), 1e-12))
         )
         shift = self._middle + goal.com_shift_m - self._com_wanted
         self._com_wanted = self._com_wanted + shift * min(
-            1.0, _COM_RATE_M / max(np.linalg.norm(shift), 1e-12)
+            1.0, _COM_RATE_M / max(float(np.linalg.norm(shift)), 1e-12)
         )
 
     def _solve(self, goal: HandGoal, x: Array, most: Array) -> Array:

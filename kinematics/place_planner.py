@@ -38,8 +38,8 @@ from kinematics.validity import validity
 Array = NDArray[np.float64]
 
 RESERVE_M = 0.003
-# Down at about 4 cm/s: from the first touch to the end of the braking it is 2 mm.
-LOWER_PACE = Pace(velocity=0.06, acceleration=0.3)
+# Down at some 4 cm/s, gently: a hand that is to feel a touch must not feel its own inertia.
+LOWER_PACE = Pace(velocity=0.03, acceleration=0.06)
 # Steps of the turn about the vertical.
 TURNS_RAD = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60, 80, -80, 100, -100))
 # So many goals that only a detour may come to are kept.

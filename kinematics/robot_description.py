@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from kinematics.errors import MissingPartError
+from kinematics.walking.settings import WalkingSettings
 
 Hand = Literal["left", "right"]
 HANDS: tuple[Hand, Hand] = ("left", "right")
@@ -194,6 +195,7 @@ class RobotDescription:
         mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
             roll, pitch, yaw about fixed axes.
         cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
+        walking: How it walks; None for a robot that does not, or of which it is not known.
         joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
         health: From when on something counts as wrong with the body.
         planning_margin_rad: Limits are shrunk by this for planning.
@@ -226,6 +228,7 @@ class RobotDescription:
     mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cannot_grasp: str = ""
+    walking: WalkingSettings | None = None
     joint_viscosity_nms_rad: float = 0.0
     health: HealthLimits = field(default_factory=HealthLimits)
 

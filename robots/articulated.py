@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 import numpy as np
 
@@ -19,7 +19,9 @@ from kinematics.shapes import Box, Cylinder
 from robots.scene_description import Furniture, MovingPart
 
 ARTICULATED_KINDS = ("drawers", "fridge")
-DOOR, DRAWER, HANDLE = "door", "drawer", "handle"
+DOOR: Final = "door"
+DRAWER: Final = "drawer"
+HANDLE: Final = "handle"
 """Kinds of the moving solids, as perception tells them."""
 PART_KINDS = (DOOR, DRAWER, HANDLE)
 
@@ -158,7 +160,7 @@ def _drawer(item: Furniture) -> tuple[MovingSolid, ...]:
     length, high, wide = DRAWER_LENGTH_SHARE * depth, DRAWER_FRONT_HEIGHT_M, width - 4.0 * WALL_M
     back, wall = 0.5 * FRONT_M + length, 0.01
     x = 0.5 * FRONT_M + 0.5 * length
-    sides = [
+    sides: list[tuple[str, tuple[float, float, float], tuple[float, float, float]]] = [
         ("floor", (length, wide, wall), (x, 0.0, -0.5 * high + 0.02)),
         ("side_1", (length, wall, 0.6 * high), (x, 0.5 * wide, -0.1 * high)),
         ("side_2", (length, wall, 0.6 * high), (x, -0.5 * wide, -0.1 * high)),

@@ -29,6 +29,7 @@ from kinematics.robot_description import (
     SensorNoise,
     SoleDescription,
 )
+from kinematics.walking.settings import WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.urdf import (
     Table,
@@ -142,6 +143,7 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
         cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
         health=HealthLimits(**data.get("health", {})),
+        walking=_walking(data.get("walking"), joints, members),
     )
     _require_consistent(description, link_names(urdf))
     return description
@@ -314,6 +316,14 @@ def _sole(item: Table) -> SoleDescription:
         y_m=tuple(item["y_m"]),
         thickness_m=item["thickness_m"],
     )
+
+
+def _walking(data: Table | None, joints: tuple[str, ...], members: Table) -> WalkingSettings | None:
+    if data is None:
+        return None
+    by_kind = data["joint_acceleration"]
+    by_joint = {joint: by_kind[kind] for joint in joints if (kind := _kind(joint, members)) in by_kind}
+    return WalkingSettings(**{**data, "joint_acceleration": by_joint})
 
 
 def _camera(data: Table | None) -> CameraDescription | None:

@@ -21,7 +21,7 @@ def part_defect(piece: Furniture) -> tuple[str, str] | None:
     door = piece.kind == "fridge"
     if (part.hinge is None) == door:
         return "hinge", "a door has a hinge, a drawer has none"
-    depth, width, height = piece.size_m
+    _, width, height = piece.size_m
     least = {"fridge": (0.3, 0.3, 0.5), "drawers": (0.3, 0.25, DRAWER_FRONT_HEIGHT_M + 0.1)}[piece.kind]
     for axis, value, smallest in zip(("depth", "width", "height"), piece.size_m, least, strict=True):
         if value < smallest:

@@ -105,7 +105,10 @@ class Furniture:
 
 @dataclass(frozen=True, slots=True)
 class SceneItem:
-    """A movable object with its pose in the world."""
+    """A movable object with its pose in the world.
+
+    A box or bowl with ``wall_m`` is hollow and open at the top, with walls and a bottom so thick.
+    """
 
     name: str
     kind: str
@@ -114,6 +117,7 @@ class SceneItem:
     mass_kg: float
     friction: float
     world_T_object: Transform
+    wall_m: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

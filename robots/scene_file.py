@@ -30,7 +30,7 @@ from robots.scene_description import (
 )
 from robots.scene_parts import part_keys, part_values, read_part
 from robots.scene_rules import validate
-from robots.scene_words import CYLINDER_KINDS, OBJECT_KINDS, nearest_word
+from robots.scene_words import CYLINDER_KINDS, HOLLOW_KINDS, OBJECT_KINDS, nearest_word
 
 __all__ = ["dump", "known_scenes", "load_scene", "read_scene", "validate"]
 
@@ -134,6 +134,8 @@ def dump(scene: SceneDescription) -> str:
         color = {} if item.color is None else {"color": item.color}
         lines += ["", "[[object]]", *_pairs(name=item.name, kind=item.kind, **color)]
         lines += _pairs(**_shape_keys(item.shape), mass_kg=item.mass_kg, friction=item.friction)
+        if item.wall_m is not None:
+            lines += _pairs(wall_m=item.wall_m)
         yaw = poses.yaw_of(item.world_T_object[:3, :3])
         lines += _pairs(position_m=tuple(map(float, item.world_T_object[:3, 3])), yaw_rad=yaw)
     return "\n".join(lines) + "\n"
@@ -293,7 +295,8 @@ def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:
     kind = reader.word("kind", OBJECT_KINDS)
     shape, shape_keys = _shape(reader, kind)
     common = ("name", "kind", "color", "mass_kg", "friction", "on", "position_m", "yaw_rad")
-    reader.only((*common, *shape_keys))
+    hollow = ("wall_m",) if kind in HOLLOW_KINDS else ()
+    reader.only((*common, *shape_keys, *hollow))
     return SceneItem(
         name=reader.text("name"),
         kind=kind,
@@ -302,6 +305,7 @@ def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:
         mass_kg=reader.number("mass_kg"),
         friction=reader.number("friction"),
         world_T_object=_place(reader, shape, pieces),
+        wall_m=reader.number("wall_m") if "wall_m" in reader.data else None,
     )
 
 

@@ -20,6 +20,7 @@ from robots.scene_words import COLORS, OBJECT_KINDS, nearest_word
 
 SMALLEST_SIZE_M = 0.001
 SMALLEST_MASS_KG = 0.001
+SMALLEST_WALL_M = 0.003
 """Below these a contact simulation at 1 ms has no meaning."""
 TOUCH_TOLERANCE_M = 0.0005
 """Deeper than this two things overlap; shallower they touch."""
@@ -123,6 +124,11 @@ def _check_item(item: SceneItem, source: str, key: str) -> None:
         ok = math.isfinite(value) and value >= SMALLEST_SIZE_M
         reason = f"{item.name!r}: must be at least {SMALLEST_SIZE_M:g} m, not {value:g}"
         _require(ok, source, f"{key}.{name}", reason)
+    if item.wall_m is not None:
+        thinnest = min(value for _, value in _sizes(item.shape))
+        ok = SMALLEST_WALL_M <= item.wall_m < 0.4 * thinnest
+        reason = f"{item.name!r}: must be from {SMALLEST_WALL_M:g} m to 0.4 of its size, not {item.wall_m:g}"
+        _require(ok, source, f"{key}.wall_m", reason)
     ok = math.isfinite(item.mass_kg) and item.mass_kg >= SMALLEST_MASS_KG
     reason = f"{item.name!r}: must be at least {SMALLEST_MASS_KG:g} kg, not {item.mass_kg:g}"
     _require(ok, source, f"{key}.mass_kg", reason)

@@ -6,6 +6,8 @@ import difflib
 from collections.abc import Iterable
 
 CYLINDER_KINDS = ("cup", "bottle", "bowl", "can")
+HOLLOW_KINDS = ("box", "bowl")
+"""Kinds that may be hollow and open at the top."""
 OBJECT_KINDS = (*CYLINDER_KINDS, "box", "ball")
 
 COLORS: dict[str, tuple[float, float, float]] = {

@@ -24,9 +24,23 @@ class Alternatives(Composite):
     """
 
     def __init__(
-        self, name: str, children: Sequence[Behaviour], hopeless: Callable[[Failure], bool] = defect
+        self,
+        name: str,
+        children: Sequence[Behaviour],
+        hopeless: Callable[[Failure], bool] = defect,
+        worth_trying: Callable[[Behaviour, Failure | None], bool] = lambda _child, _failure: True,
     ) -> None:
+        """Make the node.
+
+        Args:
+            name: Its name.
+            children: The ways, in order.
+            hopeless: Tells from a failure that no other way can help.
+            worth_trying: Tells whether a way is worth trying after the failure of the one before; a way
+                that is not is passed over.
+        """
         super().__init__(name, children)
+        self._worth_trying = worth_trying
         self.failure: Failure | None = None
         self.transparent = False
         self._hopeless = hopeless
@@ -41,6 +55,8 @@ class Alternatives(Composite):
             self.current_child = self.children[0]
         first = 0 if self.current_child is None else self.children.index(self.current_child)
         for child in self.children[first:]:
+            if child.status is not Status.RUNNING and not self._worth_trying(child, self.failure):
+                continue
             self.current_child = child
             yield from child.tick()
             if child.status is Status.RUNNING:

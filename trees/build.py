@@ -7,21 +7,32 @@ from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
+from trees.extensions import extensions
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
+from trees.subtrees.hand_over import hand_over
+from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.subtrees.place import place
+from trees.subtrees.put_in import put_in
 from trees.subtrees.talk import say, wait
+from trees.subtrees.telling import count, describe, find
 from trees.task_tree import TaskTree
 from trees.tasks import (
     CloseTask,
+    CountTask,
+    DescribeTask,
+    FindTask,
     GoHomeTask,
+    HandOverTask,
     LookAtTask,
+    MoveTask,
     OpenTask,
     PickTask,
     PlaceTask,
     PointAtTask,
+    PutInTask,
     SayTask,
     Task,
     WaitTask,
@@ -35,6 +46,11 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
     {
         PickTask: pick,
         PlaceTask: place,
+        PutInTask: put_in,
+        HandOverTask: hand_over,
+        FindTask: find,
+        CountTask: count,
+        DescribeTask: describe,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
         CloseTask: open_or_close,
@@ -43,6 +59,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         LookAtTask: look_at,
         SayTask: say,
         WaitTask: wait,
+        MoveTask: move,
     }
 )
 """What makes the root of each task's tree."""
@@ -58,7 +75,7 @@ class NoSkillError(ValueError):
 
 def has_skill(task: Task) -> bool:
     """Tell whether there is a tree for such a task."""
-    return type(task) in SKILLS
+    return type(task) in SKILLS or extensions().for_task(task) is not None
 
 
 def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
@@ -69,4 +86,6 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     """
     if not has_skill(task):
         raise NoSkillError(task)
-    return TaskTree(task, SKILLS[type(task)](toolbox), toolbox)
+    outside = extensions().for_task(task)
+    tree = SKILLS[type(task)] if outside is None else outside.tree
+    return TaskTree(task, tree(toolbox), toolbox)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,13 +52,17 @@ class Place:
         return middle
 
 
-def aim_of(task: object) -> Destination | None:
+SLOTS = ("object", "person", "to", "on", "source")
+"""Slots of tasks that say what they are aimed at, the one that counts first."""
+
+
+def aim_of(task: object, slots: Sequence[str] = SLOTS) -> Destination | None:
     """The slot of a task that says what it is aimed at: an object, a person, or a place.
 
     Raises:
         TypeError: It refers to an object of another task that was not filled in.
     """
-    for slot in ("object", "person", "to", "on", "source"):
+    for slot in slots:
         wanted: Destination | None = getattr(task, slot, None)
         if isinstance(wanted, ObjectOf):
             raise TypeError("the object of an earlier task was not filled in")

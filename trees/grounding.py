@@ -90,6 +90,18 @@ def ground(
     return _counted(wanted, fitting, count)
 
 
+def compares(wanted: ObjectDescription, count: Count = 1) -> bool:
+    """Tell whether one thing that fits is not enough to know what is meant: there may well be others.
+
+    So it is with sizes, orders and counts, and with a mere kind: "the cup" may be one of several.
+    """
+    if wanted.size is not None or count != 1:
+        return True
+    if wanted.color is None and wanted.name is None:
+        return True
+    return wanted.ordinal is not None and wanted.ordinal not in ("nearest", "closest", "other")
+
+
 def exactly(name: str) -> ObjectDescription:
     """A description that means one known object, and names it as people do."""
     kind, color = split_words(name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 import numpy as np
 
@@ -16,7 +16,9 @@ from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
 from trees.scene_update import kind_of
 
-DOOR, DRAWER, HANDLE = "door", "drawer", "handle"
+DOOR: Final = "door"
+DRAWER: Final = "drawer"
+HANDLE: Final = "handle"
 PART_KINDS = (DOOR, DRAWER, HANDLE)
 BODY_OF: Mapping[str, str] = {DOOR: "fridge", DRAWER: "drawers"}
 """What a door or drawer belongs to, by the kinds that perception tells."""

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
+from kinematics.pointing import elbow_frame
+from kinematics.robot_description import HANDS
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.believed_thing import Surroundings, surroundings
@@ -62,5 +64,27 @@ class LookAround(LookLeaf):
         if not in_view(model.description.camera, view.odom_T_camera, point):
             return True
         q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
-        eye = view.odom_T_camera[:3, 3]
-        return behind_a_hand(model, q, eye, point, self.toolbox.policy.hidden_by_hand_m)
+        eye, near_m = view.odom_T_camera[:3, 3], self.toolbox.policy.hidden_by_hand_m
+        if behind_a_hand(model, q, eye, point, near_m):
+            return True
+        return any(_passes(eye, point, part, near_m) for part in self._in_the_way(q))
+
+    def _in_the_way(self, q: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        """Forearms, and what the hands hold: they hide things as well, shape (3,) each."""
+        model = self.toolbox.model
+        parts = []
+        for hand in HANDS:
+            names = [elbow_frame(model, hand), model.description.tcp_frames[hand]]
+            elbow, tcp = model.frame_poses(q, names)
+            parts.append(0.5 * (elbow[:3, 3] + tcp[:3, 3]))
+        held = self.toolbox.world.scene.attached.values()
+        return parts + [(model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3] for body in held]
+
+
+def _passes(
+    eye: NDArray[np.float64], point: NDArray[np.float64], part: NDArray[np.float64], within_m: float
+) -> bool:
+    """Whether a line of sight passes something nearer than that."""
+    ray = point - eye
+    along = float(np.clip((part - eye) @ ray / (ray @ ray), 0.0, 1.0))
+    return float(np.linalg.norm(eye + along * ray - part)) < within_m

@@ -14,12 +14,14 @@ class Gaze:
         tilt_rad: Of the head, down.
         pan_rad: Of the head, to the left.
         lean_rad: Of the trunk, forward; left out by a robot that cannot lean.
+        turn_rad: Of the trunk, to the left; left out by a robot that cannot turn it.
     """
 
     name: str
     tilt_rad: float
     pan_rad: float = 0.0
     lean_rad: float = 0.0
+    turn_rad: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +40,8 @@ class TreePolicy:
         object_margin_m: Kept from every object, unless the plan lets the pair touch.
         search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
             too near for the head alone, then what is far to the sides.
+        survey_gazes: Where else the head looks before it is said which of several things is meant: what the
+            first gaze cuts off on both sides of a table, without leaning.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
@@ -57,7 +61,11 @@ class TreePolicy:
         in_hand_tolerance_m: A held object is seen this near to where the hand should have it; closing
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
+        fastest_m_s, fastest_rad_s: Speed limits of a walk; the robot's own may be lower.
+        move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
+        peering_gazes: Further ones, that put the eyes elsewhere: past what hides something.
+        inventory_gazes: The looks that together see everything within reach of the arms.
         wave_swings: How often a waving hand goes from side to side.
         wave_width_m: From one side to the other.
         wave_least_m: A swing narrower than this, as measured, does not count.
@@ -72,6 +80,11 @@ class TreePolicy:
         further_m: How much farther down each further step goes when nothing was touched.
         retreat_m: How far an opened hand is drawn back.
         placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
+        offer_rest_s: An offering hand is felt at rest for so long first.
+        pull_n: A change of the force on an offering hand that is a pull; a touch of 2 N is none.
+        pull_s: It has to last so long.
+        take_within_s: Nobody has taken it by then: it is taken back.
+        after_giving_s: Between letting go and looking where it went.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -93,6 +106,10 @@ class TreePolicy:
         Gaze("far left", tilt_rad=0.5, pan_rad=0.7),
         Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
     )
+    survey_gazes: tuple[Gaze, ...] = (
+        Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),
+        Gaze("to the right", tilt_rad=0.75, pan_rad=-0.5),
+    )
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05
     same_furniture_m: float = 0.20
@@ -106,10 +123,28 @@ class TreePolicy:
     slip_max_m: float = 0.008
     in_hand_tolerance_m: float = 0.04
     unseen_hold_factor: float = 2.0
+    fastest_m_s: float = 0.5
+    fastest_rad_s: float = 1.0
+    move_s: float = 3.0
     level_gazes: tuple[Gaze, ...] = (
         Gaze("level", tilt_rad=0.15),
         Gaze("level left", tilt_rad=0.15, pan_rad=0.85),
         Gaze("level right", tilt_rad=0.15, pan_rad=-0.85),
+    )
+    peering_gazes: tuple[Gaze, ...] = (
+        Gaze("over it", tilt_rad=0.6, lean_rad=0.6),
+        Gaze("from the left", tilt_rad=0.55, pan_rad=-0.75, lean_rad=0.45, turn_rad=0.9),
+        Gaze("from the right", tilt_rad=0.55, pan_rad=0.75, lean_rad=0.45, turn_rad=-0.9),
+        Gaze("from far left", tilt_rad=0.5, pan_rad=-1.0, lean_rad=0.7, turn_rad=1.15),
+        Gaze("from far right", tilt_rad=0.5, pan_rad=1.0, lean_rad=0.7, turn_rad=-1.15),
+    )
+    inventory_gazes: tuple[Gaze, ...] = (
+        Gaze("ahead", tilt_rad=0.75),
+        Gaze("left", tilt_rad=0.7, pan_rad=0.6),
+        Gaze("right", tilt_rad=0.7, pan_rad=-0.6),
+        Gaze("near", tilt_rad=0.77, lean_rad=0.5),
+        Gaze("near left", tilt_rad=0.7, pan_rad=-0.4, lean_rad=0.5, turn_rad=0.7),
+        Gaze("near right", tilt_rad=0.7, pan_rad=0.4, lean_rad=0.5, turn_rad=-0.7),
     )
     wave_swings: int = 4
     wave_width_m: float = 0.26
@@ -125,4 +160,9 @@ class TreePolicy:
     further_m: float = 0.008
     retreat_m: float = 0.10
     placed_tolerance_m: float = 0.03
+    offer_rest_s: float = 0.5
+    pull_n: float = 3.0
+    pull_s: float = 0.15
+    take_within_s: float = 15.0
+    after_giving_s: float = 0.8
     task_timeout_s: float = 120.0

@@ -71,6 +71,29 @@ _NUMBERS: Mapping[str, int] = MappingProxyType(
 )  # fmt: skip
 
 
+ORDER_WORDS = frozenset(
+    {
+        *(
+            "leftmost",
+            "left",
+            "rightmost",
+            "right",
+            "nearest",
+            "closest",
+            "nearer",
+            "closer",
+            "middle",
+            "central",
+        ),
+        *("farthest", "furthest", "farther", "further", "topmost", "lowest", "last", "other"),
+    }
+)
+"""Single words that pick one thing from a row."""
+
+SIZE_WORDS = frozenset(_SIZES)
+"""Words that compare sizes."""
+
+
 def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[BelievedThing]:
     """The one that an ordinal picks; those that cannot be told apart in that order are all kept."""
     words = ordinal.replace("_", " ").split()

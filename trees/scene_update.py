@@ -46,6 +46,7 @@ def updated_scene(
     estimates: Iterable[ObjectEstimate],
     policy: TreePolicy,
     could_be_unseen: Callable[[Array], bool],
+    may_have_moved: bool = True,
 ) -> SceneUpdate:
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
 
@@ -58,6 +59,8 @@ def updated_scene(
         estimates: What this look saw, in the odometry frame.
         policy: Margins, and how far apart two sightings of one object may be.
         could_be_unseen: Whether something at a point, shape (3,), could be there without being seen.
+        may_have_moved: Whether one that appears may be one that was elsewhere before; not while the head
+            merely looks around.
     """
     groups: dict[str, list[ObjectEstimate]] = {}
     for estimate in estimates:
@@ -74,7 +77,8 @@ def updated_scene(
         for name, item in known.items():
             if name in matched:
                 continue
-            stays = not item.movable or (not strangers and could_be_unseen(item.world_T_object[:3, 3]))
+            moved = bool(strangers) and may_have_moved
+            stays = not item.movable or (not moved and could_be_unseen(item.world_T_object[:3, 3]))
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached}

@@ -116,6 +116,7 @@ class PlaceTask:
         to: Where else: next to something, to its left.
         hand: The hand that holds it, or None.
         count: How many.
+        source: Where an object that is not held is said to be, or None.
     """
 
     text: str
@@ -124,32 +125,35 @@ class PlaceTask:
     to: Destination | None = None
     hand: Hand | None = None
     count: Count = 1
+    source: Destination | None = None
 
     action = "place"
 
 
 @dataclass(frozen=True, slots=True)
 class PutInTask:
-    """Put an object into something: a box, a bowl, a drawer, the fridge."""
+    """Put an object into something: a box, a bowl, a drawer, the fridge; ``source`` as in ``PlaceTask``."""
 
     text: str
     object: Thing | None = None
     to: Destination | None = None
     hand: Hand | None = None
     count: Count = 1
+    source: Destination | None = None
 
     action = "put_in"
 
 
 @dataclass(frozen=True, slots=True)
 class HandOverTask:
-    """Offer an object to a person, and let go when the person pulls."""
+    """Offer an object to a person, and let go when the person pulls; ``source`` as in ``PlaceTask``."""
 
     text: str
     object: Thing | None = None
     to: Destination = "me"
     hand: Hand | None = None
     count: Count = 1
+    source: Destination | None = None
 
     action = "hand_over"
 

@@ -13,11 +13,13 @@ from kinematics.requests import PlanRequest
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory, Stance
+from kinematics.walking.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle
 from robots.gripper_reading import GripperReading
 from robots.perception.detector import Detector
+from robots.perception.range_sensor import RangeSensor
 from robots.sensed_state import SensedState
 from trees.events import TreeSink
 from trees.policy import TreePolicy
@@ -43,9 +45,29 @@ class MotionControl(Protocol):
         """Where the feet stand."""
         ...
 
+
+class Walking(Protocol):
+    """The way to the feet; while a walk is under way nothing else moves the body."""
+
     @property
-    def period_s(self) -> float:
-        """The control period: how often a guarded motion is asked for a setpoint."""
+    def active(self) -> bool:
+        """Whether a walk is under way, its last steps included."""
+        ...
+
+    def walk(self, steering: Steering, name: str) -> MotionHandle:
+        """Set out; refused at once when the robot does not stand at rest."""
+        ...
+
+    def steer(self, handle: MotionHandle, steering: Steering) -> None:
+        """Go somewhere else with a walk that is under way."""
+        ...
+
+    def finish(self, handle: MotionHandle) -> None:
+        """Come to an end within the last steps; the handle is done when the robot stands."""
+        ...
+
+    def cancel(self, handle: MotionHandle, reason: str) -> None:
+        """The same, but the handle is cancelled at once."""
         ...
 
 
@@ -121,3 +143,5 @@ class Toolbox:
     events: TreeSink
     rng: np.random.Generator
     policy: TreePolicy = field(default_factory=TreePolicy)
+    walking: Walking | None = None
+    ranging: RangeSensor | None = None

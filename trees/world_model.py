@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from kinematics.scene import PlanningScene
+from robots.perception.object_estimate import ObjectEstimate
 
 
 class WorldModel:
@@ -11,17 +14,24 @@ class WorldModel:
     Leaves replace the scene; whoever kept an older one sees by its version that it is stale.
 
     Attributes:
+        sightings: The newest estimate of each thing by its name, for those that are still believed.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
     """
 
     def __init__(self, scene: PlanningScene | None = None) -> None:
         self._scene = scene or PlanningScene()
+        self.sightings: Mapping[str, ObjectEstimate] = {}
         self.last_acted_on: str | None = None
 
     @property
     def scene(self) -> PlanningScene:
         """The current scene."""
         return self._scene
+
+    def note_sightings(self, seen: Mapping[str, ObjectEstimate]) -> None:
+        """Remember what a look saw, and forget what is no longer believed."""
+        known = {**self.sightings, **seen}
+        self.sightings = {name: known[name] for name in sorted(known) if name in self._scene.objects}
 
     def update(self, scene: PlanningScene) -> None:
         """Replace the scene by a newer one.

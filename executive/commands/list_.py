@@ -18,11 +18,24 @@ class What(StrEnum):
     WORDS = "words"
 
 
-_SKILLS = (
-    ("pick", "pick up the red cup on the table"),
-    ("go_home", "go home"),
-    ("stop", "stop"),
-)
+_EXAMPLES = {
+    "pick": "pick up the red cup on the table",
+    "place": "put the red cup next to the bottle",
+    "put_in": "put the can in the box",
+    "hand_over": "give the red cup to Ana",
+    "open": "open the fridge",
+    "close": "close the drawer",
+    "wave": "wave at Ana",
+    "point_at": "point at the blue box",
+    "look_at": "look at the red cup",
+    "find": "find the red cup",
+    "count": "how many cups are there",
+    "describe": "what is on the table",
+    "say": "say hello",
+    "wait": "wait 5 seconds",
+    "go_home": "go home",
+    "stop": "stop",
+}
 
 
 def list_(what: Annotated[What, typer.Argument(help="What to list.")]) -> None:
@@ -42,18 +55,33 @@ def _lines(what: What) -> Iterator[str]:
 
             yield from known_scenes()
         case What.SKILLS:
-            for action, example in _SKILLS:
-                yield f"{action:<8} {example}"
+            yield from _skills()
         case What.WORDS:
             yield from _words()
 
 
+def _skills() -> Iterator[str]:
+    from trees.build import SKILLS
+    from trees.extensions import extensions
+
+    for action in [*(task.action for task in SKILLS), "stop"]:
+        yield f"{action:<10} {_EXAMPLES.get(action, '')}".rstrip()
+    for action, skill in sorted(extensions().skills.items()):
+        yield f"{action:<10} {skill.example}"
+    for complaint in extensions().complaints:
+        yield f"left out: {complaint}"
+
+
 def _words() -> Iterator[str]:
+    """Canonical words with their synonyms; verb forms and plurals follow from them and are left out."""
+    from executive.config import config_files
     from executive.vocabulary import load_vocabulary
 
-    vocabulary = load_vocabulary()
-    for name, word_class in sorted(vocabulary.classes.items()):
+    for name, word_class in sorted(load_vocabulary(config_files()).classes.items()):
+        if word_class.derived:
+            continue
         note = " (understood, and refused)" if word_class.refusal else ""
         yield f"{name.lower()}{note}"
         for meaning, phrases in word_class.words.items():
-            yield f"  {meaning}: {', '.join(phrases)}"
+            if ":" not in meaning:
+                yield f"  {meaning}: {', '.join(phrases)}"

@@ -18,17 +18,18 @@ _EXIT_CODES = {"tasks": ExitCode.DONE, "refused": ExitCode.INVALID, "question": 
 
 def parse(
     text: Annotated[str, typer.Argument(metavar="SENTENCE|-|FILE", help="What to understand.")],
+    config: Annotated[Path | None, typer.Option(help="A TOML file with words of your own.")] = None,
 ) -> None:
     """Say what a sentence means; for - or a file, one line of JSON for each line."""
     from executive.command_parser import parse as understand
 
     lines = _lines(text)
     if lines is None:
-        parsed = understand(text)
+        parsed = understand(text, config)
         typer.echo(json.dumps(parsed.to_json()))
         raise typer.Exit(_EXIT_CODES[parsed.outcome])
     for line in lines:
-        typer.echo(json.dumps(understand(line).to_json()))
+        typer.echo(json.dumps(understand(line, config).to_json()))
 
 
 def _lines(text: str) -> Iterator[str] | None:

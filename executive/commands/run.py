@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import ExitStack
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -11,10 +12,10 @@ import typer
 
 from executive.config import runs_directory
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
-from executive.terminal_attendant import TerminalAttendant
 from executive.trust import THRESHOLD, Trust
 
 if TYPE_CHECKING:
+    from executive.attendant import Attendant
     from executive.outputs.display import Display
 
 
@@ -85,26 +86,35 @@ def run(
         junit=junit,
     )
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
-    display = _display(quiet, plain)
-    attendant = TerminalAttendant(sys.stdin, display.note)
-    try:
-        performance = perform(request, display, attendant)
-    finally:
-        display.close()
+    with ExitStack() as terminal:
+        display, attendant = _terminal(request, quiet, plain, terminal)
+        try:
+            performance = perform(request, display, attendant)
+        finally:
+            display.close()
     typer.echo(_sayable(performance.line))
     raise typer.Exit(performance.exit_code)
 
 
-def _display(quiet: bool, plain: bool) -> Display:
+def _terminal(request: RunRequest, quiet: bool, plain: bool, closing: ExitStack) -> tuple[Display, Attendant]:
+    """Who shows the run and who attends to it: a drawing with keys, lines, or nothing but questions."""
     from executive.outputs.display import LiveDisplay, NoDisplay, PlainDisplay
+    from executive.terminal_attendant import TerminalAttendant
 
-    if quiet:
-        return NoDisplay()
-    if plain or not sys.stdout.isatty() or not sys.stderr.isatty():
-        return PlainDisplay(sys.stderr)
+    if quiet or plain or not sys.stdout.isatty() or not sys.stderr.isatty():
+        display = NoDisplay() if quiet else PlainDisplay(sys.stderr)
+        return display, TerminalAttendant(sys.stdin, lambda line: typer.echo(line, err=True))
     from rich.console import Console
 
-    return LiveDisplay(Console(stderr=True))
+    place = f"{request.robot} in {request.scene}, seed {request.seed}"
+    keys = sys.stdin.isatty()
+    live = LiveDisplay(Console(stderr=True), place, keys)
+    if not keys:
+        return live, TerminalAttendant(sys.stdin, live.note)
+    from executive.keyboard import Keyboard
+    from executive.keyboard_attendant import KeyboardAttendant
+
+    return live, KeyboardAttendant(closing.enter_context(Keyboard(sys.stdin)), live)
 
 
 def _sayable(line: str) -> str:

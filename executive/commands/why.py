@@ -17,8 +17,10 @@ def why(
         str, typer.Argument(metavar="[RUN]", help="A run's name; the latest by default.")
     ] = "latest",
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
+    full: Annotated[bool, typer.Option("--full", help="Every link of the failure chain as well.")] = False,
 ) -> None:
     """Say why a run ended as it did."""
+    from executive.explanation import explained
     from executive.feedback import failure_lines
     from executive.run_log import recorded_run
 
@@ -29,9 +31,15 @@ def why(
     typer.echo(str(recorded.report.get("message", recorded.report.get("outcome", ""))))
     for task in recorded.report.get("tasks", ()):
         failure = task.get("failure")
-        if failure is not None:
+        if failure is None:
+            continue
+        typer.echo(f"{task.get('text', '')!r} {task.get('outcome', '')}")
+        for line in explained(_failure(failure)):
+            typer.echo(f"  {line}")
+        if full:
+            typer.echo("  the whole chain:")
             for line in failure_lines(_failure(failure)):
-                typer.echo(f"  {line}")
+                typer.echo(f"    {line}")
 
 
 def _failure(document: Mapping[str, Any]) -> Any:

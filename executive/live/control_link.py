@@ -59,6 +59,7 @@ class ControlLink:
         about: What the control process said of itself: robot, scene, seed, period.
         report: The newest state of the robot.
         emergency: The emergency stop that is engaged, or None.
+        defects, reservations: What is wrong with the robot, so that it must not move, or takes no new task.
         frame: The newest perception frame, or None.
         verdicts: Of trajectories by their number, as they come.
         lost: Why the connection ended, or empty.
@@ -80,6 +81,8 @@ class ControlLink:
         self.frame: PerceptionFrame | None = None
         self.verdicts: dict[int, Verdict] = {}
         self.emergency: EmergencyStop | None = None
+        self.defects: tuple[str, ...] = ()
+        self.reservations: tuple[str, ...] = ()
         self.lost = ""
         self.about: Mapping[str, Any] = {}
         self._connection.send(write_control_message(Hello("commander")))
@@ -189,6 +192,9 @@ class ControlLink:
         match message["type"]:
             case "welcome":
                 self.about, self.emergency = message, _emergency(message["emergency"])
+                self._note_health(message["health"])
+            case "health":
+                self._note_health(message)
             case "emergency":
                 self.emergency = _emergency(message)
             case "motion":
@@ -205,6 +211,10 @@ class ControlLink:
                 self.lost = self.lost or str(message["reason"])
             case _:
                 pass
+
+    def _note_health(self, values: Mapping[str, Any]) -> None:
+        self.defects = tuple(map(str, values["defects"]))
+        self.reservations = tuple(map(str, values["reservations"]))
 
     def _note_verdict(self, message: Mapping[str, Any]) -> None:
         verdict: Verdict = True

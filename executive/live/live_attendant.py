@@ -25,6 +25,9 @@ class LiveAttendant:
     def __init__(self, desk: Desk, let_pass: Callable[[float], None], cancelled: Callable[[], bool]) -> None:
         self._desk, self._let_pass, self._cancelled = desk, let_pass, cancelled
 
+    def begin(self, _session: Stoppable) -> None:
+        """Nothing to prepare."""
+
     def answer(self, question: OpenQuestion) -> str | None:
         """Put the question, and wait for ``executive answer``."""
         order = self._desk.current

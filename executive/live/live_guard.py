@@ -20,8 +20,13 @@ class LiveGuard:
 
     @property
     def defects(self) -> tuple[str, ...]:
-        """What is wrong with the robot now; the control process judges that when it is reset."""
-        return ()
+        """What is wrong with the robot now, for people."""
+        return self._link.defects
+
+    @property
+    def reservations(self) -> tuple[str, ...]:
+        """What is wrong so that no new task should be begun, for people."""
+        return self._link.reservations
 
     @property
     def still(self) -> bool:

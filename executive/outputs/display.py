@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import IO, TYPE_CHECKING, Protocol
+from dataclasses import replace
+from typing import IO, TYPE_CHECKING, Any, Protocol
 
 from rich.console import Console, Group
 from rich.live import Live
 from rich.text import Text
 
-from executive.events import Event
-from executive.feedback import line_for
-from executive.outputs.tree_lines import tree_lines
+from executive.clarification import OpenQuestion
+from executive.events import Event, TaskAccepted
+from executive.feedback import line_for, sentence
+from executive.lifecycle import LifecycleChanged
+from executive.outputs.screen import ScreenState, Style, screen
 from robots.clock import WallClock
-from trees.events import NodeChanged
-from trees.snapshot import NodeSnapshot, NodeStatus, TreeSnapshot
+from robots.control.events import EmergencyReset, EmergencyStopped, MotionEnded, MotionStarted
+from trees.events import LeafFailed, NodeChanged
+from trees.snapshot import NodeSnapshot
 
 if TYPE_CHECKING:
     from trees.build import TaskTree
@@ -22,8 +26,17 @@ if TYPE_CHECKING:
 REDRAW_S = 0.1
 """Wall time between two drawings: drawing must not slow the run down."""
 
-_STYLES: dict[NodeStatus, str] = {"idle": "dim", "running": "bold cyan", "success": "green", "failure": "red"}
-_SHOWN_LINES = 4
+_STYLES: dict[Style, str] = {
+    "": "",
+    "bold": "bold",
+    "dim": "dim",
+    "ok": "green",
+    "running": "bold cyan",
+    "bad": "red",
+    "ask": "bold yellow",
+    "alarm": "bold white on red",
+}
+_KEPT_LINES = 60
 
 
 class Display(Protocol):
@@ -118,34 +131,56 @@ def _leaf_names(node: NodeSnapshot) -> Iterator[str]:
 
 
 class LiveDisplay:
-    """The tree drawn in place, with the newest lines below it."""
+    """The screen drawn in place.
 
-    def __init__(self, console: Console) -> None:
+    Attributes:
+        state: What is shown now.
+    """
+
+    def __init__(self, console: Console, place: str = "", keys: bool = False) -> None:
+        self.state = ScreenState(place=place, keys=keys)
         self._console = console
         self._live = Live(console=console, auto_refresh=False, transient=False)
         self._wall = WallClock()
         self._drawn_s = -REDRAW_S
         self._teller = _Teller()
-        self._lines: list[str] = []
+        self._tree: TaskTree | None = None
         self._started = False
 
     def event(self, event: Event) -> None:
-        """Keep its line among the newest."""
+        """Take what it changes into the screen's state."""
         line = self._teller.line(event)
-        if line is not None:
-            self._lines = [*self._lines, line][-_SHOWN_LINES:]
+        log = (*self.state.log, line)[-_KEPT_LINES:] if line is not None else self.state.log
+        self.state = replace(self.state, t_s=event.t_s, log=log, **_changes(event, self.state))
 
     def tick(self, tree: TaskTree) -> None:
         """Draw when it is time to, and always at the end."""
         self._teller.learn(tree)
+        self._tree = tree
         now_s = self._wall.now_s()
         if now_s - self._drawn_s < REDRAW_S and tree.status == "running":
             return
         self._drawn_s = now_s
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw the screen as it is now."""
+        if self._tree is not None:
+            self.state = replace(self.state, tree=self._tree.snapshot(self.state.t_s))
         if not self._started:
             self._live.start()
             self._started = True
-        self._live.update(drawing(tree.snapshot(0.0), self._lines, self._console), refresh=True)
+        self._live.update(drawing(self.state, self._console), refresh=True)
+
+    def ask(self, question: OpenQuestion | None) -> None:
+        """Show a question, or take it away."""
+        self.state = replace(self.state, question=question)
+        self.draw()
+
+    def pause(self, paused: bool) -> None:
+        """Show whether time is held."""
+        self.state = replace(self.state, paused=paused)
+        self.draw()
 
     def note(self, line: str) -> None:
         """Print a line above the drawing."""
@@ -155,15 +190,38 @@ class LiveDisplay:
         """Leave the last drawing standing."""
         if self._started:
             self._live.stop()
+            self._started = False
 
 
-def drawing(snapshot: TreeSnapshot, newest: list[str], console: Console) -> Group:
-    """Lay a tree and the newest lines out for a console's size."""
+def _changes(event: Event, state: ScreenState) -> dict[str, Any]:
+    """What an event changes on the screen, beside time and log."""
+    match event:
+        case TaskAccepted(text=text):
+            return {"task": text, "failure": "", "motion": ""}
+        case LeafFailed(failure=failure) if not failure.choices:
+            return {"failure": sentence(failure)}
+        case MotionStarted(motion=motion):
+            return {"motion": motion}
+        case MotionEnded(motion=motion) if motion == state.motion:
+            return {"motion": ""}
+        case LifecycleChanged(after=after, reason=reason):
+            normal = after == "NORMAL"
+            return {"safety": after if normal else f"{after}: {reason}", "alarmed": not normal}
+        case EmergencyStopped(reason=reason):
+            return {"safety": f"EMERGENCY: {reason}", "alarmed": True}
+        case EmergencyReset():
+            return {"safety": "RECOVERY", "alarmed": True}
+        case _:
+            return {}
+
+
+def drawing(state: ScreenState, console: Console) -> Group:
+    """The screen for a console's size, in its colours if it has any."""
     unicode = console.encoding.lower().startswith("utf")
-    height = max(5, console.height - _SHOWN_LINES - 2)
-    rows = [
-        Text(line.text, style=_STYLES[line.status], no_wrap=True, overflow="crop")
-        for line in tree_lines(snapshot, console.width, height, unicode)
-    ]
-    tail = [Text(line[: console.width], style="dim", no_wrap=True, overflow="crop") for line in newest]
-    return Group(*rows, *tail)
+    rows = screen(state, console.width, max(console.height - 1, 5), unicode)
+    return Group(
+        *(
+            Text.assemble(*((cell.text, _STYLES[cell.style]) for cell in row), no_wrap=True, overflow="crop")
+            for row in rows
+        )
+    )

@@ -1,8 +1,8 @@
-"""The words that are understood, read from the TOML files beside this one.
+"""The words that are understood, read from the TOML files beside this one and from the user's.
 
 A file holds tables; a table is a word class: a terminal of the grammar, or, with ``refusal``, words
-that are understood but never acted on. ``words`` maps a meaning to the phrases that carry it. In a
-phrase ``[x|y]`` may be left out, ``(x|y)`` is one of several.
+that are understood but never acted on. ``words`` maps a meaning to the phrases that carry it, ``same``
+lists phrases that mean themselves. In a phrase ``[x|y]`` may be left out, ``(x|y)`` is one of several.
 """
 
 from __future__ import annotations
@@ -14,12 +14,22 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
+from typing import Any
 
 from executive.errors import VocabularyError
+from executive.vocabulary.inflection import gerund, participle, plural
 
 Words = tuple[str, ...]
 
 _CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
+_WORD = re.compile(
+    r"&&|\|\||\d+(?:st|nd|rd|th)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
+)
+_JOINED = frozenset({"move_forward", "move_backward", "turn_left", "turn_right"})
+"""Bridge words, which are matched whole; elsewhere an underscore is a space."""
+
+_KEYS = frozenset({"words", "same", "refusal", "meaning", "plural", "inflect", "proper", "irregular"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,14 +50,14 @@ class WordClass:
         refusal: Why none of them is acted on, as a format of ``word`` and ``meaning``; None when the
             grammar uses them.
         meanings: What ``meaning`` reads like in ``refusal``.
-        misplaced: What to say, in the same form, where the grammar has no place for one of them.
+        derived: Whether its phrases are formed from those of another class.
     """
 
     name: str
     words: Mapping[str, tuple[str, ...]]
     refusal: str | None = None
     meanings: Mapping[str, str] = field(default_factory=dict)
-    misplaced: str | None = None
+    derived: bool = False
 
 
 class Vocabulary:
@@ -55,23 +65,30 @@ class Vocabulary:
 
     def __init__(self, classes: Sequence[WordClass]) -> None:
         self.classes = {word_class.name: word_class for word_class in classes}
-        self._readings: dict[Words, list[Reading]] = {}
+        self._readings: dict[Words, dict[Reading, None]] = {}
         for word_class in classes:
             for meaning, phrases in word_class.words.items():
                 for phrase in phrases:
-                    readings = self._readings.setdefault(tuple(phrase.split()), [])
-                    reading = Reading(word_class.name, meaning)
-                    if reading not in readings:
-                        readings.append(reading)
-        self._longest = max(map(len, self._readings), default=0)
+                    words = tuple(phrase.split(" "))
+                    self._readings.setdefault(words, {})[Reading(word_class.name, meaning)] = None
+        self._lengths: dict[str, list[int]] = {}
+        for words in self._readings:
+            lengths = self._lengths.setdefault(words[0], [])
+            if len(words) not in lengths:
+                lengths.append(len(words))
+
+    def matches(self, words: Sequence[str], start: int) -> Iterator[tuple[int, Reading]]:
+        """Every phrase that begins at ``start``: its length, and one reading of it."""
+        for length in self._lengths.get(words[start], ()):
+            if start + length <= len(words):
+                for reading in self._readings.get(tuple(words[start : start + length]), ()):
+                    yield length, reading
 
     def match(self, words: Sequence[str]) -> tuple[int, Sequence[Reading]]:
-        """Find the longest phrase at the beginning of ``words``: its length and readings, or (0, ())."""
-        for length in range(min(self._longest, len(words)), 0, -1):
-            readings = self._readings.get(tuple(words[:length]))
-            if readings:
-                return length, readings
-        return 0, ()
+        """The longest phrase at the beginning of ``words``: its length and readings, or (0, ())."""
+        found = list(self.matches(words, 0)) if words else []
+        longest = max((length for length, _ in found), default=0)
+        return longest, tuple(reading for length, reading in found if length == longest)
 
     @cached_property
     def single_words(self) -> frozenset[str]:
@@ -83,52 +100,145 @@ class Vocabulary:
         return sorted(itertools.chain.from_iterable(self.classes[class_name].words.values()))
 
     def refusal(self, reading: Reading, word: str) -> str | None:
-        """Why a phrase that found no place in the grammar is not acted on.
+        """Why a phrase in one of its readings is not acted on; None when the grammar uses its class."""
+        return self.refusal_of(reading.word_class, reading.meaning, word)
 
-        None when nothing special is known about its class.
-        """
-        word_class = self.classes[reading.word_class]
-        message = word_class.refusal or word_class.misplaced
-        if message is None:
+    def refusal_of(self, class_name: str, meaning: str, word: str) -> str | None:
+        """Why a phrase of a class is not acted on; None when the grammar uses the class."""
+        word_class = self.classes[class_name]
+        if word_class.refusal is None:
             return None
-        meaning = word_class.meanings.get(reading.meaning, reading.meaning)
-        return message.format(word=word, meaning=meaning)
+        return word_class.refusal.format(word=word, meaning=word_class.meanings.get(meaning, meaning))
 
 
-def load_vocabulary() -> Vocabulary:
-    """Read the word lists that travel with the package.
+def load_vocabulary(user_files: Sequence[Path] = ()) -> Vocabulary:
+    """Read the word lists that travel with the package, and a user's own.
+
+    Args:
+        user_files: TOML files of the same form; their words are added to the classes of these names.
 
     Raises:
         VocabularyError: A list is malformed.
     """
+    tables: dict[str, dict[str, Any]] = {}
     folder = importlib.resources.files("executive.vocabulary")
-    files = {item.name: item for item in folder.iterdir() if item.name.endswith(".toml")}
-    classes: list[WordClass] = []
-    for file_name, file in sorted(files.items()):
-        for name, table in tomllib.loads(file.read_text("utf-8")).items():
-            unknown = set(table) - {"words", "refusal", "meaning", "misplaced"}
-            if unknown or "words" not in table:
-                raise VocabularyError(f"{file_name}: {name}: needs words, and knows no {sorted(unknown)}")
-            classes.append(
-                WordClass(
-                    name=name,
-                    words={
-                        meaning: tuple(itertools.chain.from_iterable(map(expand, phrases)))
-                        for meaning, phrases in table["words"].items()
-                    },
-                    refusal=table.get("refusal"),
-                    meanings=table.get("meaning", {}),
-                    misplaced=table.get("misplaced"),
-                )
+    own = sorted((item.name, item) for item in folder.iterdir() if item.name.endswith(".toml"))
+    for file_name, file in own:
+        _add(tables, tomllib.loads(file.read_text("utf-8")), file_name, new_classes=True)
+    for path in user_files:
+        _add(tables, _user_tables(path), str(path), new_classes=False)
+    irregular = {
+        base: form
+        for table in tables.values()
+        if table.get("irregular")
+        for form, bases in table["words"].items()
+        for base in bases
+    }
+    return Vocabulary(
+        [word_class for name, table in tables.items() for word_class in _classes(name, table, irregular)]
+    )
+
+
+def _user_tables(path: Path) -> dict[str, Any]:
+    try:
+        document = tomllib.loads(path.read_text("utf-8"))
+    except OSError as failed:
+        raise VocabularyError(f"{path}: cannot be read: {failed.strerror}") from failed
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as failed:
+        raise VocabularyError(f"{path}: is no TOML: {failed}") from failed
+    words = document.get("vocabulary", {})
+    if not isinstance(words, dict):
+        raise VocabularyError(f"{path}: vocabulary: must be a table of word classes")
+    return words
+
+
+def _add(
+    tables: dict[str, dict[str, Any]], added: Mapping[str, Any], source: str, *, new_classes: bool
+) -> None:
+    for name, table in added.items():
+        if not new_classes and (name not in tables or tables[name].get("irregular")):
+            known = ", ".join(sorted(key for key in tables if not tables[key].get("irregular")))
+            raise VocabularyError(f"{source}: no word class {name!r} among {known}")
+        if not isinstance(table, dict):
+            raise VocabularyError(f"{source}: {name}: must be a table")
+        unknown = set(table) - (_KEYS if new_classes else {"words", "same"})
+        if unknown or not ({"words", "same"} & set(table)):
+            raise VocabularyError(f"{source}: {name}: needs words or same, and knows no {sorted(unknown)}")
+        merged = tables.setdefault(name, {"words": {}})
+        merged.update({key: value for key, value in table.items() if key not in ("words", "same")})
+        words = _listed(table, source, name)
+        for meaning, phrases in words.items():
+            merged["words"][meaning] = [*merged["words"].get(meaning, []), *phrases]
+
+
+def _listed(table: Mapping[str, Any], source: str, name: str) -> dict[str, list[str]]:
+    words = table.get("words", {})
+    same = table.get("same", [])
+    lists = [same, *words.values()] if isinstance(words, dict) else [None]
+    if not all(
+        isinstance(phrases, list) and all(isinstance(one, str) and one.strip() for one in phrases)
+        for phrases in lists
+    ):
+        raise VocabularyError(
+            f"{source}: {name}: words are lists of phrases by meaning, same is a list of phrases"
+        )
+    result = {meaning: list(phrases) for meaning, phrases in words.items()}
+    for phrase in same:
+        result.setdefault(phrase, []).append(phrase)
+    return result
+
+
+def _classes(name: str, table: Mapping[str, Any], irregular: Mapping[str, str]) -> Iterator[WordClass]:
+    if table.get("irregular"):
+        return
+    words = {
+        _meaning(meaning, table): tuple(one for phrase in phrases for one in expand(phrase))
+        for meaning, phrases in table["words"].items()
+    }
+    if table.get("inflect"):
+        for meaning, phrases in list(words.items()):
+            words[f"{meaning}:ing"] = (
+                *words.get(f"{meaning}:ing", ()),
+                *dict.fromkeys(gerund(one) for one in phrases),
             )
-    return Vocabulary(classes)
+            words[f"{meaning}:ed"] = tuple(dict.fromkeys(participle(one, irregular) for one in phrases))
+    yield WordClass(name, words, table.get("refusal"), table.get("meaning", {}))
+    if "plural" in table:
+        several = {meaning: tuple(map(plural, phrases)) for meaning, phrases in words.items()}
+        yield WordClass(table["plural"], several, derived=True)
+    if table.get("proper"):
+        owners = {meaning: tuple(f"{one}'s" for one in phrases) for meaning, phrases in words.items()}
+        yield WordClass("OWNER", owners, derived=True)
+
+
+def _meaning(meaning: str, table: Mapping[str, Any]) -> str:
+    return meaning.title() if table.get("proper") else meaning
+
+
+def split_words(text: str) -> Iterator[tuple[str, int, int]]:
+    """The words, numbers and marks of a text, lower-case, each with its place."""
+    for match in _WORD.finditer(text):
+        whole, start = match.group(), match.start()
+        lowered = whole.lower()
+        if "_" in whole and lowered not in _JOINED:
+            for part in re.finditer(r"[^_]+", whole):
+                yield part.group().lower(), start + part.start(), start + part.end()
+        elif whole in "-\u2013" and _inside_a_word(text, start):
+            continue
+        else:
+            yield lowered, start, match.end()
+
+
+def _inside_a_word(text: str, position: int) -> bool:
+    before, after = text[position - 1 : position], text[position + 1 : position + 2]
+    return before.isalpha() and after.isalpha()
 
 
 def expand(phrase: str) -> Iterator[str]:
     """Write out ``[x|y]`` (one of them or nothing) and ``(x|y)`` (one of them)."""
     found = _CHOICE.search(phrase)
     if found is None:
-        yield " ".join(phrase.split())
+        yield " ".join(word for word, _, _ in split_words(phrase))
         return
     optional, required = found.groups()
     choices = ["", *optional.split("|")] if optional is not None else required.split("|")

@@ -22,6 +22,11 @@ class BodyMotion(GuardedMotion, Protocol):
         ...
 
     @property
+    def in_contact(self) -> bool:
+        """Whether a hand holds, or meets, something that may not move."""
+        ...
+
+    @property
     def scene(self) -> PlanningScene:
         """What is around now, and which pairs may touch."""
         ...

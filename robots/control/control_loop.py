@@ -38,7 +38,8 @@ from robots.control.proposal import Proposal
 from robots.control.refusal import Refusal
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
-from robots.interface import JointSetpoint, Robot
+from robots.control.walking.walker import Walker
+from robots.interface import JointSetpoint, Robot, RobotState
 from robots.sensed_state import SensedState
 
 Array = NDArray[np.float64]
@@ -46,10 +47,9 @@ Array = NDArray[np.float64]
 _AT_HOME_RAD = 0.02
 """Joints found nearer to the home posture than this are taken to rest there: sag and noise."""
 
-_FELT_PERIODS = 4
-"""Periods without a decision that the servos feel: a moving joint comes to rest, and starts again."""
 _FORGIVEN_PERIODS = 75
-"""For so long afterwards (0.15 s) efforts are no sign of contact: the joint gathers speed again."""
+"""For so long after a period without a decision (0.15 s) efforts are no sign of contact: a moving joint
+came to rest, and gathers speed again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +74,7 @@ class ControlLoop:
 
     Attributes:
         motion: Starts and cancels motions.
+        walking: Starts and cancels walks.
         sensing: What the robot knows about itself.
         grippers: One control for each hand.
     """
@@ -122,10 +123,12 @@ class ControlLoop:
         self._refused_online = 0
         self._stuck = False
         self._limp = False
+        self._walker = Walker(model, self._streamer, authority, clock, sink, period_s)
         self._latch = EmergencyLatch()
         self._forgiven = 0
         self._health = HealthMonitor(model, period_s)
         self.motion = self._streamer
+        self.walking = self._walker
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
             {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}
@@ -175,11 +178,12 @@ class ControlLoop:
             each: Called after each of them.
         """
         for _ in range(periods):
+            if not self._limp:
+                self._look_after_health()  # the sensors went on, and what is summed up must not have gaps
             self._pass_period()
             each()
         if periods > 0:
             self._gate.go_on(self._period_s)
-        if periods >= _FELT_PERIODS:
             self._forgiven = _FORGIVEN_PERIODS
 
     def stop(self, category: int, reason: str) -> None:
@@ -196,8 +200,10 @@ class ControlLoop:
         require_category(category)
         self._note_stop(category, reason)
         self._streamer.stop(reason, along_path=category == 1)
+        self._walker.stop(reason)
         if category == 0:
             self._limp = True
+            self._walker.abandon()
             self._streamer.latch(f"the power was taken away: {reason}")
 
     @property
@@ -208,7 +214,7 @@ class ControlLoop:
     @property
     def still(self) -> bool:
         """Whether nothing is commanded to move, fingers included."""
-        return self._streamer.still
+        return self._streamer.still and not self._walker.active
 
     @property
     def defects(self) -> tuple[str, ...]:
@@ -278,6 +284,9 @@ class ControlLoop:
         if contact is not None:
             self._note_stop(2, str(contact))
             self._streamer.interrupt(str(contact))
+        if self._walker.active:
+            self._command_walk(state)
+            return
         proposal = self._streamer.propose(state)
         refusal = self._submit(proposal)
         if refusal is None:
@@ -297,7 +306,9 @@ class ControlLoop:
         self._stuck = True
 
     def _look_after_health(self) -> None:
-        new, over = self._health.judge(self.sensing.state(), self._gate.last, self._streamer.standing)
+        streamer = self._streamer
+        standing = streamer.standing and not self._walker.active
+        new, over = self._health.judge(self.sensing.state(), self._gate.last, standing, streamer.in_contact)
         if not new and not over:
             return
         self._tell_health(new, over)
@@ -306,6 +317,7 @@ class ControlLoop:
             reason = str(stopping[0])
             self._note_stop(1, reason)
             self._streamer.stop(reason, along_path=True)
+            self._walker.stop(reason)
 
     def _tell_health(self, new: Sequence[Finding], over: Sequence[Finding]) -> None:
         now_s = self._clock.now_s()
@@ -333,19 +345,51 @@ class ControlLoop:
         else:
             self._streamer.unlatch()
 
+    def _command_walk(self, state: RobotState) -> None:
+        """The same while the feet move: standing still on one leg is no way out, so the walk goes on."""
+        self._gate.expect_steps(True)
+        proposal = self._walker.propose(self._streamer.propose(state))
+        refusal = self._submit(proposal)
+        if refusal is None:
+            self._streamer.commit()
+            self._end_walk()
+            self._stuck = False
+            return
+        self._tell(proposal.owner, refusal)
+        self._stuck = True
+        self._streamer.revert()
+        self._streamer.stop(str(refusal), along_path=False, status=MotionStatus.REFUSED)
+        self._walker.stop(str(refusal), MotionStatus.REFUSED)
+        self._gate.repeat()
+        self._walker.rejoin(self._gate.last.q)
+
+    def _end_walk(self) -> None:
+        """Stand where a walk has ended: nothing moves, but feet and base are elsewhere."""
+        ended = self._walker.commit()
+        if ended is None:
+            return
+        stance, q = ended
+        self._gate.expect_steps(False)
+        self._streamer.stand(stance, q)
+        self._balance = Balance(self._model, stance)
+        self._estimator = BaseEstimator(self._model, stance)
+
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""
         self._note_stop(2, reason)
         self._streamer.stop(reason, along_path=False, status=MotionStatus.REFUSED)
         self._streamer.revert()
         self._streamer.halt()
+        self._walker.stop(reason, MotionStatus.REFUSED)
+        self._walker.rejoin(self._gate.last.q)
 
     def _submit(self, proposal: Proposal) -> Refusal | None:
         if proposal.refusal is not None:
             self._refused_online += 1
             return proposal.refusal
         tau = self._tau.copy()
-        tau[: self._bodies] = self._balance.efforts(proposal.body)
+        efforts = proposal.efforts
+        tau[: self._bodies] = self._balance.efforts(proposal.body) if efforts is None else efforts
         sequence = self._gate.last.sequence + 1
         now_s = self._clock.now_s()
         return self._gate.submit(JointSetpoint(now_s, sequence, proposal.owner, proposal.q, proposal.v, tau))
@@ -373,6 +417,9 @@ class ControlLoop:
 
     def _sense(self) -> SensedState:
         readings, estimator = self._robot.read(), self._estimator
+        if self._walker.active:
+            return self._walker.sense(readings)
+        self._walker.stand_by(readings)
         joints_rad, foot_wrench = readings.q[: self._bodies], readings.foot_wrench
         estimator.update(readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench)
         return SensedState(

@@ -26,6 +26,7 @@ class GuardedTrack:
         moves_body: Whether one of them is a body joint.
         q, v: Its last setpoint, one entry a joint.
         body: The same with the base, of a whole-body motion; None of any other.
+        in_contact: Whether it holds something that may not move.
         done: Whether it said so.
     """
 
@@ -57,6 +58,7 @@ class GuardedTrack:
         self.q: NDArray[np.float64] = np.empty(0)
         self.v: NDArray[np.float64] = np.empty(0)
         self.body: MotionSample | None = None
+        self.in_contact = isinstance(motion, BodyMotion) and motion.in_contact
         self._body_checker = body_checker
         self.done = False
 

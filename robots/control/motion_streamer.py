@@ -130,10 +130,15 @@ class MotionStreamer:
         """Where the feet stand."""
         return self._stance
 
-    @property
-    def period_s(self) -> float:
-        """The control period."""
-        return self._period_s
+    def stand(self, stance: Stance, q: Array) -> None:
+        """Hold a configuration on feet that stand elsewhere now: the robot has walked there.
+
+        Args:
+            stance: Where they stand.
+            q: What is commanded, base in the odometry frame, shape (nq,); nothing moves.
+        """
+        self._stance = stance
+        self._track = BodyTrack(self._model, stance, q, self._period_s)
 
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
@@ -156,6 +161,11 @@ class MotionStreamer:
     def standing(self) -> bool:
         """Whether the feet are meant to stay where they are: nothing but checked motions moves the body."""
         return not any(track.moves_body for track in self._guarded)
+
+    @property
+    def in_contact(self) -> bool:
+        """Whether a motion runs that holds something which may not move."""
+        return any(track.in_contact for track in self._guarded)
 
     @property
     def carrying_out(self) -> bool:
@@ -265,7 +275,7 @@ class MotionStreamer:
 
     def _start_trajectory(self, checked: CheckedTrajectory) -> MotionHandle:
         handle = self._new_handle("trajectory")
-        reason = self._why_closed() or why_not(
+        reason = self.why_closed or why_not(
             checked.trajectory, self.reference(), self._stance, self._model.joints
         )
         if reason is None and self._track.braking and self._waiting is None:
@@ -290,7 +300,7 @@ class MotionStreamer:
     def _start_guarded(self, motion: GuardedMotion) -> MotionHandle:
         handle = self._new_handle(motion.name)
         joints = motion.bounds.joints
-        closed = self._why_closed()
+        closed = self.why_closed
         if closed is not None:
             return self._refuse(handle, closed)
         kept = [keeper for keeper in self._keepers.values() if keeper.joint in joints]
@@ -334,7 +344,9 @@ class MotionStreamer:
                 self._authority.claim(track.handle.owner, self._model.joints)
                 self._body_owner = track.handle.owner
 
-    def _why_closed(self) -> str | None:
+    @property
+    def why_closed(self) -> str | None:
+        """Why nothing may start now, or None."""
         if self._latched_for:
             return self._latched_for
         return f"a stop is under way: {self._closed_for}" if self._closed_for else None

@@ -23,6 +23,8 @@ class Proposal:
         body: The same with base and accelerations, for the feed-forward.
         refusal: The online checker's, when a guarded motion broke its promise; then the rest is
             not to be used.
+        efforts: Feed-forward of the body joints, Nm, shape (bodies,), where whoever moves them
+            balances as well; None leaves it to the standing robot's balance.
     """
 
     owner: str
@@ -30,3 +32,4 @@ class Proposal:
     v: Array
     body: MotionSample
     refusal: Refusal | None = None
+    efforts: Array | None = None

@@ -67,11 +67,23 @@ class SetpointGate:
         room[1] += DEFAULT_SETTINGS.velocity_fraction * upper[1]
         room[3] += DEFAULT_SETTINGS.acceleration_fraction * upper[3]
         self._most, self._least = upper + room, lower - room
+        walking = description.walking.joint_acceleration if description.walking is not None else {}
+        steps = np.array(
+            [walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)]
+        )
+        self._accelerations = {False: upper[3].copy(), True: steps}
+        self._acceleration_room = room[3]
         self._judged = np.empty((5, n))
         rest = np.zeros(n)
         self.last = JointSetpoint(clock.now_s() - period_s, 0, HOLD, start_rad.copy(), rest, rest.copy())
         self.accepted = 0
         self.refused = 0
+
+    def expect_steps(self, stepping: bool) -> None:
+        """Judge accelerations by the limits of a robot that walks, or of one that stands."""
+        bound = self._accelerations[stepping]
+        self._upper[3], self._lower[3] = bound, -bound
+        self._most[3], self._least[3] = bound + self._acceleration_room, -bound - self._acceleration_room
 
     def submit(self, setpoint: JointSetpoint) -> Refusal | None:
         """Command the robot, or say why not; a refused setpoint changes nothing."""

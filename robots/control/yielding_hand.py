@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -36,73 +35,13 @@ from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample
 from robots.control.guarded_motion import MotionBounds
+from robots.control.yield_settings import USUAL, Outcome, YieldReport, YieldSettings
 from robots.gripper_reading import read_gripper
 from robots.interface import RobotState
 
 Array = NDArray[np.float64]
 
-Outcome = Literal["running", "arrived", "stuck", "lost"]
 _Phase = Literal["lean", "lead", "back", "ease", "settle", "rest"]
-
-
-@dataclass(frozen=True, slots=True)
-class YieldSettings:
-    """How a hand yields; measured on doors of 8 to 20 kg and drawers.
-
-    Attributes:
-        force_limit_n: The pull is bounded by this; at 80 N the robot tipped once.
-        stop_force_n: The same where a stop is expected.
-        eased_n: What has met its stop is pressed no harder than this when the hand has come to rest.
-        slow_share: From this share of the limit on it slows down, to a stand at the limit.
-        give_ns_m: Resistance of the hand across the path: the smaller, the softer.
-        give_m_s: Fastest yielding.
-        deadband_n: Less is not yielded to: noise of the estimate.
-        stuck_speed_share, stuck_s: Slower than this share of its speed for so long is stuck.
-        acceleration, deceleration: Of the way along the path, shares of its speed per second.
-        force_share: Of a new estimate in the filtered one, each tick.
-        lean_s: For shifting the CoM before the pull.
-        settle_s: At the end, and after the gripper has closed.
-        close_share: Of the speed over the last piece of a closing door.
-        bias_ticks: The first estimates, before anything is touched, are averaged into what counts as none.
-        lost_s: The gripper may read empty for this long.
-    """
-
-    force_limit_n: float = 65.0
-    stop_force_n: float = 40.0
-    eased_n: float = 10.0
-    slow_share: float = 0.7
-    give_ns_m: float = 300.0
-    give_m_s: float = 0.15
-    deadband_n: float = 2.0
-    stuck_speed_share: float = 0.05
-    stuck_s: float = 0.7
-    acceleration: float = 2.0
-    deceleration: float = 6.0
-    force_share: float = 0.3
-    lean_s: float = 0.6
-    settle_s: float = 0.3
-    close_share: float = 0.35
-    bias_ticks: int = 15
-    lost_s: float = 0.1
-
-
-@dataclass(frozen=True, slots=True)
-class YieldReport:
-    """What a yielding hand felt.
-
-    Attributes:
-        outcome: How it ended.
-        s: Where along the path it was led.
-        peak_force_n: Largest estimated force.
-        peak_pull_n: Largest part of it against the way.
-        bias: Of the estimate, force and moment, shape (6,).
-    """
-
-    outcome: Outcome
-    s: float
-    peak_force_n: float
-    peak_pull_n: float
-    bias: Array
 
 
 class YieldingHand:
@@ -127,10 +66,10 @@ class YieldingHand:
         s_from: float,
         s_to: float,
         *,
-        period_s: float,
         bias: Array | None = None,
         stop_from: float | None = None,
-        settings: YieldSettings = YieldSettings(),
+        holding: bool = True,
+        settings: YieldSettings = USUAL,
     ) -> None:
         """Prepare.
 
@@ -143,11 +82,12 @@ class YieldingHand:
             parts: What of the scene moves with the handle.
             path: Of the TCP: ``path.at(s_from)`` is where it is.
             s_from, s_to: Where along it to lead.
-            period_s: The control period.
             bias: Of the force estimate; measured at the start when left out.
             stop_from: What stands still nearer to ``s_to`` than this has met its stop, and is not stuck.
+            holding: Whether the hand holds something that it can lose.
             settings: How it yields.
         """
+        self._holding = holding
         self._stop_from = stop_from
         self._model, self._path, self._settings = model, path, settings
         self._tracker = HandTracker(model, stance, hand, q)
@@ -173,8 +113,7 @@ class YieldingHand:
         self._phase_s = self._slow_s = self._empty_s = 0.0
         self._asked_to_finish = False
         self._eased_from = s_from
-        count = round(TICK_S / period_s)
-        self._times = period_s * np.arange(1, count + 1)
+        self._times: Array | None = None
         rest = np.zeros(model.nv)
         self.body = MotionSample(self._tracker.q, rest, rest)
         self._queue: list[MotionSample] = []
@@ -187,10 +126,15 @@ class YieldingHand:
             joints=model.joints,
             lower_rad=model.lower_rad,
             upper_rad=model.upper_rad,
-            velocity=np.minimum(model.velocity, np.full(n, 1.3)),
+            velocity=np.minimum(model.velocity, np.full(n, _FASTEST_RAD_S)),
             effort=model.effort,
             duration_s=way_s + 15.0,
         )
+
+    @property
+    def in_contact(self) -> bool:
+        """It is made for contact."""
+        return True
 
     @property
     def report(self) -> YieldReport:
@@ -204,6 +148,11 @@ class YieldingHand:
 
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Next setpoint of the body's joints, or None when it has come to rest."""
+        if elapsed_s <= 0.0:
+            return self.body.q[7:], self.body.v[6:]
+        if self._times is None:  # the second call comes one control period after the first
+            count = round(TICK_S / elapsed_s)
+            self._times = TICK_S / count * np.arange(1, count + 1, dtype=np.float64)
         n = len(self._model.joints)
         self._efforts.append(state.effort[:n])
         self._joints.append(state.q[:n])
@@ -282,7 +231,7 @@ class YieldingHand:
         if self._phase == "lead":
             self._peak_pull_n = max(self._peak_pull_n, against_n)
             self._advance(self._s_to, self._way, against_n)
-            if self._empty_s > settings.lost_s:
+            if self._holding and self._empty_s > settings.lost_s:
                 self._end("lost", "settle")
             elif self._s == self._s_to:
                 self._end("arrived", "ease" if self._stop_from is not None else "settle")
@@ -308,7 +257,8 @@ class YieldingHand:
         settings, full = self._settings, speed_along(self._path)
         left = max(way * (target - self._s), 0.0)
         near_closed = not self._opening and self._s * self._path.lever_m < _LAST_PIECE_M
-        wanted = full * (settings.close_share if near_closed else 1.0)
+        held_fast = self._phase == "lead" and self._opening and not self._gives_way
+        wanted = full * (settings.close_share if near_closed or held_fast else 1.0)
         wanted = min(wanted, math.sqrt(2.0 * settings.acceleration * full * left) + 0.02 * full)
         most, slow = settings.force_limit_n, settings.slow_share
         if self._at_stop:
@@ -335,7 +285,9 @@ class YieldingHand:
 
     def _yield_across(self, outward: Array, across: Array) -> None:
         settings = self._settings
-        for axis in (across, np.cross(outward, across)):
+        # Fingers that close push the hand off what is behind the bar; along the way only the way leads.
+        axes = (across, np.cross(outward, across)) if self._leading else np.eye(3)
+        for axis in axes:
             force_n = float(self._felt[:3] @ axis)
             beyond_n = math.copysign(max(abs(force_n) - settings.deadband_n, 0.0), force_n)
             speed = min(max(beyond_n / settings.give_ns_m, -settings.give_m_s), settings.give_m_s)
@@ -348,7 +300,10 @@ class YieldingHand:
             self._scene_s = self._s
 
 
-_MOVED_M = 0.02
+_FASTEST_RAD_S = 2.0
+"""Arms stay below 1 rad/s by themselves; nearly straight knees are quicker."""
+_MOVED_M = 0.035
+"""Less than this is what an arm gives at the limit of the force."""
 _MOST_EASED_M = 0.04
 _LAST_PIECE_M = 0.10
 """Over the last of the way a door is closed slowly: it must not slam."""

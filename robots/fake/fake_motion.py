@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
-from kinematics.trajectory import CheckedTrajectory, Stance
+from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory
+from kinematics.trajectory_sampler import TrajectorySampler
 from robots.clock import Clock
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -37,6 +38,7 @@ class FakeMotion:
         self._stance = stance_at(model, self._q)
         self._active: tuple[CheckedTrajectory, MotionHandle, float] | None = None
         self._others: list[MotionHandle] = []
+        self._sampler: tuple[Trajectory, TrajectorySampler] | None = None
 
     @property
     def moving(self) -> bool:
@@ -83,10 +85,14 @@ class FakeMotion:
         """Configuration that is commanded now, shape (nq,)."""
         return self._q.copy()
 
-    @property
-    def period_s(self) -> float:
-        """The control period of a body that has none."""
-        return 0.002
+    def acceleration(self) -> Array:
+        """Of the trajectory under way, shape (nv,): what its efforts are felt from."""
+        if self._active is None:
+            return np.zeros(len(self._q) - 1)
+        trajectory, elapsed_s = self._active[0].trajectory, self._clock.now_s() - self._active[2]
+        if self._sampler is None or self._sampler[0] is not trajectory:
+            self._sampler = trajectory, TrajectorySampler(trajectory)
+        return self._sampler[1].at(min(elapsed_s, trajectory.duration_s)).a
 
     def stance(self) -> Stance:
         """Both feet where they are at home."""

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.gaze import gaze_joints
+from kinematics.gesture_planner import GesturePlanner
+from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandRequest, SwingRequest
+from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
     CheckRequest,
     Grasp,
@@ -17,22 +22,25 @@ from kinematics.requests import (
     NoPlan,
     PickPlan,
     PickRequest,
+    PlacePlan,
     PlannedStep,
     PlanRequest,
     RetreatRequest,
 )
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
+from kinematics.scene import AttachedBody, PlanningScene
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
 from robots.clock import Clock
 from robots.fake.scripted_world import diameter_m
 
 Array = NDArray[np.float64]
-Answer = PickPlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = PickPlan | PlacePlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
 
 _APPROACH_M = 0.10
 _LABELS = ("side", "top", "diagonal", "far side")
+# Motions of the real planners are played so many times faster.
+HURRY = 20.0
 # Position-only inverse kinematics by damped least squares; converges in a dozen steps.
 _STEPS = 40
 _DAMPING = 1e-4
@@ -117,12 +125,20 @@ class FakePlanning:
             return self.no_plan
         if isinstance(request, PickRequest):
             return self._pick(request)
+        if isinstance(request, OfferRequest):
+            return self._offer(request)
+        if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest):
+            return self._quick(GesturePlanner(self._model).plan(replace(request, scene=_bare(request.scene))))
+        if isinstance(request, PlaceRequest):
+            return self._place(request)
         if isinstance(request, RetreatRequest):
             frame = self._model.description.grippers[request.hand].tcp_frame
             place = self._model.frame_pose(request.q_start, frame)[:3, 3] + request.world_offset_m
             goal = self._reach(request.q_start, request.hand, place)
-        else:
+        elif isinstance(request, MoveRequest):
             goal = self._posture(request)
+        else:
+            return NoPlan(f"a fake planner has no answer to {type(request).__name__}", {"fake": 1})
         return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))
 
     def _pick(self, request: PickRequest) -> PickPlan | NoPlan:
@@ -149,6 +165,49 @@ class FakePlanning:
             lift=self._step("lift", at_grasp, lifted, stance, near),
             considered=len(keys) - len(left) + 1,
         )
+
+    def _place(self, request: PlaceRequest) -> PlacePlan | NoPlan:
+        """Over the first spot and down onto it; the hand's orientation is as it comes."""
+        if not request.spots:
+            return NoPlan("there is no spot left", {"no free spot": 1})
+        spot, body = request.spots[0], request.scene.attached[request.held]
+        frames = self._model.description.tcp_frames
+        hand = next(hand for hand, frame in frames.items() if frame == body.frame)
+        place, up = spot.world_T_object[:3, 3], np.array([0.0, 0.0, 1.0])
+        hover = self._carry(request.q_start, hand, place + spot.hover_m * up, body)
+        down = self._carry(hover, hand, place - spot.below_m * up, body)
+        touching = request.scene.allowing((request.held, name) for name in spot.touches)
+        return PlacePlan(
+            hand=hand,
+            spot=0,
+            world_T_object=spot.world_T_object,
+            transfer=self._step("transfer", request.q_start, hover, request.stance, request.scene),
+            lower=self._step("lower", hover, down, request.stance, touching),
+            considered=1,
+        )
+
+    def _carry(self, q: Array, hand: Hand, place: Array, body: AttachedBody) -> Array:
+        """Bring the middle of what a hand holds to a place."""
+        frame = self._model.description.tcp_frames[hand]
+        for _ in range(5):
+            turn = self._model.frame_pose(q, frame)[:3, :3]
+            q = self._reach(q, hand, place - turn @ body.frame_T_object[:3, 3])
+        return q
+
+    def _offer(self, request: OfferRequest) -> MovePlan:
+        frame = request.scene.attached[request.held].frame
+        hand = next(hand for hand, name in self._model.description.tcp_frames.items() if name == frame)
+        aside = 0.2 if hand == "left" else -0.2
+        goal = self._reach(request.q_start, hand, np.array([0.5, aside, 1.15]))
+        return MovePlan(self._step("offer", request.q_start, goal, request.stance, request.scene))
+
+    def _quick(self, answer: MovePlan | NoPlan) -> MovePlan | NoPlan:
+        return answer if isinstance(answer, NoPlan) else MovePlan(self._faster(answer.step))
+
+    def _faster(self, step: PlannedStep) -> PlannedStep:
+        trajectory = step.trajectory
+        t_s = trajectory.t_s / HURRY
+        return replace(step, trajectory=replace(trajectory, t_s=t_s, v=np.zeros_like(trajectory.v)))
 
     def _looking_at(self, q: Array, place: Array) -> Array:
         """The same configuration with the head turned to a place."""
@@ -190,3 +249,8 @@ class FakePlanning:
                 jacobian[:, column] = (moved - (place - error)) / _DIFFERENCE_RAD
             q[index] += jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + _DAMPING * np.eye(3), error)
         return q
+
+
+def _bare(scene: PlanningScene) -> PlanningScene:
+    """What is held, and nothing around."""
+    return replace(scene, objects=MappingProxyType({}))

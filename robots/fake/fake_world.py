@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.dynamics import StandingDynamics
 from kinematics.poses import Transform
 from kinematics.requests import CheckRequest
 from kinematics.robot_description import HANDS, Hand
@@ -24,6 +26,11 @@ from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.truth_view import TrueObject
 from robots.sensed_state import SensedState
 
+SUPPORT_N = 10.0
+"""What a support gives to a hand that stands something on it."""
+SUPPORT_N_M = 3000.0
+"""And for each metre that it is pressed into it."""
+
 
 class FakeWorld:
     """Robot, world, camera and planner; ``step`` lets time pass.
@@ -32,6 +39,7 @@ class FakeWorld:
         model, clock, robot: As their names say.
         world: The scripted truth.
         motion, grippers, sensing, detector, planning: What a toolbox needs, with switches for failures.
+        pull_n: Force of somebody on what a hand holds, world axes, N, shape (3,).
     """
 
     def __init__(
@@ -50,8 +58,10 @@ class FakeWorld:
             period_s: Time that ``step`` lets pass.
         """
         self.model, self.clock = model, ManualClock()
+        self.pull_n: dict[Hand, tuple[float, float, float]] = {}
         self.robot = FakeRobot(model.description, self.clock)
         self.motion = FakeMotion(model, self.clock)
+        self._dynamics = StandingDynamics(model, self.motion.stance())
         camera = model.description.camera
         self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
         self.grippers: Mapping[Hand, FakeGripper] = {
@@ -79,7 +89,32 @@ class FakeWorld:
         fingers = [self.grippers[hand].position_rad for hand in HANDS]
         self.robot.be_at(np.concatenate([self.motion.reference()[7:], fingers]))
         self.robot.effort = np.zeros(len(self.model.description.actuated))
+        self.robot.effort[: len(self.model.joints)] = self._body_efforts()
         self.robot.effort[-len(HANDS) :] = [self.grippers[hand].effort_nm for hand in HANDS]
+
+    def _body_efforts(self) -> NDArray[np.float64]:
+        """What holds the posture, less what supports and people carry."""
+        q = self.motion.reference()
+        efforts = self._dynamics.efforts(q, np.zeros(self.model.nv), self.motion.acceleration())
+        for hand, gripper in self.grippers.items():
+            force = np.array(self.pull_n.get(hand, (0.0, 0.0, 0.0)))
+            if gripper.holding is not None and self.world.carried_by(gripper.holding) is not None:
+                depth = self.world.pressed_m(gripper.holding)
+                force[2] += 0.0 if depth is None else SUPPORT_N + SUPPORT_N_M * depth
+            if force.any():
+                efforts -= self._lever(q, hand).T @ force
+        return efforts
+
+    def _lever(self, q: NDArray[np.float64], hand: Hand) -> NDArray[np.float64]:
+        """How a TCP moves with the joints of its arm, by differences, m/rad, shape (3, n)."""
+        frame = self.model.description.tcp_frames[hand]
+        place = self.model.frame_pose(q, frame)[:3, 3]
+        lever = np.zeros((3, len(self.model.joints)))
+        for column in (*self.model.group(f"{hand}_arm"), *self.model.group("torso")):
+            moved = q.copy()
+            moved[7 + column] += 1e-6
+            lever[:, column] = (self.model.frame_pose(moved, frame)[:3, 3] - place) / 1e-6
+        return lever
 
     def _sense(self) -> SensedState:
         readings = self.robot.read()
@@ -89,6 +124,19 @@ class FakeWorld:
 
     def _pose_of(self, frame: str) -> Transform:
         return self.model.frame_pose(self.sensing.state().q, frame)
+
+
+def person(name: str = "Ana", place_m: tuple[float, float] = (1.3, 0.2)) -> TrueObject:
+    """A person who faces the robot."""
+    turn = poses.rotation_z(np.pi)
+    pose = poses.transform(turn, (*place_m, 0.875))
+    return TrueObject(name, "person", "person", None, Cylinder(0.24, 1.75), pose)
+
+
+def bowl(place_m: tuple[float, float] = (0.45, 0.2), table_height_m: float = 0.9) -> TrueObject:
+    """A white bowl on the table."""
+    pose = poses.translation(*place_m, table_height_m + 0.035)
+    return TrueObject("white bowl", "object", "bowl", "white", Cylinder(0.10, 0.07), pose)
 
 
 def table(name: str = "table", height_m: float = 0.9) -> TrueObject:

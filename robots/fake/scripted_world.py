@@ -127,10 +127,21 @@ class ScriptedWorld:
     def carry(self) -> None:
         """Move what is carried along with the hands."""
         for name, carried in self._carried.items():
-            self._place(name, self._pose_of(carried.frame) @ carried.frame_T_object)
+            there = self._pose_of(carried.frame) @ carried.frame_T_object
+            there[:3, :3] = np.eye(3)  # hands of the fake turn as it comes; what they carry hangs upright
+            self._place(name, there)
 
     def _place(self, name: str, world_T_object: Transform) -> None:
         self._objects[name] = replace(self._objects[name], world_T_object=world_T_object)
+
+    def pressed_m(self, name: str, within_m: float = 0.0005) -> float | None:
+        """How deep a carried thing is pressed into what is below it; None when it does not touch it."""
+        item = self._objects[name]
+        place = item.world_T_object[:3, 3].copy()
+        low = float(place[2]) - 0.5 * _height_m(item.shape)
+        place[2] += 0.05  # a thing that is pressed into its support is above it all the same
+        depth = self._ground_m(place) - low
+        return max(depth, 0.0) if depth >= -within_m else None
 
     def _ground_m(self, point: NDArray[np.float64]) -> float:
         tops = [0.0]

@@ -30,7 +30,7 @@ class Connection:
         self._socket = connected
         self._decoder = FrameDecoder(documents)
         self._unsent = bytearray()
-        self._ended = False
+        self._ended = self._unheard = False
         self.peer = peer_of(connected)
         self.closed = False
         self.reason = ""
@@ -51,7 +51,7 @@ class Connection:
 
     def send(self, payload: bytes, kind: FrameKind = FrameKind.MESSAGE) -> None:
         """Send one frame, now or as soon as the other side reads; after the end, nothing happens."""
-        if self.closed:
+        if self.closed or self._unheard:
             return
         self._unsent += encode_frame(kind, payload)
         self.flush()
@@ -65,8 +65,9 @@ class Connection:
                 sent = self._socket.send(self._unsent)
             except BlockingIOError:
                 return
-            except OSError:
-                self.close("")
+            except OSError:  # the other side has gone; what it said before can still be read
+                self._unsent.clear()
+                self._unheard = True
                 return
             del self._unsent[:sent]
 

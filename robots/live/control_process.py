@@ -142,7 +142,10 @@ class ControlProcess:
         self._pacer.set_pace(self._pacer.pace)
         ending_s: float | None = None
         while True:
-            self._loop.catch_up(self._pacer.wait(), self._perception.tick)
+            missed = self._pacer.wait()
+            self._loop.catch_up(missed, self._perception.tick)
+            # within a period it is in time, as far as the robot can tell
+            self._loop.note_late((missed + 1) * PERIOD_S if missed else 0.0)
             server.ending = server.ending or self._terminated
             server.poll()
             if self._evaluation is not None:
@@ -195,7 +198,7 @@ class ControlProcess:
 
     def _health(self) -> dict[str, Any]:
         lateness = dataclasses.asdict(self._pacer.lateness())
-        return {"scheduling": self._scheduling, "lateness": lateness, "defects": self._defects}
+        return {"scheduling": self._scheduling, "lateness": lateness, "loop_defects": self._defects}
 
     def _truth(self) -> dict[str, Any]:
         truth = self._world.truth

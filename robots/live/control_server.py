@@ -40,12 +40,14 @@ from robots.live.messages import (
     read_control_message,
     write_message,
 )
-from robots.live.socket_server import SocketServer
+from robots.live.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector
 
 MAX_AGE_S = 0.5
 """A command that is older was meant for a world that is gone; also the age at which a heartbeat is none."""
 MAX_AHEAD_S = 0.01
+IDLE_SILENCE_S = 3.0
+"""A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""
 MAX_MOTIONS = 32
 _PROGRESS_EVERY = 25
 """Polls between two reports of a motion's progress."""
@@ -88,7 +90,7 @@ class ControlServer:
         """
         self._loop, self._clock, self._detector = loop, clock, detector
         self._about, self._health = dict(about), health
-        self._server = SocketServer(path, self._take, self._ended, lambda one: one is not self._commander)
+        self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
         self._commander: Connection | None = None
@@ -98,7 +100,8 @@ class ControlServer:
         self._number, self._world_version = 0, 0
         self._busy = self._looking = False
         self._frame, self._polls = -1, 0
-        self._told_emergency = self._emergency()
+        self._heard_s = clock.now_s()
+        self._told_emergency, self._told_health = self._emergency(), self._health_now()
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
@@ -119,9 +122,10 @@ class ControlServer:
         if silence_s is not None and self._commander is not None:
             reason = f"no heartbeat for {silence_s:.1f} s"
             self._loop.stop(1, reason)
-            self._commander.send(write_message("error", reason=reason))
-            self._commander.close(reason)
-        self._tell_emergency()
+            self._let_go(reason)
+        elif self._commander is not None and self._clock.now_s() - self._heard_s > IDLE_SILENCE_S:
+            self._let_go(f"no heartbeat for {IDLE_SILENCE_S:g} s")
+        self._tell_condition()
         self._tell_events()
         self._tell_motions()
         self._show_frame()
@@ -146,6 +150,20 @@ class ControlServer:
         self._busy = self._looking = False
         self._motions.clear()
         self._admission.forget()
+
+    def _rank(self, connection: Connection) -> int:
+        """Strangers make room first, then observers; the commander never."""
+        return KEPT if connection is self._commander else int(connection in self._listeners)
+
+    def _let_go(self, reason: str) -> None:
+        """Give the place of a commander who is silent to another one."""
+        if self._commander is not None:
+            self._commander.send(write_message("error", reason=reason))
+            self._commander.close(reason)
+
+    def _hear_of_it(self) -> None:
+        self._watchdog.feed()
+        self._heard_s = self._clock.now_s()
 
     def _take(self, connection: Connection, frame: Frame) -> None:
         if frame.kind is FrameKind.DOCUMENT:
@@ -200,18 +218,19 @@ class ControlServer:
                 return
             self._commander = connection
             self._number, self._world_version = 0, 0
-            self._watchdog.feed()
+            self._hear_of_it()
             connection.allow_documents()
         self._listeners.append(connection)
         welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
-        connection.send(write_message("welcome", role=role, emergency=self._emergency(), **welcome))
+        condition = {"emergency": self._emergency(), "health": self._health_now()}
+        connection.send(write_message("welcome", role=role, **condition, **welcome))
 
     def _hear(self, connection: Connection, message: Heartbeat) -> None:
         self._require_commander(connection)
         if not self._fresh(message.stamp_s) or message.number <= self._number:
             return  # one that comes late or twice is no sign of life
         self._number = message.number
-        self._watchdog.feed()
+        self._hear_of_it()
         self._busy, self._looking = message.busy, message.looking
         self._world_version = max(self._world_version, message.world_version)
 
@@ -227,7 +246,7 @@ class ControlServer:
             connection.send(_refused(number, f"number {number} after {self._number}"))
             return False
         self._number = number
-        self._watchdog.feed()
+        self._hear_of_it()
         return True
 
     def _may_command(self, connection: Connection, number: int, stamp_s: float) -> bool:
@@ -279,6 +298,10 @@ class ControlServer:
             return {"engaged": "", "category": 0, "t_s": 0.0}
         return {"engaged": engaged.reason, "category": engaged.category, "t_s": engaged.t_s}
 
+    def _health_now(self) -> dict[str, list[str]]:
+        """What is wrong with the robot: so that it must not move, so that it takes no new task."""
+        return {"defects": list(self._loop.defects), "reservations": list(self._loop.reservations)}
+
     def _running(self) -> list[MotionHandle]:
         return [handle for handle in self._motions.values() if not handle.finished]
 
@@ -291,6 +314,7 @@ class ControlServer:
             **self._about,
             "t_s": round(self._clock.now_s(), 3),
             "emergency": None if self._loop.emergency is None else self._emergency(),
+            **self._health_now(),
             "resting": self._loop.motion.resting,
             "under_way": self.under_way,
             "motions": [handle.name for handle in self._running()],
@@ -316,14 +340,14 @@ class ControlServer:
                 told = write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])
         self._commander.send(told)
 
-    def _tell_emergency(self) -> None:
-        engaged = self._emergency()
-        if engaged == self._told_emergency:
-            return
-        self._told_emergency = engaged
-        told = write_message("emergency", **engaged)
-        for listener in self._listeners:
-            listener.send(told)
+    def _tell_condition(self) -> None:
+        engaged, health = self._emergency(), self._health_now()
+        told = [] if engaged == self._told_emergency else [write_message("emergency", **engaged)]
+        told += [] if health == self._told_health else [write_message("health", **health)]
+        self._told_emergency, self._told_health = engaged, health
+        for message in told:
+            for listener in self._listeners:
+                listener.send(message)
 
     def _tell_events(self) -> None:
         events, self._events = self._events, []

@@ -15,6 +15,8 @@ from robots.live.messages import write_message
 from robots.live.unix_socket import listen_at, peer_of
 
 MAX_CONNECTIONS = 16
+KEPT = 2
+_ACCEPTED_A_POLL = 8
 _FRAMES_A_POLL = 16
 """Of one connection: one that talks much must not keep the others, or the robot, waiting."""
 
@@ -26,8 +28,8 @@ class SocketServer:
         path: Where to listen.
         on_frame: Takes each frame; a ``ProtocolError`` that it raises ends the connection.
         on_end: Told of each connection that has ended, once.
-        may_end: Tells whether a connection may be ended to make room for a new one, when there are too
-            many: a stop from a new one must get through.
+        rank: Of a connection; when there are too many, one of the lowest rank is ended to make room for a
+            new one, because a stop from a new one must get through; those of rank ``KEPT`` never are.
     """
 
     def __init__(
@@ -35,9 +37,9 @@ class SocketServer:
         path: Path,
         on_frame: Callable[[Connection, Frame], None],
         on_end: Callable[[Connection], None] = lambda _connection: None,
-        may_end: Callable[[Connection], bool] = lambda _connection: True,
+        rank: Callable[[Connection], int] = lambda _connection: 0,
     ) -> None:
-        self._path, self._may_end = path, may_end
+        self._path, self._rank = path, rank
         self._on_frame, self._on_end = on_frame, on_end
         self._listening = listen_at(path)
         self._inode = path.lstat().st_ino
@@ -52,7 +54,9 @@ class SocketServer:
             if connection in readable or connection.more:
                 self._read(connection)
         if self._listening in readable:
-            self._accept()
+            for _ in range(_ACCEPTED_A_POLL):
+                if not self._accept():
+                    break
         for connection in self.connections:
             connection.flush()
         self._forget_closed()
@@ -74,22 +78,24 @@ class SocketServer:
         except FileNotFoundError:
             pass
 
-    def _accept(self) -> None:
+    def _accept(self) -> bool:
+        """Take one more connection; tells whether there was one."""
         try:
             accepted, _ = self._listening.accept()
         except OSError:
-            return
+            return False
         if peer_of(accepted).uid not in (os.geteuid(), 0):
             accepted.close()
-            return
+            return True
         if len(self.connections) >= MAX_CONNECTIONS:
-            spared = next((item for item in self.connections if self._may_end(item)), None)
-            if spared is None:
+            least = min(self.connections, key=self._rank)  # of equals the oldest
+            if self._rank(least) >= KEPT:
                 accepted.close()
-                return
-            spared.close("too many connections")
+                return True
+            least.close("too many connections")
             self._forget_closed()
         self.connections.append(Connection(accepted))
+        return True
 
     def _forget_closed(self) -> None:
         for connection in [item for item in self.connections if item.closed]:

@@ -9,11 +9,13 @@ import struct
 from dataclasses import dataclass
 from pathlib import Path
 
+from robots.clock import WallClock
 from robots.live.errors import NotServedError
 
 UnixSocket = socket.socket
 _CREDENTIALS = struct.Struct("3i")
 _BACKLOG = 64
+_KNOCK_AGAIN_S = 0.005
 _CONNECT_WITHIN_S = 3.0
 """A process that hangs accepts nobody; whoever knocks must not hang with it."""
 
@@ -52,16 +54,24 @@ def connect_to(path: Path) -> UnixSocket:
         NotServedError: Nobody does, or another user.
     """
     connected = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    connected.settimeout(_CONNECT_WITHIN_S)
-    try:
-        connected.connect(os.fspath(path))
-    except OSError:
+    connected.setblocking(False)
+    wall = WallClock()
+    while True:
+        try:
+            connected.connect(os.fspath(path))
+        except BlockingIOError:  # too many knock at the same time
+            if wall.now_s() < _CONNECT_WITHIN_S:
+                wall.sleep(_KNOCK_AGAIN_S)
+                continue
+        except OSError:
+            pass
+        else:
+            break
         connected.close()
-        raise NotServedError(path.parent) from None
+        raise NotServedError(path.parent)
     if peer_of(connected).uid != os.geteuid():
         connected.close()
         raise NotServedError(path.parent)
-    connected.setblocking(False)
     return connected
 
 

@@ -41,7 +41,7 @@ class StubFaults:
         self._last_rotation: NDArray[np.float64] | None = None
 
     def misplace(self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True) -> None:
-        """Tell every object, door, drawer or handle of a kind displaced by ``offset_m`` along the world's axes.
+        """Tell everything of a kind (objects, doors, drawers, handles) displaced along the world's axes.
 
         With ``first_look_only`` the error ends with the first look at it: a look begins with the first
         frame in which the camera is at rest and the object is detected, and ends when the camera has

@@ -104,7 +104,7 @@ def _place(item: mujoco.MjsBody | mujoco.MjsGeom, pose: Transform) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class _Seal:
+class _Gasket:
     qpos: int
     dof: int
     torque_nm: float
@@ -116,7 +116,7 @@ class FurnitureForces:
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, scene: SceneDescription) -> None:
         self._data = data
         self.qpos: dict[str, int] = {}
-        self._seals: list[_Seal] = []
+        self._seals: list[_Gasket] = []
         for piece in scene.furniture:
             if piece.opens is None:
                 continue
@@ -126,7 +126,7 @@ class FurnitureForces:
             data.qpos[qpos] = piece.opens.opening
             if piece.opens.seal_n > 0.0:
                 lever_m = piece.size_m[1] - piece.opens.handle_inset_m
-                self._seals.append(_Seal(qpos, dof, piece.opens.seal_n * lever_m))
+                self._seals.append(_Gasket(qpos, dof, piece.opens.seal_n * lever_m))
 
     def apply(self) -> None:
         """Set the seals' pull for the next control period."""

@@ -132,8 +132,8 @@ class Physics:
                 role[i], label[i] = moving[geom], geom
             elif owner in items:
                 role[i], label[i] = Role.OBJECT, owner
-            elif owner in people:
-                role[i], label[i] = Role.PERSON, owner
+            elif owner.split("/", 1)[0] in people:  # the hand is a body of its own
+                role[i], label[i] = (Role.PERSON if model.geom_contype[i] else Role.NONE), owner
             else:
                 label[i] = link_of_sole.get(owner, owner)
                 if model.geom_contype[i] or model.geom_conaffinity[i]:

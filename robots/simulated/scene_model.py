@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import mujoco
+import numpy as np
 
-from kinematics.poses import Transform, quaternion_from_rotation, rotation_z, transform
+from kinematics.poses import Transform, quaternion_from_rotation
 from kinematics.robot_description import RobotDescription
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import furniture
-from robots.scene_description import Person, SceneDescription, SceneItem
+from robots.scene_description import SceneDescription, SceneItem
 from robots.scene_words import COLORS
 from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, pad_name, set_role
 from robots.simulated.furniture_model import add_moving_part
 from robots.simulated.geom_roles import WORLD_GROUP, Role
+from robots.simulated.hollow import hollow_parts
+from robots.simulated.person_model import add_person
 
 FLOOR = "floor"
 FLOOR_FRICTION = 0.8
@@ -52,7 +55,7 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
         if piece.opens is not None:
             add_moving_part(spec, piece, description)
     for person in scene.people:
-        _add_person(spec, person)
+        add_person(spec, person)
     for item in scene.objects:
         _add_object(spec, item)
     pads = [link for gripper in description.grippers.values() for link in gripper.pad_links]
@@ -124,48 +127,19 @@ def _add_object(spec: mujoco.MjSpec, item: SceneItem) -> None:
     _place(body, item.world_T_object)
     body.add_freejoint(name=joint_name(item.name))
     color = COLORS.get(item.color or "", COLORS["grey"])
-    geom = body.add_geom(
-        name=item.name,
-        mass=item.mass_kg,
-        rgba=[*color, 1.0],
-        condim=6 if isinstance(item.shape, Ball) else 4,
-        friction=[item.friction, item.friction * REST_PATCH_M, ROLLING_M],
-        group=WORLD_GROUP,
-    )
-    _shape(geom, item.shape)
-    set_role(geom, Role.OBJECT)
-
-
-def _add_person(spec: mujoco.MjSpec, person: Person) -> None:
-    """A mannequin that stands still: legs, trunk and arms as capsules, a head."""
-    body = spec.worldbody.add_body(name=person.name)
-    _place(body, transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0)))
-    capsules = (
-        (0.08, (0.0, 0.10, 0.08), (0.0, 0.09, 0.85)),
-        (0.08, (0.0, -0.10, 0.08), (0.0, -0.09, 0.85)),
-        (0.13, (0.0, 0.0, 0.95), (0.0, 0.0, 1.35)),
-        (0.05, (0.0, 0.19, 1.40), (0.0, 0.17, 0.85)),
-        (0.05, (0.0, -0.19, 1.40), (0.0, -0.17, 0.85)),
-    )
-    for i, (radius, start, end) in enumerate(capsules):
+    parts = hollow_parts(item)
+    for name, shape, item_T_part, share in parts or [(item.name, item.shape, np.eye(4), 1.0)]:
         geom = body.add_geom(
-            name=f"{person.name}/{i}",
-            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
-            size=[radius, 0.0, 0.0],
-            fromto=[*start, *end],
-            rgba=[0.30, 0.45, 0.60, 1.0],
+            name=name,
+            mass=item.mass_kg * share,
+            rgba=[*color, 1.0],
+            condim=6 if isinstance(item.shape, Ball) else 4,
+            friction=[item.friction, item.friction * REST_PATCH_M, ROLLING_M],
             group=WORLD_GROUP,
         )
-        set_role(geom, Role.PERSON)
-    head = body.add_geom(
-        name=f"{person.name}/head",
-        type=mujoco.mjtGeom.mjGEOM_SPHERE,
-        size=[0.11, 0.0, 0.0],
-        pos=[0.0, 0.0, 1.62],
-        rgba=[0.85, 0.68, 0.55, 1.0],
-        group=WORLD_GROUP,
-    )
-    set_role(head, Role.PERSON)
+        _shape(geom, shape)
+        _place(geom, item_T_part)
+        set_role(geom, Role.OBJECT)
 
 
 def _shape(geom: mujoco.MjsGeom, shape: Shape) -> None:

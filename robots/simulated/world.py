@@ -11,6 +11,7 @@ from robots.scene_description import SceneDescription
 from robots.simulated.body_faults import BodyFaults
 from robots.simulated.faults import FaultInjector
 from robots.simulated.physics import Physics
+from robots.simulated.range_sensor import SimulatedRangeSensor
 from robots.simulated.simulated_robot import SimulatedRobot
 from robots.simulated.truth import SimulatorTruth
 
@@ -24,6 +25,7 @@ class SimulatedWorld:
         truth: What really is the case; for the perception stub, evaluation and tests only.
         faults: Things that go wrong on purpose.
         body_faults: The same, of the robot's own body.
+        ranging: The range sensor.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
@@ -32,6 +34,7 @@ class SimulatedWorld:
     faults: FaultInjector
     body_faults: BodyFaults
     physics: Physics
+    ranging: SimulatedRangeSensor
 
 
 def build_world(
@@ -51,10 +54,11 @@ def build_world(
     physics = Physics(description, scene)
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
+    ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])
 
     def before_period() -> None:
         faults.tick()
         physics.furniture.apply()
 
     robot = SimulatedRobot(physics, rng, before_period)
-    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics)
+    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging)

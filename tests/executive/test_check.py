@@ -238,7 +238,7 @@ def test_an_object_that_is_not_seen_is_exit_code_1_with_what_is(executive):
     ("text", "code", "says"),
     [
         ("pick up the zorbl", 2, "refused: "),
-        ("wave hello", 2, "no skill of this robot yet"),
+        ("dance", 2, "no skill of this robot yet"),
         ("pick up something", 3, "question: which object"),
         ("go home", 0, "safe: no motion is needed"),
     ],
@@ -256,10 +256,10 @@ def test_a_sentence_without_a_motion_needs_no_simulator(executive, monkeypatch, 
 
 def test_a_script_is_judged_by_what_it_expects(executive, tmp_path):
     script = tmp_path / "script.toml"
-    script.write_text('[[task]]\nsay = "wave"\nexpect = "refused"\n[[task]]\nsay = "go home"\n')
+    script.write_text('[[task]]\nsay = "dance"\nexpect = "refused"\n[[task]]\nsay = "go home"\n')
     assert executive("check", str(script)).exit_code == 0
 
-    script.write_text('[[task]]\nsay = "go home"\n[[task]]\nsay = "wave"\n')
+    script.write_text('[[task]]\nsay = "go home"\n[[task]]\nsay = "dance"\n')
     assert executive("check", str(script)).exit_code == 2
 
 

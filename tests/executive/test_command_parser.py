@@ -103,59 +103,27 @@ REFUSED = [
     ("rm -rf /", "rm"),
     ("pick up", "up"),
     ("pick up the red", "red"),
-    ("the red cup", "the"),
     ("red cup on the table", "red"),
     ("pick up the red cup and", "and"),
     ("pick up the red cup on the", "the"),
     ("pick up the red blue cup", "blue"),
     ("pick up the red cup with the left hand with the right hand", "right"),
-    ("pick up the 2 cups", "2"),
-    ("pick up 99999999999999999999 cups", "99999999999999999999"),
-    ("pick up all cups", "all"),
-    ("pick up both cups", "both"),
-    ("pick up the cups", "cups"),
-    ("pick up the small red cup", "small"),
-    ("pick up the wooden box", "wooden"),
-    ("pick up the leftmost cup", "leftmost"),
-    ("pick up the cup left of the bottle", "left of"),
-    ("pick up the cup next to the box", "next to"),
-    ("pick up it", "it"),
-    ("pick up the cup from the shelf", "shelf"),
-    ("pick up the cup in the kitchen", "in"),
-    ("pick up the apple", "apple"),
     ("pick up the person", "person"),
     ("pick up the table", "table"),
     ("don't pick up the red cup", "don't"),
     ("pick up the red cup without touching it", "without"),
     ("if the cup is red pick it up", "if"),
     ("pick up the red cup slowly", "slowly"),
-    ("take the red cup to the kitchen", "to"),
-    ("pick up the red cup and the blue box", "the"),
+    ("move forward at 0.6 m/s", "0.6 m/s"),
+    ("kill the cat", "kill"),
 ]
 
 NO_SKILL = [
-    ("wave hello to the person in front of you", "waving"),
-    ("walk to the kitchen and open the fridge", "walking"),
-    ("open the fridge", "opening"),
-    ("close the drawer", "closing"),
-    ("put the cup on the table", "putting"),
-    ("bring me the red cup", "bringing"),
-    ("give me the red cup", "handing over"),
-    ("get me the red cup", "handing over"),
-    ("hand me the red cup", "handing over"),
-    ("pick up the red cup and bring it to Ana", "bringing"),
-    ("pick up the red cup and put it on the shelf", "putting"),
     ("follow me", "following"),
-    ("move_forward", "driving"),
-    ("turn left", "driving"),
-    ("look at the cup", "looking"),
-    ("find the red cup", "searching"),
-    ("how many cups are there", "counting"),
-    ("what is on the table", "questions"),
-    ("point at the bottle", "pointing"),
-    ("say hello to Ana", "waving"),
     ("clean the table", "housework"),
-    ("kill the cat", "hands"),
+    ("jump", "whole body"),
+    ("press the button", "hands"),
+    ("tell me a joke", "conversation"),
 ]
 
 MALFORMED = [
@@ -232,7 +200,7 @@ def test_a_typing_error_gets_the_corrected_sentence_and_no_task(text, nearest):
     assert parsed.refusal.nearest == nearest
 
 
-@pytest.mark.parametrize("text", ["pick up something", "grab the thing", "take one from the table"])
+@pytest.mark.parametrize("text", ["pick up something", "grab the thing", "take that one"])
 def test_an_unnamed_object_is_asked_for(text):
     parsed = parse(text)
 
@@ -255,7 +223,7 @@ def test_the_plain_wording_of_a_command_means_the_command(text):
 def test_each_task_carries_the_words_it_came_from():
     first, second = parse("Pick up the red cup, then go home").commands
 
-    assert (first.text, second.text) == ("pick up the red cup", "go home")
+    assert (first.text, second.text) == ("Pick up the red cup", "go home")
 
 
 def test_the_answer_is_plain_json_whatever_was_said():

@@ -74,6 +74,19 @@ def test_an_answer_may_describe_what_the_choices_do_not_say(stage):
     assert result.acted_on == "blue cup"
 
 
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [("the leftmost one", "red cup"), ("the rightmost", "blue cup"), ("nearest", "red cup")],
+)
+def test_an_answer_may_compare_the_choices(stage, answer, name):
+    on = stage(cup("a", "red", (0.45, 0.1)), RIGHT)
+
+    [result] = on.run(A_CUP, answers=[answer])
+
+    assert len(on.questions) == 1
+    assert result.acted_on == name
+
+
 def test_a_withdrawn_task_is_cancelled_and_nothing_after_it_begins(stage):
     on = stage(LEFT, RIGHT)
 

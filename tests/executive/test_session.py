@@ -5,6 +5,7 @@ import pytest
 
 from executive import session as session_module
 from executive.events import InputTaken, SensorsNoted, TaskAccepted, TaskEnded
+from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand
 from executive.planning_jobs import PlanningJobs
 from executive.session import HALT_TICKS, PERIODS_A_TICK, SETTLE_TICKS, Session, ended
@@ -37,7 +38,7 @@ class Loop:
 
 class Toolbox:
     def __init__(self, clock):
-        self.clock = clock
+        self.clock, self.walking = clock, None
 
 
 class Tree:
@@ -143,6 +144,7 @@ def test_a_task_that_never_ends_is_given_up(stage):
 
     assert result.outcome == "failed"
     assert result.failure.kind is FailureKind.TIMEOUT
+    assert result.exit_code is ExitCode.FAILED
     assert on.tree.halted
 
 

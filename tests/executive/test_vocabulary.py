@@ -1,27 +1,26 @@
-"""Words are data: phrases written out, longest match first, every class used or refused."""
+"""Words are data: phrases written out, every class used or refused, and a user's own words added."""
 
-import importlib.resources
-import re
+import pytest
 
+from executive.command_parser import parser_with
+from executive.errors import VocabularyError
+from executive.language.grammar import grammar_text, terminals_of
 from executive.vocabulary import expand, load_vocabulary
+from executive.vocabulary.inflection import gerund, participle, plural
 
 
 def test_brackets_in_a_phrase_are_written_out():
     assert sorted(expand("go [back] (home|away)")) == ["go away", "go back away", "go back home", "go home"]
 
 
-def test_the_longest_phrase_wins():
-    vocabulary = load_vocabulary()
+def test_every_phrase_that_begins_at_a_place_is_found():
+    found = set(load_vocabulary().matches(["pick", "up", "the", "cup"], 0))
 
-    length, readings = vocabulary.match(["get", "me", "the", "cup"])
-
-    assert length == 2
-    assert [reading.meaning for reading in readings] == ["hand_over"]
+    assert {(length, reading.word_class) for length, reading in found} >= {(1, "PICK_UP"), (1, "PICK")}
 
 
 def test_every_word_class_is_a_terminal_of_the_grammar_or_has_its_own_refusal():
-    grammar = importlib.resources.files("executive").joinpath("grammar.lark").read_text("utf-8")
-    terminals = set(re.findall(r"\b[A-Z_]{2,}\b", re.sub(r"//.*", "", grammar)))
+    terminals = terminals_of(grammar_text())
     dropped_before_the_grammar = {"FILLER"}
 
     for name, word_class in load_vocabulary().classes.items():
@@ -33,7 +32,65 @@ def test_every_refusal_can_be_written_for_every_word():
     vocabulary = load_vocabulary()
     for name, word_class in vocabulary.classes.items():
         for meaning in word_class.words:
-            _, readings = vocabulary.match(word_class.words[meaning][0].split())
-            reading = next(item for item in readings if item.word_class == name)
-            message = vocabulary.refusal(reading, "word")
+            message = vocabulary.refusal_of(name, meaning, "word")
             assert message is None or "{" not in message
+
+
+@pytest.mark.parametrize(
+    ("singular", "several"),
+    [
+        ("cup", "cups"),
+        ("box", "boxes"),
+        ("knife", "knives"),
+        ("strawberry", "strawberries"),
+        ("trash can", "trash cans"),
+    ],
+)
+def test_plurals_are_formed(singular, several):
+    assert plural(singular) == several
+
+
+@pytest.mark.parametrize(
+    ("base", "ing", "ed"),
+    [
+        ("pick", "picking", "picked"),
+        ("take", "taking", "taken"),
+        ("grab hold of", "grabbing hold of", "grabbed hold of"),
+        ("carry", "carrying", "carried"),
+    ],
+)
+def test_verb_forms_are_formed(base, ing, ed):
+    assert gerund(base) == ing
+    assert participle(base, {"take": "taken"}) == ed
+
+
+def test_a_user_adds_words_of_his_own(tmp_path):
+    own = tmp_path / "config.toml"
+    own.write_text(
+        '[vocabulary.KIND]\nwords.widget = ["widget", "gizmo"]\n[vocabulary.NAME]\nsame = ["zorblina"]\n'
+    )
+
+    parser = parser_with((own,))
+
+    assert parser.parse("hand two gizmos to Zorblina").to_json()["tasks"] == [
+        {"action": "hand_over", "object": {"kind": "widget"}, "to": "Zorblina", "count": 2}
+    ]
+    assert parser_with().parse("pick up the gizmo").refusal.word == "gizmo"
+
+
+@pytest.mark.parametrize(
+    ("content", "complaint"),
+    [
+        ("[vocabulary.KINDD]\nsame = ['x']", "no word class"),
+        ("[vocabulary.KIND]\nsame = 'x'", "list"),
+        ("[vocabulary.KIND]\nrefusal = 'x'", "needs words"),
+        ("vocabulary = 3", "must be a table"),
+        ("[vocabulary", "is no TOML"),
+    ],
+)
+def test_a_malformed_file_of_words_is_refused_with_the_reason(tmp_path, content, complaint):
+    own = tmp_path / "config.toml"
+    own.write_text(content)
+
+    with pytest.raises(VocabularyError, match=complaint):
+        parser_with((own,))

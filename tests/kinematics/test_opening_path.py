@@ -52,7 +52,7 @@ def test_what_is_on_a_door_moves_with_its_handle(side, yaw, s, t):
 
 @given(SIDES, ANGLES, OPENINGS, st.floats(-0.03, 0.03), st.floats(-0.03, 0.03))
 def test_a_path_can_be_laid_through_where_a_bar_was_found(side, yaw, s, dx, dy):
-    found = door(side, yaw).at(s).position_m + (dx, dy, 0.0)
+    found = door(side, yaw).at(s).position_m + np.array([dx, dy, 0.0])
 
     assert door(side, yaw).through(found, s).at(s).position_m == pytest.approx(found)
 

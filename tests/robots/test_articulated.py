@@ -37,7 +37,8 @@ def test_a_door_takes_hinge_mass_friction_and_seal():
     part = read(FRIDGE).furniture[0].opens
 
     assert (part.hinge, part.mass_kg, part.friction, part.seal_n) == ("right", 11.0, 1.5, 25.0)
-    assert part.opening == 0.5 and not part.locked
+    assert part.opening == 0.5
+    assert not part.locked
 
 
 @pytest.mark.parametrize(

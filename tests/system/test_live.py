@@ -21,7 +21,7 @@ class Served:
 
     def __init__(self, folder):
         request = ServiceRequest(
-            folder / "live", "talos", "tabletop", 0, folder / "runs", 0.4, realtime=False, evaluation=True
+            folder / "live", "talos", "tabletop", 0, folder / "runs", 0.15, realtime=False, evaluation=True
         )
         self.service = Service(request, lambda _line: None)
         self.folder = self.service.folder
@@ -31,7 +31,6 @@ class Served:
 
     def wait(self, condition, what):
         for _ in range(round(PATIENCE_S / 0.01)):
-            self.events += self.observer.arrived("event")
             if condition():
                 return
             time.sleep(0.01)
@@ -70,6 +69,7 @@ class Served:
         return heard[-1]
 
     def of(self, kind, since=0):
+        self.events += self.observer.arrived("event")
         return [event for event in self.events[since:] if event["event"] == kind]
 
     def until_it_moves(self):
@@ -100,6 +100,7 @@ def served(tmp_path_factory):
 @pytest.mark.requirement("S3", "S4", "S9", "U1")
 def test_it_stops_in_the_middle_is_reset_goes_on_and_stands_when_its_executive_is_killed(served):
     served.await_executive()
+    served.wait(lambda: not served.status()["reservations"], "the machine keeps up")
     pick = served.say("pick up the red cup")
     served.until_it_moves()
 
@@ -110,6 +111,7 @@ def test_it_stops_in_the_middle_is_reset_goes_on_and_stands_when_its_executive_i
     assert served.result(served.say("go home"))["exit_code"] == 5
 
     assert served.ask(write_control_message(Reset("test")))["type"] == "done"
+    served.wait(lambda: not served.status()["reservations"], "the machine keeps up")
     seen = len(served.events)
     home = served.say("go home")
     served.until_it_moves()

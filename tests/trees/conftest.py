@@ -23,6 +23,11 @@ QUICK = TreePolicy(
     grasp_settle_s=0.04,
     motion_slack_s=0.2,
     task_timeout_s=60.0,
+    rest_s=0.08,
+    offer_rest_s=0.08,
+    take_within_s=0.6,
+    after_giving_s=0.04,
+    pointing_hold_s=0.04,
 )
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
 

@@ -19,10 +19,13 @@ from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.kill import run_kill
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.questions import run_question_episode
 from tools.evaluate.records import EpisodeRecord, Summary
+from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.skills.episode import run_skill_episode
 from tools.evaluate.skills.registry import SKILL_SUITES
@@ -31,7 +34,22 @@ from tools.evaluate.soak import run_soak
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = ("pick", "stop", "cancel", "kill", "fault", "soak", *OPENING_SUITES, *SKILL_SUITES)
+SUITES = (
+    "pick",
+    "question",
+    "replay",
+    "stop",
+    "cancel",
+    "fault",
+    "kill",
+    "fuzz",
+    "soak",
+    *OPENING_SUITES,
+    *SKILL_SUITES,
+)
+
+_RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
+"""Suites whose episodes are judged like a skill's and made in a way of their own."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -52,6 +70,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_fault_suite(options, messages)
     if options.suite in ("stop", "cancel"):
         return run_stop_suite(options, messages)
+    if options.suite == "fuzz":
+        return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
     if options.suite == "soak":
         return run_soak(options, messages)
     if options.suite == "kill":
@@ -65,11 +85,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
         for i in range(options.episodes)
     ]
-    skill = options.suite in SKILL_SUITES
+    skill = options.suite in (*SKILL_SUITES, *_RUNS)
     if skill and (options.fault or options.scene):
         messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
         return 2
-    run = partial(run_skill_episode, options.suite) if skill else run_episode
+    run: Run = partial(run_skill_episode, options.suite) if skill else run_episode
+    run = _RUNS.get(options.suite, run)
     records = _run(orders, options.jobs, messages, run)
     make = SkillSummary if skill else Summary
     summary = make(options.suite, options.seed, options.fault, description.com_margin_m, records)

@@ -33,6 +33,9 @@ _MOTIONS = 7
 """Motions of a pick: looks, openings, reach, approach, closing, lift."""
 _TASK_WALL_S = 400.0
 _LOOK_S = 0.001
+_TRIES = 20
+_OVERLOADED = "control periods late"
+"""In the refusal of a task that a machine is too busy for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,11 +111,13 @@ class _Episode:
         self._slot = StateSlotReader(self._folder.state_slot)
         self._now_s, self._resting = 0.0, True
         self._events: list[dict[str, Any]] = []
+        self._ended: list[dict[str, Any]] = []
 
     def run(self) -> KillRecord:
         hung: subprocess.Popen[bytes] | None = None
         try:
             self._wait(self._commanded, "an executive attaches")
+            self._wait(self._keeps_up, "the control process keeps up")
             self._send(SENTENCE)
             motion = self._wait_for_instant()
             victim = self._service.executive
@@ -181,9 +186,23 @@ class _Episode:
         return [event for event in self._events if event["event"] == "MotionStarted"]
 
     def _idle(self) -> bool:
-        """Whether the task has ended before the motion that was waited for."""
-        ended = [event for event in self._events if event["event"] == "MotionEnded"]
-        return bool(ended) and self._now_s - float(ended[-1]["t_s"]) > 40.0
+        """Whether the task was done before the motion that was waited for.
+
+        Raises:
+            LiveError: It was not done.
+        """
+        self._ended += self._task.arrived("result")
+        if self._ended and _OVERLOADED in self._ended[0]["text"]:  # the machine, not the robot: say it again
+            self._ended.clear()
+            self._wait(self._keeps_up, "the control process keeps up")
+            self._send(SENTENCE)
+        if self._ended and self._ended[0]["exit_code"] != 0:
+            raise LiveError(f"the task did not come so far: {self._ended[0]['text']}")
+        return bool(self._ended)
+
+    def _keeps_up(self) -> bool:
+        self._wall.sleep(0.1)
+        return not self._status()["reservations"]
 
     def _look(self) -> float:
         """Take in what has been told; returns control time."""
@@ -236,7 +255,12 @@ class _Episode:
                 result.update(answer)
             return bool(result)
 
-        self._send(sentence).listen(take, _TASK_WALL_S)
+        for _ in range(_TRIES):
+            result.clear()
+            self._send(sentence).listen(take, _TASK_WALL_S)
+            if _OVERLOADED not in str(result.get("text")):
+                break
+            self._wait(self._keeps_up, "the control process keeps up")
         return result.get("exit_code") == 0, str(result.get("text", result))
 
     def _end(self) -> None:

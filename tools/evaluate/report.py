@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from robots.scene_file import dump
+from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.scenes import SENTENCE, pick_scene
 from tools.evaluate.skills.episode import trial_of
@@ -34,6 +35,8 @@ def save_scenes(summary: Summary, folder: Path) -> dict[int, Path]:
 def _scene_text(summary: Summary, record: EpisodeRecord) -> str:
     if summary.suite in SKILL_SUITES:
         return dump(trial_of(summary.suite, record.seed).scene)
+    if summary.suite == "question":
+        return dump(ambiguous_trial(record.seed).scene)
     return pick_scene(record.seed, record.fault)
 
 

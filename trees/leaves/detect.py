@@ -14,7 +14,7 @@ from robots.perception.standing import standing_on_tops
 from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
-from trees.grounding import Ambiguous, Found, Missing, ground
+from trees.grounding import Ambiguous, Found, Missing, compares, ground
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
@@ -22,6 +22,7 @@ from trees.scene_update import kind_of, support_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
 from trees.tasks import ObjectOf
+from trees.toolbox import Toolbox
 
 
 class Detect(LookLeaf):
@@ -42,12 +43,41 @@ class Detect(LookLeaf):
         deadline_s=2.0,
     )
 
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        wiring: Mapping[str, str] | None = None,
+        *,
+        surveyed: bool = True,
+        looking_around: bool = False,
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            wiring: As for every leaf.
+            surveyed: Whether the looks before this one covered all there is to compare; if not, and several
+                things are to be compared, it fails asking for more looks (``wants_survey``).
+            looking_around: Whether it is one of several looks during which nothing is moved.
+        """
+        super().__init__(name, toolbox, wiring)
+        self._surveyed, self._looking_around = surveyed, looking_around
+
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
         world, policy = self.toolbox.world, self.toolbox.policy
         estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
-        update = updated_scene(world.scene, estimates, policy, lambda point: self._unseen(views[-1], point))
+        update = updated_scene(
+            world.scene,
+            estimates,
+            policy,
+            lambda point: self._unseen(views[-1], point),
+            may_have_moved=not self._looking_around,
+        )
         world.update(update.scene)
+        world.note_sightings(update.seen)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         chosen = self._choose(update.seen)
         if isinstance(chosen, Failure):
@@ -87,7 +117,11 @@ class Detect(LookLeaf):
         base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
         around = surroundings(world.scene, base, policy.support_gap_m, world.last_acted_on)
         source, count = getattr(task, "source", None), getattr(task, "count", 1)
-        match ground(task.object, around, source, count):
+        grounding = ground(task.object, around, source, count)
+        several = isinstance(grounding, Ambiguous) or compares(task.object, count)
+        if several and not self._surveyed and not isinstance(grounding, Missing):
+            return Failure.postcondition(f"looking for more than this {task.object}", survey=True)
+        match grounding:
             case Missing(message):
                 return Failure.postcondition(message, seen=_words(seen))
             case Ambiguous(message, choices):
@@ -102,19 +136,25 @@ class Detect(LookLeaf):
 
     def _target(self, names: tuple[str, ...], seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
         """The first of those that are meant; the others are left for later."""
-        name, scene = names[0], self.toolbox.world.scene
+        name, world = names[0], self.toolbox.world
+        scene = world.scene
         words = kind_of(name)
-        if name not in seen:
+        estimate = world.sightings.get(name) if self._surveyed else seen.get(name)
+        if estimate is None:
             return Failure.postcondition(
                 f"the {words} was seen before, but is not in view now", seen=_words(seen)
             )
         if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
             return Failure.postcondition(f"what the {words} stands on is not seen", seen=_words(seen))
         self._set_output("others", names[1:])
-        estimate = seen[name]
         return Target(
             name, estimate.kind, estimate.color, estimate.shape, estimate.odom_T_object, estimate.confidence
         )
+
+
+def wants_survey(failure: Failure) -> bool:
+    """Tell whether a look failed only because others are needed to compare."""
+    return bool(failure.root.numbers.get("survey"))
 
 
 def _words(seen: Mapping[str, ObjectEstimate]) -> str:

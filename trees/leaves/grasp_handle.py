@@ -11,15 +11,15 @@ from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import HandleTarget
 from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
-from trees.leaf import DONE, RUNNING, Leaf
-from trees.motion_leaf import motion_failure
+from trees.leaf import DONE, RUNNING
+from trees.motion_leaf import MotionLeaf, motion_failure
 from trees.ports import ports
 
 _QUIET_S = 0.25
 """Before the fingers move, the hand feels what counts as no force."""
 
 
-class GraspHandle(Leaf):
+class GraspHandle(MotionLeaf):
     """Close the gripper on the bar while the arm yields: fingers that meet it off centre move the hand.
 
     Its own way of settling tells where the bar really is.
@@ -37,38 +37,40 @@ class GraspHandle(Leaf):
         on_cancel="the gripper keeps its state; the arm holds",
     )
 
-    _arm: MotionHandle | None = None
     _fingers: MotionHandle | None = None
     _motion: YieldingHand | None = None
 
     def begin(self) -> None:
         """Forget an earlier run."""
-        self._arm = self._fingers = self._motion = None
+        super().begin()
+        self._fingers = self._motion = None
+
+    def start(self) -> MotionHandle:
+        """Let the arm yield."""
+        self._motion = self._yielding(self.get_input("grasp"))
+        return self.toolbox.motion.start(self._motion)
 
     def step(self) -> Status | Failure:
         """Yield, close, settle, judge."""
-        grasp: Grasp = self.get_input("grasp")
-        if self._motion is None or self._arm is None:
-            self._motion = self._yielding(grasp)
-            self._arm = self.toolbox.motion.start(self._motion)
-        if (ended := motion_failure(self._arm)) is not None:
-            return ended
+        outcome = super().step()
+        if outcome is not RUNNING or self._motion is None:
+            return outcome
         if self._fingers is None:
             if self.elapsed_s >= _QUIET_S:
+                grasp: Grasp = self.get_input("grasp")
                 self._fingers = self.toolbox.grippers[grasp.hand].close()
             return RUNNING
         if (ended := motion_failure(self._fingers)) is not None:
             return ended
-        if self._fingers.status is MotionStatus.RUNNING:
-            return RUNNING
-        self._motion.finish()
-        return RUNNING if self._arm.status is MotionStatus.RUNNING else self._judge(grasp, self._motion)
+        if self._fingers.status is not MotionStatus.RUNNING:
+            self._motion.finish()
+        return RUNNING
 
     def release(self, reason: str) -> None:
         """Hold."""
-        for handle in (self._fingers, self._arm):
-            if handle is not None and not handle.finished:
-                self.toolbox.motion.cancel(handle, reason)
+        if self._fingers is not None and not self._fingers.finished:
+            self.toolbox.motion.cancel(self._fingers, reason)
+        super().release(reason)
 
     def _yielding(self, grasp: Grasp) -> YieldingHand:
         target: HandleTarget = self.get_input("handle")
@@ -84,13 +86,16 @@ class GraspHandle(Leaf):
             target.path.through(tcp_m(toolbox, grasp, q), target.opening),
             target.opening,
             target.opening,
-            period_s=toolbox.motion.period_s,
         )
 
-    def _judge(self, grasp: Grasp, motion: YieldingHand) -> Status | Failure:
+    def finish(self) -> Status | Failure:
+        """Judge the grip, and note where the bar really is."""
+        grasp: Grasp = self.get_input("grasp")
         target: HandleTarget = self.get_input("handle")
+        if self._motion is None:
+            raise RuntimeError(f"{self.name} has not begun")
         reading = self.toolbox.grippers[grasp.hand].reading()
-        report = motion.report
+        report = self._motion.report
         self.measured(
             opening_m=reading.opening_m,
             effort_nm=reading.effort_nm,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +15,15 @@ from robots.control.motion_handle import MotionHandle
 from robots.control.yielding_hand import YieldingHand
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.handles import SHUT
+from trees.handles import OPEN_TO, SHUT
 from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
 
 _MOST_S = 40.0
+_SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.15
+"""A hand that loses its hold at such a pull, with so little of the way made, slipped off what stood."""
 
 
 class LeadHandle(MotionLeaf):
@@ -58,7 +61,6 @@ class LeadHandle(MotionLeaf):
             held.path,
             target.opening,
             lead_to,
-            period_s=toolbox.motion.period_s,
             bias=held.bias,
             stop_from=_STOP_FROM[target.kind] if closing else None,
         )
@@ -78,8 +80,8 @@ class LeadHandle(MotionLeaf):
         target, report = held.target, self._motion.report
         opening = target.opening + moved_by(np.array(self._points), held.path)
         self._tell_world(held, opening)
-        shown = {f"opening_{target.unit}": round(target.shown(opening), 4)}
-        felt = {
+        shown: dict[str, Any] = {f"opening_{target.unit}": round(target.shown(opening), 4)}
+        felt: dict[str, Any] = {
             "peak_force_n": round(report.peak_force_n, 1),
             "peak_pull_n": round(report.peak_pull_n, 1),
         }
@@ -87,6 +89,9 @@ class LeadHandle(MotionLeaf):
         self.feedback_message = f"{target.shown(opening):.2f} {target.unit}, {report.peak_pull_n:.0f} N"
         if report.outcome == "stuck":
             return Failure.execution(f"the {target.part} is stuck", **shown, **felt)
+        slipped = report.peak_pull_n >= _SLIPPED_AT_N and opening < _SLIPPED_SHARE * OPEN_TO[target.kind]
+        if report.outcome == "lost" and slipped:
+            return Failure.execution(f"the {target.part} is stuck: the hand slips off it", **shown, **felt)
         if report.outcome == "lost":
             return Failure.execution(f"the hand lost the handle of the {target.part}", **shown, **felt)
         self._set_output("opening", opening)

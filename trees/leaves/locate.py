@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
-from trees.destination import Place, aim_of, resolve
+from trees.destination import SLOTS, Place, aim_of, resolve
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
+from trees.toolbox import Toolbox
 
 
 class Locate(LookAround):
@@ -26,9 +27,13 @@ class Locate(LookAround):
         deadline_s=2.0,
     )
 
+    def __init__(self, name: str, toolbox: Toolbox, slots: Sequence[str] = SLOTS) -> None:
+        super().__init__(name, toolbox)
+        self._slots = slots
+
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Choose what is meant."""
-        place = resolve(aim_of(self.get_input("task")), seen, self.around())
+        place = resolve(aim_of(self.get_input("task"), self._slots), seen, self.around())
         if isinstance(place, Failure):
             return place
         self._set_output("place", place)

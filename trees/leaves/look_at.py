@@ -8,6 +8,7 @@ import numpy as np
 
 from kinematics.gaze import gaze_joints
 from kinematics.requests import MoveRequest
+from kinematics.robot_description import RobotDescription
 from trees.contract import Contract
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.policy import Gaze
@@ -40,6 +41,9 @@ class LookAt(PlannedMotionLeaf):
         wanted = {camera.tilt_joint: self._gaze.tilt_rad, camera.pan_joint: self._gaze.pan_rad}
         if camera.lean_joint is not None:
             wanted[camera.lean_joint] = self._gaze.lean_rad
+        turning = turning_joint(description)
+        if turning is not None:
+            wanted[turning] = self._gaze.turn_rad
         inside = {}
         for joint, angle in wanted.items():
             lower, upper = description.limits[joint].position
@@ -62,6 +66,12 @@ class LookAt(PlannedMotionLeaf):
             keep_others=True,
             seed=int(toolbox.rng.integers(2**31)),
         )
+
+
+def turning_joint(description: RobotDescription) -> str | None:
+    """The joint that turns the trunk: the first of the trunk that does not lean it, or None."""
+    torso, lean = description.groups.get("torso", ()), description.camera.lean_joint
+    return next((joint for joint in torso if joint != lean), None)
 
 
 class LookAtTarget(LookAt):

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.gaze import gaze_joints
+from trees.handles import DOOR, DRAWER, HANDLE, HandleTarget
 from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
 from trees.ports import optional, ports
-from trees.handles import DOOR, DRAWER, HANDLE, HandleTarget
 from trees.toolbox import Toolbox
 
 _BETWEEN = 0.5

@@ -13,6 +13,7 @@ from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE
+from trees.leaves.look_at import turning_joint
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 
@@ -34,9 +35,7 @@ class LookAtPlace(PlannedMotionLeaf):
         """A motion of head and trunk alone."""
         toolbox, place = self.toolbox, self.get_input("place")
         reference = toolbox.motion.reference()
-        torso = toolbox.model.description.groups["torso"]
-        lean = toolbox.model.description.camera.lean_joint
-        turning = next((joint for joint in torso if joint != lean), None)
+        turning = turning_joint(toolbox.model.description)
         joints = body_gaze(toolbox.model, reference, place.aim_m, turning)
         if joints is None:
             return Failure.infeasible(f"no posture looks at the {place.name} from here")

@@ -67,9 +67,11 @@ class Lower(MotionLeaf):
             if isinstance(started, Failure):
                 return started
             self._handle = started
+            return motion_failure(started) or RUNNING  # the sensors speak of the time before
         if (ended := motion_failure(self._handle)) is not None:
             return ended
-        lift_n = float(self._watch.feel()[2])
+        trajectory = None if self._handle.finished else self.get_input("checked").checked.trajectory
+        lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
         self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.touch_n else 0
         self.feedback_message = f"{self._handle.progress:.0%}, {lift_n:.1f} N"
         if self._strong >= _READINGS:
@@ -157,9 +159,13 @@ class LowerFurther(PlannedMotionLeaf):
         if self._handle is None:
             self._watch.feel_rest()
         outcome = super().step()
-        if self._handle is None or isinstance(outcome, Failure):
+        if self._handle is None or isinstance(outcome, Failure) or self._handle.progress == 0.0:
             return outcome
-        self._strong = self._strong + 1 if float(self._watch.feel()[2]) >= self.toolbox.policy.touch_n else 0
+        if self._checked is None:
+            raise RuntimeError(f"{self.name} moves without a checked trajectory")
+        trajectory = None if self._handle.finished else self._checked.trajectory
+        lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
+        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.touch_n else 0
         if self._strong >= _READINGS:
             self._touched_s = self.elapsed_s
             if not self._handle.finished:

@@ -10,6 +10,7 @@ from trees.best_effort import BestEffort
 from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
+from trees.leaves.approach_handle import ApproachHandle
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.detect_handle import DetectHandle
 from trees.leaves.exclude_grasp import ExcludeGrasp
@@ -89,7 +90,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
             "reach",
             Release("open gripper", toolbox),
             StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
-            StreamMotion("stream approach", toolbox, {"checked": "checked_approach"}),
+            ApproachHandle("approach", toolbox),
         ),
         _sequence("grasp", GraspHandle("grasp handle", toolbox)),
         _sequence("lead", LeadHandle("lead handle", toolbox)),
@@ -158,7 +159,12 @@ def _looking_elsewhere_is_useless(failure: Failure) -> bool:
 def _hopeless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or bool(failure.choices) or twice or "is stuck" in failure.message
+    slipped_again = before is not None and _SLIPS in before.message and _SLIPS in failure.message
+    stuck = "is stuck" in failure.message and _SLIPS not in failure.message
+    return defect(failure) or bool(failure.choices) or twice or stuck or slipped_again
+
+
+_SLIPS = "the hand slips off"
 
 
 def _tidying_helps(failure: Failure) -> bool:

@@ -7,18 +7,33 @@ from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure
-from trees.leaves.detect import Detect
+from trees.leaves.detect import Detect, wants_survey
 from trees.leaves.look_at import LookAt
+from trees.policy import Gaze
 from trees.toolbox import Toolbox
 
 
 def search(name: str, toolbox: Toolbox) -> Alternatives:
-    """One gaze after the other, until the object is detected."""
-    looks = []
-    for gaze in toolbox.policy.search_gazes:
-        children: list[Behaviour] = [LookAt("look", toolbox, gaze), Detect("detect", toolbox)]
-        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
-    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+    """One gaze after the other, until the object is detected.
+
+    When several things fit, or the description compares them, the head looks to both sides before one is
+    chosen or a question is put: what is out of view counts as well.
+    """
+    gazes, survey = toolbox.policy.search_gazes, toolbox.policy.survey_gazes
+    looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
+    looks += [_look(gaze, toolbox, surveyed=gaze is survey[-1]) for gaze in survey]
+    surveying = frozenset(looks[len(gazes) :])
+
+    def worth_trying(look: Behaviour, failure: Failure | None) -> bool:
+        return (look in surveying) == (failure is not None and wants_survey(failure))
+
+    return Alternatives(name, looks, looking_elsewhere_is_useless, worth_trying)
+
+
+def _look(gaze: Gaze, toolbox: Toolbox, *, surveyed: bool) -> Behaviour:
+    detect = Detect("detect", toolbox, surveyed=surveyed, looking_around=True)
+    children: list[Behaviour] = [LookAt("look", toolbox, gaze), detect]
+    return Sequence(f"look {gaze.name}", memory=True, children=children)
 
 
 def looking_elsewhere_is_useless(failure: Failure) -> bool:

@@ -8,6 +8,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
+from trees.destination import SLOTS
 from trees.leaves.locate import Locate
 from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
@@ -15,11 +16,11 @@ from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.toolbox import Toolbox
 
 
-def search_place(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternatives:
+def search_place(name: str, toolbox: Toolbox, gazes: Many[Gaze], slots: Many[str] = SLOTS) -> Alternatives:
     """From here first, then one gaze after the other, until it is seen; writes "place"."""
-    looks: list[Behaviour] = [Locate("look from here", toolbox)]
+    looks: list[Behaviour] = [Locate("look from here", toolbox, slots)]
     for gaze in gazes:
-        children: list[Behaviour] = [LookAt("look", toolbox, gaze), Locate("locate", toolbox)]
+        children: list[Behaviour] = [LookAt("look", toolbox, gaze), Locate("locate", toolbox, slots)]
         looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
     return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
 

@@ -13,10 +13,15 @@ from trees.leaves.go_home import GoHome
 from trees.toolbox import Toolbox
 
 
+class _Main(Sequence):
+    """What is to be done; it is left out of places in the tree."""
+
+    transparent = True
+
+
 def tidily(name: str, children: list[Behaviour], toolbox: Toolbox) -> CleanUp:
     """One thing after the other, in time; after a failure that is no question, home."""
-    main = Sequence("do", memory=True, children=children)
-    main.transparent = True
+    main = _Main("do", memory=True, children=children)
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
     return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=_tidying_helps)
 

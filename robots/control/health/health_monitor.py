@@ -37,7 +37,7 @@ class HealthMonitor:
         self._body.note_late(late_s)
 
     def judge(
-        self, sensed: SensedState, setpoint: JointSetpoint, standing: bool
+        self, sensed: SensedState, setpoint: JointSetpoint, standing: bool, in_contact: bool = False
     ) -> tuple[list[Finding], list[Finding]]:
         """Take one period's readings.
 
@@ -45,12 +45,13 @@ class HealthMonitor:
             sensed: The newest readings.
             setpoint: What the robot followed while they were made.
             standing: Whether both soles are meant to carry.
+            in_contact: Whether a hand holds something that may not move.
 
         Returns:
             What counts from now on, and what is over.
         """
         now_s = sensed.readings.stamp_s
-        found = self._joints.judge(sensed.readings, setpoint) + self._body.judge(sensed, standing)
+        found = self._joints.judge(sensed.readings, setpoint, in_contact) + self._body.judge(sensed, standing)
         new = []
         for finding in found:
             key = finding.key

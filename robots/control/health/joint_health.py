@@ -61,8 +61,14 @@ class JointHealth:
         self._origin = None
         self._past.clear()
 
-    def judge(self, state: RobotState, setpoint: JointSetpoint) -> list[Finding]:
+    def judge(self, state: RobotState, setpoint: JointSetpoint, in_contact: bool = False) -> list[Finding]:
         """Take one period's readings, made while the robot followed a setpoint.
+
+        Args:
+            state: The readings.
+            setpoint: What was followed.
+            in_contact: A hand holds something that may not move: a joint that does not follow is judged by
+                how far it stays behind alone.
 
         Returns:
             What is wrong now; nothing in the periods between two judgements.
@@ -79,7 +85,9 @@ class JointHealth:
             return []
         motors = self._motors(q, v, state.effort[:n], setpoint)
         blamed = {finding.part for finding in motors}  # a joint without effort does not follow either
-        followers = [finding for finding in self._followers(q, setpoint) if finding.part not in blamed]
+        followers = [
+            finding for finding in self._followers(q, setpoint, in_contact) if finding.part not in blamed
+        ]
         return [*motors, *followers, *self._encoders(q)]
 
     def _motors(self, q: Array, v: Array, effort: Array, setpoint: JointSetpoint) -> list[Finding]:
@@ -100,8 +108,10 @@ class JointHealth:
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found
 
-    def _followers(self, q: Array, setpoint: JointSetpoint) -> list[Finding]:
+    def _followers(self, q: Array, setpoint: JointSetpoint, in_contact: bool) -> list[Finding]:
         wanted_now, limits = setpoint.q[: self._bodies], self._limits
+        if in_contact:
+            self._past.clear()
         self._past.append((wanted_now, q))
         then_wanted, then = self._past[0]
         wanted, followed = np.abs(wanted_now - then_wanted), np.abs(q - then)

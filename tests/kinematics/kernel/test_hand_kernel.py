@@ -33,7 +33,8 @@ def test_it_agrees_with_coal_on_hands_amid_clutter(hand, hands, talos, make, at_
 
         found = ours.collisions(world_T_tcp)
 
-        assert found.tolist() == theirs.collisions(world_T_tcp).tolist()
+        # its distances: its quick look at corners takes the edges of margins for sharp
+        assert found.tolist() == [theirs.clearance_m(pose, 0.03) <= 0.0 for pose in world_T_tcp]
         collided += int(found.sum())
     assert 20 < collided < 220
 

@@ -28,6 +28,8 @@ class PerfectRobot:
         self._v = np.zeros_like(self._q)
         self._effort = np.zeros_like(self._q)
         self._stamp_ns = 0
+        self._followed = None
+        self._damping = np.array([description.gains[name].damping for name in description.actuated])
         self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
 
     def read(self):
@@ -55,7 +57,11 @@ class PerfectRobot:
             damping = self.description.gains[joint].damping * v[i]
             effort[i] = np.clip(effort[i] + self._stiffness[i] * (q[i] - place) + damping, -limit, limit)
             q[i], v[i] = place, 0.0
-        self._q, self._v, self._effort = q, v, effort
+        arrived = setpoint is self._followed  # it holds what it was told before
+        if arrived:
+            effort += self._damping * v
+        self._q, self._v, self._effort = q, np.zeros_like(q) if arrived else v, effort
+        self._followed = setpoint
 
 
 class Rig:

@@ -100,7 +100,7 @@ def test_a_trajectory_for_a_scene_that_is_gone_is_refused(live):
 @pytest.mark.parametrize("age_s", [0.6, 5.0, -0.1])
 def test_a_command_from_another_time_is_refused(live, age_s):
     client = live.client("commander")
-    live.run(6.0)
+    live.run(6.0, beats(live, client))
     client.admit(1)
     live.run(0.01)
 
@@ -143,6 +143,17 @@ def test_a_commander_that_falls_silent_is_stopped_within_eleven_tenths_of_a_seco
     assert 0.95 <= stop.t_s - silent_s <= 1.12
     assert client.of("error")
     assert client.connection.closed
+
+
+@pytest.mark.requirement("S3")
+def test_a_commander_that_hangs_at_rest_loses_its_place_and_nothing_is_stopped(live):
+    client = live.client("commander")
+
+    live.run(3.2)
+
+    assert not live.stops
+    assert client.of("error")
+    assert live.client("commander").of("welcome")
 
 
 @pytest.mark.requirement("S3")
@@ -244,6 +255,7 @@ def test_a_reset_while_the_robot_still_moves_is_refused(live):
 
 def test_a_stop_gets_through_when_all_connections_are_taken(live):
     client = moving(live, live.client("commander"))
+    observer = live.client("observer")
     for _ in range(40):
         live.client()
         live.run(0.002, beats(live, client))
@@ -253,8 +265,9 @@ def test_a_stop_gets_through_when_all_connections_are_taken(live):
     live.run(0.02, beats(live, client))
 
     assert live.loop.emergency.reason == "through the crowd"
-    client.listen()
-    assert not client.connection.closed
+    for known in (client, observer):
+        known.listen()
+        assert not known.connection.closed
 
 
 def test_the_status_tells_how_things_stand(live):

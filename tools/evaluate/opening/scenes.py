@@ -9,8 +9,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
 from robots.scene_description import Furniture, MovingPart, PerceptionModel, RobotStart, SceneDescription
 from robots.scene_file import dump, read_scene
 from tools.evaluate.scenes import episode_rng

@@ -27,9 +27,10 @@ def run_opening_suite(options: argparse.Namespace, messages: Console) -> int:
         bad = sum(bool(item.faults) for item in records)
         where = f"{record.hinge} {record.kind}".strip() + (" locked" if record.locked else "")
         faults = ", ".join(record.faults) or "well"
+        why = (record.failure or record.detail or "")[-200:]
         messages.print(
             f"{len(records)} of {len(orders)}: seed {record.seed} {where} {record.outcome} "
-            f"at {record.opening:.2f}, {faults}; {bad} with a fault. {(record.failure or record.detail or '')[-200:]}",
+            f"at {record.opening:.2f}, {faults}; {bad} with a fault. {why}",
             markup=False,
         )
     records.sort(key=lambda item: item.seed)

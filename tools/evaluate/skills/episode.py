@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import traceback
 
 from executive.assembly import assemble
@@ -66,17 +67,23 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     moving_wall_s = last.times.wall_s - last.times.planning_wall_s
     return EpisodeRecord(
         seed=order.seed,
-        outcome=last.outcome if prepared else "failed",
+        outcome=_outcome(suite, last.outcome) if prepared else "failed",
         truth=prepared and verdict.done and not watch.fell,
         failure_kind=links[-1].kind.value if links else None,
         failure=told or verdict.why or None,
         attempts=last.attempts,
         fell=watch.fell,
         furniture_contacts=tuple(sorted(watch.contacts)),
-        com_margin_m=watch.com_margin_m,
+        com_margin_m=watch.com_margin_m if SKILL_SUITES[suite].stands else math.inf,
         planning_ms=1e3 * last.times.planning_wall_s / max(last.attempts, 1),
         simulated_s=last.times.simulated_s,
         wall_s=last.times.wall_s,
         realtime_factor=last.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,
         numbers=dict(verdict.numbers),
     )
+
+
+def _outcome(suite: str, said: str) -> str:
+    """What the suite calls "done"."""
+    ends = SKILL_SUITES[suite].ends
+    return said if ends == "done" else "done" if said in (ends, "failed") else "failed"

@@ -12,7 +12,7 @@ from executive.assembly import Assembly
 from executive.task_result import TaskResult
 from kinematics.pointing import beside_ray_m, link_moved_by
 from kinematics.robot_description import HANDS, Hand
-from robots.scene_description import Person
+from robots.scene_description import Person, SceneDescription
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.events import NodeChanged
@@ -76,7 +76,7 @@ class _Truth:
         if z <= 0.0:
             return math.inf
         tan = math.tan(0.5 * self._camera.horizontal_fov_rad), math.tan(0.5 * self._camera.vertical_fov_rad)
-        return max(abs(x / z) / tan[0], abs(y / z) / tan[1])
+        return float(max(abs(x / z) / tan[0], abs(y / z) / tan[1]))
 
 
 class WaveJudge:
@@ -205,7 +205,7 @@ def look_trial(rng: np.random.Generator) -> Trial:
     return Trial(scene, (LookAtTask(f"look at {aim}", **slot),), aim)  # type: ignore[arg-type]
 
 
-def _room_with_aim(name: str, rng: np.random.Generator) -> tuple[rooms.SceneDescription, str, str]:
+def _room_with_aim(name: str, rng: np.random.Generator) -> tuple[SceneDescription, str, str]:
     table = rooms.table(rng)
     objects = rooms.things(rng, table, int(rng.integers(1, 5)))
     crowd = rooms.people(rng, int(rng.integers(0, 3)), [table])

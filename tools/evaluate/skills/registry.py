@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tools.evaluate.skills import gestures, placing, talk
+from tools.evaluate.skills import gestures, handing_over, placing, putting_in, talk, telling, walking
 from tools.evaluate.skills.suite import SkillSuite
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
@@ -16,5 +16,12 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "point_at": gestures.POINT_AT,
         "look_at": gestures.LOOK_AT,
         "place": placing.PLACE,
+        "put_in": putting_in.PUT_IN,
+        "hand_over": handing_over.HAND_OVER,
+        "find": telling.FIND,
+        "count": telling.COUNT,
+        "describe": telling.DESCRIBE,
+        "walk": walking.WALK,
+        "walk_stop": walking.WALK_STOP,
     }
 )

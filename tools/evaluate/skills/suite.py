@@ -69,7 +69,11 @@ class SkillSuite:
     Attributes:
         trial: Makes an episode from a generator.
         judge: Makes its judge, before the first task; the generator is another one than the trial's.
+        stands: Whether the robot stands all the while, so that its CoM must stay inside its feet.
+        ends: How the last task is to end; an episode that ends so counts as claimed.
     """
 
     trial: Callable[[np.random.Generator], Trial]
     judge: Callable[[Assembly, Trial, np.random.Generator], SkillJudge]
+    stands: bool = True
+    ends: str = "done"

@@ -12,6 +12,7 @@ from robots.simulated.truth import SimulatorTruth
 
 # Falling and balance change slowly: looked at every 10 ms. Contacts are looked at each period.
 _EVERY = 5
+_HAND_PARTS = ("/upper", "/lower", "/hand")
 MOVED_M = 0.01
 TIPPED_RAD = math.radians(10.0)
 
@@ -36,6 +37,8 @@ class SafetyWatch:
         """Look at the world."""
         if self._truth.robot_touches_something():
             for contact in (*self._truth.contacts_with_furniture(), *self._truth.contacts_with_people()):
+                if contact.second.endswith(_HAND_PARTS):
+                    continue  # a person's hand moves by itself
                 self.contacts.add(f"{contact.first} and {contact.second}")
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()

@@ -1,0 +1,68 @@
+"""Why a task failed, for somebody who has never seen the tree: what, why, where, and the numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+from executive.feedback import quantity
+from executive.task_result import chain
+from trees.failures import Failure, FailureKind
+
+MEANINGS: Mapping[FailureKind, str] = MappingProxyType(
+    {
+        FailureKind.INFEASIBLE: "no plan was found, or a person has to say which thing is meant",
+        FailureKind.UNSAFE: "the checker found a motion that must not be carried out; it was not begun",
+        FailureKind.REFUSED: "the last gate before the motors, or the robot's state, did not let it pass",
+        FailureKind.EXECUTION: "a motion was begun and did not end where it should",
+        FailureKind.POSTCONDITION: "what has to be true was measured not to be",
+        FailureKind.TIMEOUT: "it took longer than allowed",
+        FailureKind.CANCELED: "somebody halted it; it braked and holds",
+        FailureKind.ERROR: "a defect of this program; the robot holds, and the log has the details",
+    }
+)
+"""What each kind means."""
+
+_HIDDEN = frozenset({"objects", "attempts", "survey", "exception", "raised_at"})
+_IN_THE_MESSAGE = frozenset({"step", "finding", "findings", "subject", "value", "limit", "t_s"})
+"""What the message of an unsafe trajectory says already."""
+
+
+def explained(failure: Failure) -> Iterator[str]:
+    """Explain a failure chain, the reason at its root first.
+
+    Links that merely repeat what caused them are left out.
+    """
+    links = chain(failure)
+    root = links[-1]
+    yield f"what happened: {failure.message}"
+    yield f"why: {root.message}"
+    if root.where:
+        yield f"where: the step {leaf_of(root)!r} of {root.where}"
+    numbers = _numbers(root)
+    if numbers:
+        yield f"numbers: {numbers}"
+    yield f"{root.kind.value} means: {MEANINGS[root.kind]}"
+    between = list(
+        dict.fromkeys(link.message for link in reversed(links[1:-1]) if link.message != root.message)
+    )
+    for message in between:
+        yield f"then: {message}"
+
+
+def leaf_of(failure: Failure) -> str:
+    """The leaf that failed."""
+    return failure.where.rpartition("/")[2]
+
+
+def in_a_sentence(failure: Failure) -> str:
+    """The same in one sentence: leaf, cause and numbers."""
+    root = failure.root
+    told = f" ({numbers})" if (numbers := _numbers(root)) else ""
+    step = f"in the step {leaf_of(root)!r}: " if root.where else ""
+    return f"{step}{root.message}{told}"
+
+
+def _numbers(failure: Failure) -> str:
+    hidden = _HIDDEN | _IN_THE_MESSAGE if failure.kind is FailureKind.UNSAFE else _HIDDEN
+    return "; ".join(quantity(key, value) for key, value in failure.numbers.items() if key not in hidden)

@@ -1,0 +1,51 @@
+"""Single keys from a terminal, without Enter and without waiting."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import termios
+import tty
+from types import TracebackType
+from typing import IO
+
+
+class Keyboard:
+    """Puts a terminal into single-key mode while it is entered; Ctrl-C still is a signal.
+
+    Raises:
+        termios.error: It is no terminal.
+    """
+
+    def __init__(self, stdin: IO[str]) -> None:
+        self._file = stdin.fileno()
+        self._before = termios.tcgetattr(self._file)
+
+    def __enter__(self) -> Keyboard:
+        """Listen to single keys."""
+        tty.setcbreak(self._file)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, raised: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Leave the terminal as it was found."""
+        with contextlib.suppress(termios.error):
+            termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
+
+    def key(self, timeout_s: float | None = 0.0) -> str:
+        """The next key, or nothing when none comes in time; None waits for one however long it takes."""
+        ready, _, _ = select.select([self._file], [], [], timeout_s)
+        if not ready:
+            return ""
+        return os.read(self._file, 1).decode("utf-8", "replace")
+
+    def line(self, timeout_s: float) -> str | None:
+        """A line typed with echo, or None when none comes in time."""
+        termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
+        try:
+            ready, _, _ = select.select([self._file], [], [], timeout_s)
+            return os.read(self._file, 1024).decode("utf-8", "replace").strip() if ready else None
+        finally:
+            tty.setcbreak(self._file)

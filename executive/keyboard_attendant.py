@@ -1,0 +1,91 @@
+"""Somebody at a drawing terminal: keys cancel, stop and pause; questions are answered by key or in words."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from executive.attendant import Stoppable
+from executive.clarification import OpenQuestion
+from executive.terminal_attendant import ANSWER_TIMEOUT_S
+
+
+class Keys(Protocol):
+    """Where keys come from."""
+
+    def key(self, timeout_s: float | None = 0.0) -> str:
+        """The next key, or nothing in time."""
+        ...
+
+    def line(self, timeout_s: float) -> str | None:
+        """A typed line, or None in time."""
+        ...
+
+
+class Screen(Protocol):
+    """Where questions and pauses are shown."""
+
+    def ask(self, question: OpenQuestion | None) -> None:
+        """Show a question, or take it away."""
+        ...
+
+    def pause(self, paused: bool) -> None:
+        """Show whether time is held."""
+        ...
+
+    def close(self) -> None:
+        """Give the terminal back, for a line to be typed."""
+        ...
+
+
+class KeyboardAttendant:
+    """Listens to keys between two ticks.
+
+    Args:
+        keys: The keyboard.
+        screen: The display.
+        timeout_s: Wall time that an answer may take.
+    """
+
+    def __init__(self, keys: Keys, screen: Screen, timeout_s: float = ANSWER_TIMEOUT_S) -> None:
+        self._keys, self._screen, self._timeout_s = keys, screen, timeout_s
+        self._session: Stoppable | None = None
+
+    def begin(self, session: Stoppable) -> None:
+        """Know whom to stop."""
+        self._session = session
+
+    def attend(self, session: Stoppable) -> None:
+        """Do what the pressed key says."""
+        key = self._keys.key()
+        if key == "p":
+            self._screen.pause(True)
+            key = ""
+            while key not in ("p", "c", "e"):
+                key = self._keys.key(None)
+            self._screen.pause(False)
+        if key == "c":
+            session.cancel("cancelled from the keyboard")
+        elif key == "e":
+            session.emergency_stop("stopped from the keyboard")
+
+    def answer(self, question: OpenQuestion) -> str | None:
+        """Show the question; a digit chooses, "a" takes words, "c" withdraws, "e" stops."""
+        self._screen.ask(question)
+        try:
+            while True:
+                match self._keys.key(self._timeout_s):
+                    case "":
+                        return None
+                    case "e":
+                        if self._session is not None:
+                            self._session.emergency_stop("stopped from the keyboard")
+                        return None
+                    case "c":
+                        return "never mind"
+                    case "a":
+                        self._screen.close()
+                        return self._keys.line(self._timeout_s)
+                    case digit if digit.isdecimal():
+                        return digit
+        finally:
+            self._screen.ask(None)

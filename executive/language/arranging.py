@@ -1,0 +1,228 @@
+"""What is said of each thing, sorted out: where it is, where it goes, with which hand, for whom."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from executive.language.lattice import Word
+from executive.language.phrases import (
+    Benefit,
+    Bundle,
+    Clause,
+    Hand,
+    Item,
+    Items,
+    Meaning,
+    Nominal,
+    Relative,
+    Trouble,
+    Where,
+)
+
+Parts = tuple[Any, ...]
+ME = Nominal("me", "me", determined=True)
+
+
+class _UnfitError(Exception):
+    """The parts do not go together in this way."""
+
+
+class _TroubleError(Exception):
+    """They do, and it cannot be acted on."""
+
+    def __init__(self, trouble: Trouble) -> None:
+        self.trouble = trouble
+        super().__init__(trouble.message)
+
+
+@dataclass(frozen=True, slots=True)
+class Arranged:
+    """A thing, and what is to become of it.
+
+    Attributes:
+        object: The thing, with where it is told from others.
+        source: Where it is.
+        goal: Where it goes.
+        hand: Which hand.
+        person: For whom.
+        back: Whether it goes back.
+    """
+
+    object: Nominal
+    source: Nominal | None = None
+    goal: Where | None = None
+    hand: str | None = None
+    person: Nominal | None = None
+    back: bool = False
+
+
+def form_of(parts: Iterable[Any]) -> Any:
+    """The form of the verb among the parts: "base", "ing" or "ed"."""
+    for part in parts:
+        if isinstance(part, Word):
+            _, _, form = part.meaning.partition(":")
+            if form in ("ing", "ed"):
+                return form
+    return "base"
+
+
+def clause(parts: Parts, bundles: Iterable[Bundle]) -> Clause:
+    """One command with the form of its verb."""
+    return Clause(tuple(bundles), form_of(parts))
+
+
+def guarded(meaning: Callable[[Parts], Any]) -> Meaning:
+    """Turn what goes wrong into None or trouble."""
+
+    def run(parts: Parts) -> Any:
+        try:
+            return meaning(parts)
+        except _UnfitError:
+            return None
+        except _TroubleError as error:
+            return error.trouble
+
+    return run
+
+
+def unfit() -> _UnfitError:
+    """The parts do not go together."""
+    return _UnfitError()
+
+
+def trouble(message: str, word: str | None = None, *, asks: bool = False) -> _TroubleError:
+    """They do, and cannot be acted on."""
+    return _TroubleError(Trouble(message, word, asks))
+
+
+def checked(value: Nominal | Trouble) -> Nominal:
+    """The nominal, unless it is trouble."""
+    if isinstance(value, Trouble):
+        raise _TroubleError(value)
+    return value
+
+
+def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> list[Arranged]:
+    """Every item among the parts with its details sorted out.
+
+    Args:
+        parts: Of the command: items, and details that belong to the last of them.
+        goes: Whether a bare place says where things go, instead of where they are.
+        has_source: Whether the task has a slot for where things are; else it tells them apart.
+    """
+    items = [
+        item
+        for part in parts
+        for item in (part.each if isinstance(part, Items) else (part,) if isinstance(part, Item) else ())
+    ]
+    loose = tuple(part for part in parts if isinstance(part, (Where, Hand, Benefit)) or part == "back")
+    if not items:
+        raise unfit()
+    items[-1] = Item(items[-1].of, (*items[-1].details, *loose))
+    each = [_arrange(item, goes=goes, has_source=has_source) for item in items]
+    last = each[-1]
+    for index, (item, one) in enumerate(zip(items[:-1], each[:-1], strict=True)):
+        if not item.details:
+            each[index] = replace(last, object=one.object)
+        elif one.goal is None and last.goal is not None:
+            each[index] = replace(one, goal=last.goal)
+    return each
+
+
+def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
+    result = Arranged(item.of)
+    wheres = [detail for detail in item.details if isinstance(detail, Where)]
+    result = replace(result, hand=_only([one.side for one in item.details if isinstance(one, Hand)]))
+    people = [one.person for one in item.details if isinstance(one, Benefit)]
+    result = replace(result, person=_only(people), back="back" in item.details)
+    goals = [where for where in wheres if where.role == "to"]
+    if len(goals) > 1:
+        raise unfit()
+    open_ones = [where for where in wheres if where.role == "either"] if goes and not goals else []
+    if not goals and not open_ones:
+        return _at(result, wheres, has_source=has_source)
+    goal = goals[0] if goals else _goal(open_ones)
+    index = wheres.index(goals[0] if goals else open_ones[0])
+    before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]
+    for where in after:
+        if where.role == "from":
+            before.append(where)
+        else:
+            goal = _told(goal, where)
+    return replace(_at(result, before, has_source=has_source), goal=goal)
+
+
+def _only(values: list[Any]) -> Any:
+    distinct = list(dict.fromkeys(values))
+    if len(distinct) > 1:
+        first, second = (getattr(one, "kind", one) for one in distinct[:2])
+        raise trouble(f"{first!r} and {second!r} contradict each other", str(second))
+    return distinct[0] if distinct else None
+
+
+def _goal(open_ones: list[Where]) -> Where:
+    first, *others = open_ones
+    if not others:
+        return first
+    if (
+        len(others) == 1
+        and others[0].preposition == "in"
+        and others[0].of.sort == "room"
+        and first.of.is_place
+        and first.preposition
+    ):
+        return replace(first, of=checked(first.of.placed(Relative("in", others[0].of))))
+    raise trouble("of these places, which is where it is, and which is where it goes?", asks=True)
+
+
+def _told(goal: Where, where: Where) -> Where:
+    """What is said after where the thing goes tells where that is: "to the man standing by the door"."""
+    of = goal.of
+    if of.reference or of.sort in ("me", "name", "you"):
+        raise unfit()
+    if where.relation is None and of.is_place and where.of.sort != "room":
+        raise unfit()
+    return replace(goal, of=checked(of.placed(Relative(_kind(where), where.of))))
+
+
+def _kind(where: Where) -> str:
+    """A place as a relation."""
+    return where.relation or {"on": "on", "in": "in"}.get(where.preposition or "", "next_to")
+
+
+def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
+    for where in said:
+        if (
+            where.of.sort in ("me", "name")
+            and where.preposition in ("on", "in", "at")
+            and where.role != "from"
+        ):
+            raise unfit()
+        if where.relation is not None and where.of.is_place and result.source and result.source.is_place:
+            result = replace(result, source=checked(result.source.placed(Relative(where.relation, where.of))))
+        elif where.relation is not None:
+            result = replace(result, object=checked(result.object.placed(Relative(where.relation, where.of))))
+        elif not has_source:
+            if where.role == "from":
+                raise unfit()
+            result = _told_apart(result, _kind(where), where.of)
+        elif result.source is None:
+            result = replace(result, source=where.of)
+        elif where.of.sort == "room" and result.source.sort != "room":
+            result = replace(result, source=checked(result.source.placed(Relative("in", where.of))))
+        elif result.source != where.of:
+            names = [str(one.kind) for one in (result.source, where.of) if one]
+            raise trouble(f"two places are named: {names[0]!r} and {names[1]!r}", names[1])
+    if result.object.reference and result.object.relation is not None:
+        raise unfit()
+    return result
+
+
+def _told_apart(result: Arranged, kind: str, of: Nominal) -> Arranged:
+    relation = result.object.relation
+    if relation is not None and of.sort == "room" and relation.to.is_place:
+        inner = checked(relation.to.placed(Relative(kind, of)))
+        return replace(result, object=replace(result.object, relation=Relative(relation.kind, inner)))
+    return replace(result, object=checked(result.object.placed(Relative(kind, of))))

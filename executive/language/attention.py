@@ -1,0 +1,289 @@
+"""People, looking, pointing, finding, counting, describing and speaking."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.going import target
+from executive.language.lattice import Word
+from executive.language.nominals import words
+from executive.language.phrases import (
+    Bundle,
+    Clause,
+    Draft,
+    Hand,
+    Item,
+    Items,
+    Meaning,
+    Nominal,
+    Trouble,
+    draft,
+)
+
+_NO_SPEECH = """
+to not that your my what whatever how why who whom where when whether if which something anything nothing
+about it them so a an in the\\stime the\\sdate the\\sday the\\sweather the\\struth the\\snames? the\\snumber
+the\\scolou?r the\\slocation the\\sposition the\\sway the\\snews the\\sanswer the\\sresult yes\\sor\\sno
+"""
+_IS_NO_SPEECH = re.compile(rf"(?:{'|'.join(_NO_SPEECH.split())})\b")
+"""How free text begins that asks for something else than repeating these words."""
+
+_LANGUAGES = "english|german|french|spanish|italian|chinese|japanese"
+_SAID_HOW = re.compile(rf"\b(?:twice|again|\w+ times|loudly|softly|quietly|slowly|in (?:{_LANGUAGES}))$")
+_VERB = re.compile(
+    r"\b(?:is|are|was|were|has|have|will|can|could|should|must|may|needs?|i|we|you|\w+s|hello|hi|goodbye|thanks?"
+    r"|welcome|please)\b"
+)
+"""What a message has that somebody is told without "that"."""
+
+_SUPERLATIVES = frozenset({"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"})
+
+
+def _side(parts: Parts) -> str | None:
+    hands = [part.side for part in parts if isinstance(part, Hand)]
+    if len(set(hands)) > 1:
+        raise unfit()
+    return hands[0] if hands else None
+
+
+def _person(nominal: Nominal, doing: str) -> Nominal:
+    if not nominal.is_person and nominal.reference not in ("it", "them"):
+        raise trouble(f"{doing} {nominal.kind or 'a thing'}: only a person can be meant", nominal.kind)
+    if nominal.reference in ("it", "them"):
+        raise trouble("who is meant?", asks=True)
+    return nominal
+
+
+def _wave(parts: Parts) -> Clause:
+    each = [part for part in parts if isinstance(part, Items)]
+    hand = _side(parts)
+    bundles: list[Bundle] = []
+    for item in each[0].each if each else ():
+        side = next((one.side for one in item.details if isinstance(one, Hand)), hand)
+        bare = Item(item.of, tuple(one for one in item.details if not isinstance(one, Hand)))
+        bundles.append((draft("wave", person=_person(target(bare), "waving at"), hand=side),))
+    bundles += [
+        (draft("wave", person=_person(part, "waving at"), hand=hand),)
+        for part in parts
+        if isinstance(part, Nominal)
+    ]
+    return clause(parts, bundles or [(draft("wave", hand=hand),)])
+
+
+def _wave_hand(parts: Parts) -> Clause:
+    side = words(parts, "LEFT_RIGHT")[0].meaning
+    return _wave((*parts, Hand(side)))
+
+
+def _attend(action: str) -> Callable[[Parts], Clause]:
+    def meaning(parts: Parts) -> Clause:
+        sides = words(parts, "LEFT_RIGHT")
+        hand = sides[0].meaning if sides else None
+        bundles: list[Bundle] = []
+        (items,) = (part for part in parts if isinstance(part, Items))
+        for item in items.each:
+            side = next((one.side for one in item.details if isinstance(one, Hand)), hand)
+            if side is not None and action == "look_at":
+                raise unfit()
+            nominal = target(Item(item.of, tuple(one for one in item.details if not isinstance(one, Hand))))
+            slot = "person" if nominal.is_person else "to" if nominal.is_place else "object"
+            bundles.append((draft(action, **{slot: nominal}, hand=side),))
+        return clause(parts, bundles)
+
+    return meaning
+
+
+def _look_around(_parts: Parts) -> Clause:
+    raise trouble("what shall be looked at?", asks=True)
+
+
+def _asked(parts: Parts, action: str, source: Nominal | None = None) -> list[Bundle]:
+    bundles: list[Bundle] = []
+    for one in arranged(parts):
+        nominal = one.object
+        if (
+            one.goal is not None
+            or one.back
+            or one.hand is not None
+            or (one.person is not None and one.person.sort != "me")
+        ):
+            raise unfit()
+        if source is not None and one.source is not None:
+            raise unfit()
+        if nominal.sort in ("me", "you") and action != "find":
+            raise unfit()
+        if nominal.sort == "you" or nominal.reference == "this":
+            raise unfit() if nominal.sort == "you" else trouble("which one is meant?", asks=True)
+        if (
+            nominal.sort == "any"
+            and nominal.kind is None
+            and not nominal.reference
+            and nominal.is_plain
+            and action == "find"
+        ):
+            raise trouble("which object is meant?", asks=True)
+        slot = "person" if action == "find" and nominal.is_person else "object"
+        bundles.append((draft(action, **{slot: replace(nominal, count=1)}, source=one.source or source),))
+        if nominal.counted and not (action in ("count", "describe") and nominal.count == "all"):
+            raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
+    return bundles
+
+
+def _find(parts: Parts) -> Clause:
+    return clause(parts, _asked(parts, "find"))
+
+
+def _is_it(parts: Parts) -> Clause:
+    item = parts[-1]
+    if not item.details:
+        raise unfit()
+    return _find(parts)
+
+
+def _search(parts: Parts) -> Clause:
+    place = next(part for part in parts if isinstance(part, Item))
+    nominal = target(place)
+    return clause(parts, _asked(tuple(part for part in parts if isinstance(part, Items)), "find", nominal))
+
+
+def _count(parts: Parts) -> Clause:
+    bundles = _asked(parts, "count")
+    for (one,) in bundles:
+        nominal = one.get("object")
+        if nominal.reference:
+            raise trouble("name what shall be counted", nominal.reference)
+        if not nominal.plural and nominal.kind not in (
+            "scissors",
+            "keys",
+            "glasses",
+            "clothes",
+            "chips",
+            "fruit",
+            "food",
+        ):
+            raise unfit()
+        if nominal.sort in ("me", "name"):
+            raise unfit()
+    return clause(parts, bundles)
+
+
+def _describe_scene(parts: Parts) -> Clause:
+    nothing = Nominal("any", plural=True)
+    loose = tuple(part for part in parts if not isinstance(part, Word))
+    (one,) = arranged((Item(nothing, loose),))
+    if one.goal is not None or one.hand is not None or one.back:
+        raise unfit()
+    relation = one.object.relation
+    everything = relation is None or (relation.kind == "in_front_of" and relation.to.sort == "you")
+    thing = None if everything else one.object
+    if not loose and words(parts, "WHAT_IS", "WHAT"):
+        raise unfit()
+    return clause(parts, [(draft("describe", object=thing, source=one.source),)])
+
+
+def _describe(parts: Parts) -> Clause:
+    bundles = _asked(parts, "describe")
+    for (one,) in bundles:
+        nominal = one.get("object")
+        if nominal.is_person:
+            raise unfit()
+        if (
+            nominal.sort == "any"
+            and nominal.kind is None
+            and not nominal.reference
+            and nominal.is_plain
+            and one.get("source") is None
+        ):
+            raise unfit()
+    return clause(parts, [(_everything(one),) for (one,) in bundles])
+
+
+def _everything(one: Draft) -> Draft:
+    """The objects on the table: all that is there."""
+    nominal = one.get("object")
+    if nominal.sort == "any" and nominal.kind is None and nominal.is_plain and not nominal.reference:
+        return draft("describe", source=one.get("source"))
+    return one
+
+
+def _describe_superlative(parts: Parts) -> Clause:
+    item = parts[-1]
+    if not isinstance(item, Item) or (
+        item.of.size not in ("smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest")
+        and not item.of.ordinal
+    ):
+        raise unfit()
+    return _describe(parts)
+
+
+def _words(parts: Parts) -> Word:
+    word: Word = parts[0]
+    return word
+
+
+def _speech(parts: Parts, *, told: bool) -> str:
+    word = words(parts, "QUOTED", "TEXT")[-1]
+    text = word.meaning.strip()
+    lowered = text.lower()
+    if not text:
+        raise unfit()
+    if word.word_class == "QUOTED":
+        return text
+    if not told and not words(parts, "THAT") and " to " in lowered:
+        raise unfit()
+    if _SAID_HOW.search(lowered) or '"' in text:
+        raise unfit()
+    if words(parts, "THAT") or any(one.said.endswith(" that") for one in words(parts, "SAY")):
+        if lowered.startswith("you"):
+            raise unfit()
+        return text
+    if lowered in ("something", "anything"):
+        raise trouble("what shall be said?", asks=True)
+    if _IS_NO_SPEECH.match(lowered) or (told and not _VERB.search(lowered)):
+        raise unfit()
+    return text
+
+
+def _say(parts: Parts) -> Clause:
+    return clause(parts, [(draft("say", text=_speech(parts, told=False)),)])
+
+
+def _say_to(parts: Parts) -> Clause:
+    person = next(part for part in parts if isinstance(part, Nominal))
+    if not person.is_person or person.plural:
+        raise unfit()
+    told = bool(words(parts, "TELL"))
+    if told and person.sort == "me":
+        raise unfit()
+    return clause(parts, [(draft("say", text=_speech(parts, told=told), person=person),)])
+
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "wave": _wave,
+    "wave_hand": _wave_hand,
+    "point": _attend("point_at"),
+    "point_hand": _attend("point_at"),
+    "look": _attend("look_at"),
+    "look_around": _look_around,
+    "find": _find,
+    "is_it": _is_it,
+    "search": _search,
+    "count": _count,
+    "describe_scene": _describe_scene,
+    "describe": _describe,
+    "describe_superlative": _describe_superlative,
+    "words": _words,
+    "say": _say,
+    "say_to": _say_to,
+}
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+)
+
+__all__ = ["MEANINGS", "Trouble"]

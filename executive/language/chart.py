@@ -1,0 +1,113 @@
+"""Every meaning of a sentence: the grammar followed from left to right, each part understood once.
+
+For every rule and place, the meanings of the parts that begin there are kept by where they end, so
+that the work grows with the length and not with the number of parses. Parses that mean the same are one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from executive.language.grammar import Node, Rule
+from executive.language.lattice import Lattice, Word
+from executive.language.phrases import Clause, Meaning, Trouble
+
+MAX_STEPS = 8_000
+"""Parts that are looked at before a sentence counts as too tangled; an everyday one needs a few hundred."""
+
+Spans = dict[int, dict[Any, None]]
+
+
+class TooTangledError(Exception):
+    """A sentence with more readings than can be followed."""
+
+
+class Chart:
+    """One sentence being understood."""
+
+    def __init__(self, rules: Mapping[str, Rule], meanings: Mapping[str, Meaning], lattice: Lattice) -> None:
+        self._rules, self._meanings, self._lattice = rules, meanings, lattice
+        self._known: dict[tuple[str, int], Spans] = {}
+        self._steps = 0
+        self.furthest = 0
+        self.expected: set[str] = set()
+
+    def meanings(self, rule: str = "start") -> list[Any]:
+        """Every meaning of the whole sentence, troubles among them.
+
+        Raises:
+            TooTangledError: The sentence has too many readings.
+        """
+        found: dict[Any, None] = {}
+        for end, values in self._spans(rule, 0).items():
+            if self._lattice.ends[end]:
+                found.update(dict.fromkeys(values))
+        return list(found)
+
+    def _spans(self, name: str, start: int) -> Spans:
+        known = self._known.get((name, start))
+        if known is not None:
+            return known
+        rule = self._rules[name]
+        spans: Spans = {}
+        self._known[name, start] = spans
+        classes = self._lattice.classes(start)
+        if not rule.first.isdisjoint(classes) or "TEXT" in rule.first:
+            for end, value in self._matches(rule, start):
+                if rule.closes and not self._lattice.ends[end]:
+                    continue
+                if name == "command" and isinstance(value, Clause):
+                    value = replace(value, text=self._lattice.text(start, end))
+                spans.setdefault(end, {})[value] = None
+        else:
+            self._missed(start, rule.first)
+        return spans
+
+    def _matches(self, rule: Rule, start: int) -> Iterator[tuple[int, Any]]:
+        pending: list[tuple[Node, int, tuple[Any, ...]]] = [(rule.root, start, ())]
+        while pending:
+            node, position, parts = pending.pop()
+            self._steps += 1
+            if self._steps > MAX_STEPS:
+                raise TooTangledError
+            for function in node.functions:
+                value = parts if rule.repeats else self._value(function, parts)
+                if value is not None:
+                    yield position, value
+            self._missed(position, node.terminals)
+            classes = self._lattice.classes(position)
+            for word_class, following in node.terminals.items():
+                words = self._words(word_class, position, classes)
+                pending += [(following, word.end, (*parts, word)) for word in words]
+            for name, following in node.rules.items():
+                spans = self._spans(name, position)
+                repeats = self._rules[name].repeats
+                pending += [
+                    (following, end, (*parts, *value) if repeats else (*parts, value))
+                    for end, values in spans.items()
+                    for value in values
+                ]
+
+    def _words(self, word_class: str, position: int, classes: Mapping[str, list[Word]]) -> list[Word]:
+        if word_class == "TEXT":
+            return self._lattice.free_text(position)
+        return classes.get(word_class, [])
+
+    def _value(self, function: str, parts: tuple[Any, ...]) -> Any:
+        for part in parts:
+            if isinstance(part, Trouble):
+                return part
+        meaning = self._meanings.get(function)
+        if meaning is not None:
+            return meaning(parts)
+        return parts[0] if len(parts) == 1 else None
+
+    def _missed(self, position: int, classes: Any) -> None:
+        if not classes or position < self.furthest:
+            return
+        if position > self.furthest:
+            self.furthest = position
+            self.expected = set()
+        self.expected.update(classes)

@@ -1,0 +1,207 @@
+"""Going about: to places, along a direction with exact velocities, waiting, home, stop."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from executive.language.arranging import ME, Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.nominals import words
+from executive.language.phrases import Clause, Item, Meaning, Measure, Nominal, Relative, draft
+
+FORWARD_M_S = 0.3
+"""Speed of ``move_forward``; backward is its negative."""
+
+TURN_RAD_S = 0.5
+"""Speed of ``turn_left``; to the right is its negative."""
+
+MAX_LINEAR_M_S = 0.5
+MAX_ANGULAR_RAD_S = 1.0
+MAX_DISTANCE_M = 20.0
+MAX_DURATION_S = 600.0
+
+_LINEAR = {"forward": FORWARD_M_S, "backward": -FORWARD_M_S}
+_ANGULAR = {"left": TURN_RAD_S, "right": -TURN_RAD_S}
+_UNITS = {"duration": "s", "distance": "m", "angle": "rad", "linear_speed": "m/s", "angular_speed": "rad/s"}
+_LIMITS = {
+    "duration": MAX_DURATION_S,
+    "distance": MAX_DISTANCE_M,
+    "angle": 4 * math.pi + 1e-9,
+    "linear_speed": MAX_LINEAR_M_S,
+    "angular_speed": MAX_ANGULAR_RAD_S,
+}
+_NAMES = {
+    "duration": "time",
+    "distance": "distance",
+    "angle": "angle",
+    "linear_speed": "speed",
+    "angular_speed": "turning speed",
+}
+
+
+def target(item: Item) -> Nominal:
+    """Where an item says to go, point or look: a place or person with what tells it from others."""
+    (one,) = arranged((item,), has_source=False)
+    nominal = one.object
+    if (
+        one.goal is not None
+        or one.back
+        or one.hand is not None
+        or (one.person is not None and one.person.sort != "me")
+    ):
+        raise unfit()
+    if nominal.sort == "you":
+        raise unfit()
+    if nominal.reference == "this":
+        raise trouble("which one is meant?", asks=True)
+    if nominal.count != 1 or (nominal.plural and not nominal.reference):
+        raise trouble("several at once: name one", nominal.kind)
+    if nominal.sort == "any" and nominal.kind is None and not nominal.reference and nominal.is_plain:
+        raise trouble("which one is meant?", asks=True)
+    return nominal
+
+
+def _toward(parts: Parts) -> Nominal:
+    return target(parts[-1])
+
+
+def _toward_relation(parts: Parts) -> Relative:
+    kind = words(parts, "RELATION")[0].meaning
+    if kind.endswith("_side_of"):
+        raise unfit()
+    return Relative(kind, target(parts[-1]))
+
+
+def _walk(parts: Parts) -> Clause:
+    goals = [part for part in parts if isinstance(part, (Nominal, Relative))]
+    return clause(parts, [(draft("walk_to", to=goal),) for goal in goals])
+
+
+def _walk_item(parts: Parts) -> Clause:
+    return clause(parts, [(draft("walk_to", to=target(parts[-1])),)])
+
+
+def _come(parts: Parts) -> Clause:
+    return clause(parts, [(draft("walk_to", to=ME),)])
+
+
+def _go_back(parts: Parts) -> Clause:
+    return clause(parts, [(draft("walk_to", to=Nominal("any", reference="there", name="back")),)])
+
+
+def _go_there(parts: Parts) -> Clause:
+    return clause(parts, [(draft("walk_to", to=Nominal("any", reference="there")),)])
+
+
+def _go_somewhere(_parts: Parts) -> Clause:
+    raise trouble("where to?", asks=True)
+
+
+def _move(parts: Parts) -> Clause:
+    measures: dict[str, float] = {}
+    for one in (part for part in parts if isinstance(part, Measure)):
+        if one.of in measures:
+            raise unfit()
+        measures[one.of] = _bounded(one)
+    linear, angular = _direction(parts, measures)
+    if "linear_speed" in measures:
+        linear = math.copysign(measures["linear_speed"], linear)
+    if "angular_speed" in measures:
+        angular = math.copysign(measures["angular_speed"], angular)
+    duration, distance = measures.get("duration"), measures.get("distance")
+    if "angle" in measures:
+        duration = measures["angle"] / abs(angular)
+        if duration > MAX_DURATION_S:
+            raise unfit()
+    move = draft(
+        "move",
+        linear_m_s=round(linear, 3),
+        angular_rad_s=round(angular, 3),
+        duration_s=None if duration is None else round(duration, 3),
+        distance_m=None if distance is None else round(distance, 3),
+    )
+    return clause(parts, [(move,)])
+
+
+def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, float]:
+    said = [
+        one.meaning.partition(":")[0]
+        for one in words(parts, "FORWARD", "BACKWARD", "BRIDGE", "BACK_UP", "TURN_SIDE", "LEFT_RIGHT")
+    ]
+    turns = bool(words(parts, "TURN", "A_TURN")) or said[:1] in (["left"], ["right"])
+    if turns and not words(parts, "TURN", "A_TURN", "BRIDGE"):
+        raise trouble(f"moving sideways ({said[0]!r}) is no skill of this robot", said[0])
+    wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
+    if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):
+        raise unfit()
+    if not said:
+        raise trouble("to the left or to the right?" if turns else "in which direction?", asks=True)
+    return (0.0, _ANGULAR[said[0]]) if turns else (_LINEAR[said[0]], 0.0)
+
+
+def _bounded(measure: Measure) -> float:
+    """The value, if it is within the limits: what exceeds them is refused, never clamped."""
+    limit, unit, name = _LIMITS[measure.of], _UNITS[measure.of], _NAMES[measure.of]
+    value = f"{measure.value:g} {unit}"
+    if measure.value <= 0:
+        raise trouble(f"a {name} of {value} is nothing to do", value)
+    if measure.value > limit:
+        raise trouble(f"the {name} of {value} exceeds the limit of {limit:g} {unit}", value)
+    return measure.value
+
+
+def _turn_around(parts: Parts) -> Clause:
+    return clause(
+        parts,
+        [
+            (
+                draft(
+                    "move",
+                    linear_m_s=0.0,
+                    angular_rad_s=TURN_RAD_S,
+                    duration_s=round(math.pi / TURN_RAD_S, 3),
+                ),
+            )
+        ],
+    )
+
+
+def _wait(parts: Parts) -> Clause:
+    measures = [part for part in parts if isinstance(part, Measure)]
+    if not measures:
+        raise trouble("for how long?", asks=True)
+    if measures[0].of != "duration":
+        raise unfit()
+    return clause(parts, [(draft("wait", duration_s=round(_bounded(measures[0]), 3)),)])
+
+
+def _go_home(parts: Parts) -> Clause:
+    return clause(parts, [(draft("go_home"),)])
+
+
+def _stop(parts: Parts) -> Clause:
+    return clause(parts, [(draft("stop"),)])
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {
+        name: guarded(meaning)
+        for name, meaning in {
+            "toward": _toward,
+            "toward_relation": _toward_relation,
+            "walk": _walk,
+            "approach": _walk_item,
+            "walk_item": _walk_item,
+            "come": _come,
+            "go_back": _go_back,
+            "go_there": _go_there,
+            "go_somewhere": _go_somewhere,
+            "move": _move,
+            "turn_around": _turn_around,
+            "wait": _wait,
+            "go_home": _go_home,
+            "stop": _stop,
+        }.items()
+    }
+)

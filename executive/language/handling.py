@@ -1,0 +1,356 @@
+"""What is done with things: picking, bringing, giving, placing, opening."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.lattice import Word
+from executive.language.nominals import words
+from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Pair, Relative, Where, draft
+
+PREVIOUS = Nominal("any", reference="previous", determined=True)
+BACK = Nominal("any", reference="there", name="back")
+"""The place that a thing was taken from."""
+
+_SHELVES = frozenset({"shelf", "bookshelf"})
+"""Furniture that things are put into as well as onto."""
+
+
+def thing(one: Arranged, doing: str) -> Nominal:
+    """The object, if it is something that a hand can take."""
+    nominal = one.object
+    if nominal.is_person or nominal.sort == "you":
+        raise trouble(f"{doing} a person ({nominal.kind!r}) is nothing that this robot does", nominal.kind)
+    if nominal.is_place:
+        raise trouble(
+            f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind
+        )
+    if nominal.reference == "this":
+        raise trouble("which one is meant?", asks=True)
+    unclear = nominal.plural and not nominal.reference and not nominal.counted and not nominal.determined
+    if unclear or nominal.count == "some":
+        raise trouble("how many of them?", asks=True)
+    if (
+        nominal.sort == "any"
+        and nominal.kind is None
+        and not nominal.reference
+        and nominal.is_plain
+        and nominal.count == 1
+        and one.source is None
+    ):
+        raise trouble("which object is meant?", asks=True)
+    if nominal.plural and not nominal.reference and not nominal.counted:
+        nominal = replace(nominal, count="all")
+    return nominal
+
+
+def count_of(nominal: Nominal) -> int | str | None:
+    """The slot ``count``, unless it is one."""
+    return None if nominal.count == 1 else nominal.count
+
+
+def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
+    nominal = thing(one, doing)
+    return draft(
+        "pick",
+        object=nominal,
+        source=one.source,
+        hand=one.hand,
+        count=count_of(nominal),
+        fetched=fetched or None,
+    )
+
+
+def _pick(parts: Parts) -> Clause:
+    each = arranged(parts)
+    for one in each:
+        if one.goal is not None or one.back:
+            raise unfit()
+        if one.person is not None and one.person.sort != "me":
+            raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
+    return clause(parts, [(_pick_bundle(one),) for one in each])
+
+
+def _fetch(parts: Parts) -> Clause:
+    each = arranged(parts)
+    bundles = []
+    for one in each:
+        person = one.person
+        if one.goal is not None:
+            if not (one.goal.of.is_person or one.goal.of.reference == "here"):
+                raise unfit()
+            person = one.goal.of
+        taken = _pick_bundle(one)
+        bundles.append(
+            (taken,)
+            if person is None
+            else (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
+        )
+    return clause(parts, bundles)
+
+
+def _recipient(nominal: Nominal) -> Nominal:
+    if nominal.reference == "here":
+        return ME
+    if not nominal.is_person:
+        raise unfit()
+    if nominal.count != 1 or nominal.plural:
+        raise trouble("several people at once: name one", nominal.kind)
+    return nominal
+
+
+def _transport(one: Arranged) -> Bundle:
+    taken = _pick_bundle(one, doing="taking away", fetched=True)
+    goal = one.goal
+    if goal is None:
+        return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(one.person or ME)))
+    if goal.of.is_person or goal.of.reference == "here":
+        return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(goal.of)))
+    if goal.of.reference == "there":
+        return (taken, draft("place", object=PREVIOUS, there=goal))
+    return (taken, _put_draft(PREVIOUS, goal, None, None))
+
+
+def _bring(parts: Parts) -> Clause:
+    return clause(parts, [_transport(one) for one in arranged(parts)])
+
+
+def _carry(parts: Parts) -> Clause:
+    each = arranged(parts)
+    if any(one.goal is None for one in each):
+        raise unfit()
+    return clause(parts, [_transport(one) for one in each])
+
+
+def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
+    result = []
+    for pair in (part for part in parts if isinstance(part, Pair)):
+        (one,) = arranged((pair.item,))
+        if one.goal is not None or (one.person is not None and one.person.sort != "me"):
+            raise unfit()
+        result.append((_recipient(pair.person), one))
+    return result
+
+
+def _bring_pairs(parts: Parts) -> Clause:
+    bundles: list[Bundle] = []
+    person = ME
+    for person, one in _pairs(parts):
+        bundles.append((_pick_bundle(one, fetched=True), draft("hand_over", object=PREVIOUS, to=person)))
+    bundles += [
+        (_pick_bundle(one, fetched=True), draft("hand_over", object=PREVIOUS, to=person))
+        for one in _more(parts)
+    ]
+    return clause(parts, bundles)
+
+
+def _more(parts: Parts) -> list[Arranged]:
+    """Further things for the same person: "me the cup and the bottle"."""
+    loose = tuple(part for part in parts if isinstance(part, Item))
+    if not loose:
+        return []
+    each = arranged(loose)
+    if any(one.goal is not None or one.person is not None for one in each):
+        raise unfit()
+    return each
+
+
+def _pair(parts: Parts) -> Pair | None:
+    person, item = parts
+    if not isinstance(person, Nominal) or not person.is_person or item.of.is_person:
+        return None
+    return Pair(person, item)
+
+
+def _give(parts: Parts) -> Clause:
+    each = arranged(parts)
+    over = bool(words(parts, "OVER")) or any("over" in part.said for part in parts if isinstance(part, Word))
+    bundles = []
+    for one in each:
+        person = one.goal.of if one.goal is not None else one.person
+        if person is None:
+            if not over and not one.back:
+                raise trouble("to whom?", asks=True)
+            person = ME
+        bundles.append(_give_bundle(one, person))
+    return clause(parts, bundles)
+
+
+def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
+    nominal = thing(one, "handing over")
+    return (
+        draft(
+            "hand_over",
+            object=nominal,
+            source=one.source,
+            to=_recipient(person),
+            hand=one.hand,
+            count=count_of(nominal),
+        ),
+    )
+
+
+def _give_pairs(parts: Parts) -> Clause:
+    pairs = _pairs(parts)
+    bundles = [_give_bundle(one, person) for person, one in pairs]
+    bundles += [_give_bundle(one, pairs[-1][0]) for one in _more(parts)]
+    return clause(parts, bundles)
+
+
+def _can_i_have(parts: Parts) -> Clause:
+    each = arranged(parts)
+    if any(one.goal is not None or one.back for one in each):
+        raise unfit()
+    return clause(parts, [_give_bundle(one, ME) for one in each])
+
+
+def _put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str | None) -> Any:
+    of = goal.of
+    slots = {"object": nominal, "source": source, "hand": hand, "count": count_of(nominal)}
+    if of.count != 1:
+        raise trouble("several places at once: name one", of.kind)
+    if goal.relation is not None:
+        return draft("place", **slots, to=Relative(goal.relation, of))
+    if of.reference == "here" or of.reference == "this":
+        raise trouble("where shall it be put?", asks=True)
+    if of.reference == "there":
+        return draft("place", **slots, there=goal)
+    if of.is_person:
+        raise trouble(f"nothing is put on or into a person ({of.kind!r})", of.kind)
+    if of.sort == "you":
+        raise unfit()
+    if goal.preposition == "in":
+        if of.sort == "room":
+            return draft("place", **slots, to=of)
+        if of.sort == "furniture" and of.kind in _SHELVES:
+            return draft("place", **slots, on=of)
+        if of.sort in ("furniture", "door"):
+            raise trouble(f"nothing can be put into the {of.kind}", of.kind)
+        return draft("put_in", **slots, to=of)
+    if of.sort == "door":
+        raise trouble(f"nothing can be put on the {of.kind}", of.kind)
+    if goal.preposition == "on":
+        if of.sort == "room":
+            raise unfit()
+        return draft("place", **slots, on=of)
+    if of.sort == "furniture":
+        return draft("place", **slots, on=of)
+    if of.sort in ("container", "room"):
+        return draft("place", **slots, to=of)
+    raise unfit()
+
+
+def _put(parts: Parts) -> Clause:
+    each = arranged(parts, goes=True)
+    down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
+    bundles: list[Bundle] = []
+    for one in each:
+        nominal = thing(one, "putting down")
+        if one.person is not None and one.person.sort != "me":
+            raise unfit()
+        if one.goal is not None:
+            bundles.append((_put_draft(nominal, one.goal, one.source, one.hand),))
+        elif one.back:
+            bundles.append((draft("place", object=nominal, hand=one.hand, there=Where("to", BACK, "at")),))
+        elif down and nominal.count == "all" and nominal.sort == "any" and nominal.is_plain:
+            raise trouble("what shall be put down?", asks=True)
+        elif down:
+            bundles.append(
+                (draft("place", object=nominal, source=one.source, hand=one.hand, count=count_of(nominal)),)
+            )
+        else:
+            raise unfit()
+    return clause(parts, bundles)
+
+
+def _put_into(parts: Parts) -> Clause:
+    each = arranged(parts, goes=True)
+    if any(one.goal is None or one.goal.preposition != "in" or one.goal.of.sort == "room" for one in each):
+        raise unfit()
+    return clause(
+        parts,
+        [(_put_draft(thing(one, "throwing"), one.goal, one.source, one.hand),) for one in each if one.goal],
+    )
+
+
+def _move_thing(parts: Parts) -> Clause:
+    each = arranged(parts, goes=True)
+    for one in each:
+        if one.goal is None or (one.goal.role == "either" and one.goal.relation is None):
+            raise unfit()
+    return clause(
+        parts,
+        [(_put_draft(thing(one, "moving"), one.goal, one.source, one.hand),) for one in each if one.goal],
+    )
+
+
+def _drop(parts: Parts) -> Clause:
+    each = arranged(parts)
+    for one in each:
+        thing(one, "dropping")
+        if one.goal is not None or one.source is not None or one.back:
+            raise unfit()
+    raise trouble("where shall it be put?", asks=True)
+
+
+def _want(parts: Parts) -> Clause:
+    each = arranged(parts)
+    for one in each:
+        thing(one, "wanting")
+        if one.goal is not None:
+            raise unfit()
+    raise trouble("shall it be brought to you?", asks=True)
+
+
+def _opened(action: str) -> Callable[[Parts], Clause]:
+    def meaning(parts: Parts) -> Clause:
+        bundles = []
+        for one in arranged(parts, has_source=False):
+            nominal = one.object
+            if one.goal is not None or one.back or (one.person is not None and one.person.sort != "me"):
+                raise unfit()
+            if nominal.reference == "this":
+                raise trouble("which one is meant?", asks=True)
+            if nominal.count != 1 or nominal.plural:
+                raise trouble(f"only one at a time can be told to {action}", nominal.kind)
+            if not nominal.reference and nominal.sort not in ("container", "door"):
+                what = nominal.kind or "thing"
+                raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)
+            bundles.append((draft(action, object=nominal, hand=one.hand),))
+        return clause(parts, bundles)
+
+    return meaning
+
+
+def _push(parts: Parts) -> Clause:
+    arranged(parts)
+    verb = words(parts, "PULL", "PUSH")[0].said
+    raise trouble(f"pushing or pulling things ({verb!r}) is no skill of this robot yet", verb)
+
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "pick": _pick,
+    "fetch": _fetch,
+    "bring": _bring,
+    "carry": _carry,
+    "bring_pairs": _bring_pairs,
+    "give": _give,
+    "give_pairs": _give_pairs,
+    "can_i_have": _can_i_have,
+    "put": _put,
+    "put_into": _put_into,
+    "move_thing": _move_thing,
+    "drop": _drop,
+    "want": _want,
+    "open": _opened("open"),
+    "close": _opened("close"),
+    "push": _push,
+}
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {"pair": _pair, **{name: guarded(meaning) for name, meaning in _COMMANDS.items()}}
+)

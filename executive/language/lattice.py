@@ -1,0 +1,126 @@
+"""Everything that the vocabulary reads in a sentence: for each place, which word classes begin there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from executive.language.tokens import Piece
+from executive.vocabulary import Vocabulary
+
+FILLER = "FILLER"
+_SEPARATORS = frozenset({"PAUSE", "SEP"})
+_ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A phrase in one of its readings.
+
+    Attributes:
+        word_class: Terminal of the grammar.
+        meaning: What it means there; for a number or a quotation, its text.
+        start: Index of its first piece.
+        end: Index after its last piece.
+        said: Its text, lower-case.
+    """
+
+    word_class: str
+    meaning: str
+    start: int
+    end: int
+    said: str = ""
+
+
+class Lattice:
+    """The readings of all pieces, with courtesies that may stand anywhere passed over.
+
+    Attributes:
+        plain: The normalised text.
+        pieces: Its pieces.
+        ends: Places after which nothing but courtesies and marks follow.
+    """
+
+    def __init__(self, plain: str, pieces: Sequence[Piece], vocabulary: Vocabulary) -> None:
+        self.plain, self.pieces = plain, pieces
+        size = len(pieces)
+        texts = [piece.text if not piece.quoted else "" for piece in pieces]
+        self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
+        self._own: list[list[Word]] = [[] for _ in range(size + 1)]
+        self._covered = [False] * size
+        self.ends = [False] * size + [True]
+        for start in range(size - 1, -1, -1):
+            self._read(start, texts, vocabulary)
+
+    def _read(self, start: int, texts: Sequence[str], vocabulary: Vocabulary) -> None:
+        piece = self.pieces[start]
+        found = [
+            Word(
+                reading.word_class,
+                reading.meaning,
+                start,
+                start + length,
+                " ".join(texts[start : start + length]),
+            )
+            for length, reading in vocabulary.matches(texts, start)
+        ]
+        if piece.quoted:
+            found = [Word("QUOTED", piece.text, start, start + 1)]
+        elif piece.is_mark:
+            found.append(Word("PAUSE", piece.text, start, start + 1))
+        elif piece.is_number:
+            found.append(Word("NUM", piece.text, start, start + 1))
+        at = self._words[start]
+        fillers = [word for word in found if word.word_class == FILLER]
+        for word in found:
+            for index in range(start, word.end):
+                self._covered[index] = True
+            if word.word_class != FILLER:
+                at.setdefault(word.word_class, []).append(word)
+        self._own[start] = found
+        self.ends[start] = piece.is_mark and self.ends[start + 1]
+        passed = {word.end for word in fillers}
+        if piece.text == ",":  # a courtesy between two commas
+            passed |= {
+                word.end + 1
+                for word in self._own[start + 1]
+                if word.word_class == FILLER
+                and word.end < len(self.pieces)
+                and self.pieces[word.end].text == ","
+            }
+        if start == 0 and piece.is_mark:
+            passed.add(start + 1)
+        for after in passed:
+            self.ends[start] = self.ends[start] or self.ends[after]
+            for name, words in self._words[after].items():
+                known = at.setdefault(name, [])
+                known.extend(word for word in words if word not in known)
+
+    def classes(self, position: int) -> dict[str, list[Word]]:
+        """The words that begin at a place, by word class."""
+        return self._words[position]
+
+    def phrase(self, position: int) -> Sequence[Word]:
+        """The words that begin exactly at a place."""
+        return self._own[position]
+
+    def unknown(self) -> int | None:
+        """The first piece that belongs to no phrase."""
+        return next((index for index, covered in enumerate(self._covered) if not covered), None)
+
+    def free_text(self, start: int) -> list[Word]:
+        """What may be words to say: from a place up to each separator, and to the end."""
+        size = len(self.pieces)
+        if start >= size or self.pieces[start].is_mark:
+            return []
+        stops = [end for end in range(start + 1, size + 1) if self._may_end(end)]
+        return [Word("TEXT", self.text(start, end), start, end) for end in stops]
+
+    def _may_end(self, end: int) -> bool:
+        return self.ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
+
+    def text(self, start: int, end: int) -> str:
+        """The text of some pieces, as it was written."""
+        while end > start + 1 and self.pieces[end - 1].is_mark:
+            end -= 1
+        return self.plain[self.pieces[start].start : self.pieces[end - 1].end] if end > start else ""

@@ -1,0 +1,204 @@
+"""What the parts of a sentence mean before references are resolved: frozen values, made by the grammar."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+Sort = Literal["thing", "furniture", "container", "door", "room", "person", "me", "you", "name", "any"]
+Reference = Literal["it", "them", "him", "this", "there", "here", "previous"]
+Preposition = Literal["on", "in", "at", "to"]
+
+
+@dataclass(frozen=True, slots=True)
+class Trouble:
+    """A part that is understood and cannot be acted on: a refusal, or with ``asks`` a question."""
+
+    message: str
+    word: str | None = None
+    asks: bool = False
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Feature:
+    """One adjective: which slot of a description it fills."""
+
+    slot: str
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Relative:
+    """Where something is: its relation to something else."""
+
+    kind: str
+    to: Nominal
+
+
+@dataclass(frozen=True, slots=True)
+class Nominal:
+    """A noun phrase.
+
+    Attributes:
+        sort: What sort of thing the noun names; "any" for things of no or an unknown kind.
+        kind: Canonical noun, or a person's name.
+        color, size, material, ordinal, name: As in ``trees.tasks.ObjectDescription``.
+        relation: Where it is.
+        count: How many.
+        plural: Whether the noun was in the plural.
+        counted: Whether it was said how many.
+        reference: What it points back to, instead of a noun.
+        anaphoric: Whether the noun is "one": the kind that was named before.
+        determined: Whether an article or the like was there.
+    """
+
+    sort: Sort
+    kind: str | None = None
+    color: str | None = None
+    size: str | None = None
+    material: str | None = None
+    ordinal: str | None = None
+    name: str | None = None
+    relation: Relative | None = None
+    count: int | str = 1
+    plural: bool = False
+    counted: bool = False
+    reference: Reference | None = None
+    anaphoric: bool = False
+    determined: bool = False
+
+    def described(self, feature: Feature) -> Nominal | Trouble:
+        """With one more feature; a contradiction is trouble."""
+        present = getattr(self, feature.slot)
+        if present is not None and present != feature.value:
+            return Trouble(f"{present!r} and {feature.value!r} contradict each other", feature.value)
+        changes: Any = {feature.slot: feature.value}
+        return replace(self, **changes)
+
+    def placed(self, relation: Relative) -> Nominal | Trouble:
+        """With where it is; being at two places is trouble."""
+        if self.relation is not None and self.relation != relation:
+            return Trouble("more than one place is named for the same thing", None)
+        return replace(self, relation=relation)
+
+    @property
+    def is_person(self) -> bool:
+        """Whether it is somebody who can be waved at or handed something."""
+        return self.sort in ("person", "me", "name") or self.reference == "him"
+
+    @property
+    def is_place(self) -> bool:
+        """Whether it is somewhere to put things or to go."""
+        return self.sort in ("furniture", "container", "door", "room")
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the noun says it all."""
+        return all(getattr(self, name) is None for name in _DESCRIBES)
+
+
+_DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
+
+
+@dataclass(frozen=True, slots=True)
+class Where:
+    """A place that is said of a thing.
+
+    Attributes:
+        role: Where it "is", where it comes "from", where it goes "to", or "either": is or goes.
+        preposition: How; None for a relation.
+        relation: Kind of the relation, such as "left_of".
+        of: The place, or what the relation is to.
+    """
+
+    role: Literal["is", "from", "to", "either"]
+    of: Nominal
+    preposition: Preposition | None = None
+    relation: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Hand:
+    """Which hand to use."""
+
+    side: str
+
+
+@dataclass(frozen=True, slots=True)
+class Benefit:
+    """For whom."""
+
+    person: Nominal
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A thing with what is said of it; ``details`` are Where, Hand and Benefit."""
+
+    of: Nominal
+    details: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Items:
+    """Several things that the same is done to."""
+
+    each: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """A thing for a person: "Ana the cup"."""
+
+    person: Nominal
+    item: Item
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A quantity in SI units."""
+
+    of: Literal["duration", "distance", "angle", "linear_speed", "angular_speed"]
+    value: float
+    said: str
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A task whose references are open; ``slots`` are pairs of a name and a value."""
+
+    action: str
+    slots: tuple[tuple[str, Any], ...] = ()
+
+    def get(self, name: str) -> Any:
+        """The value of a slot, or None."""
+        return next((value for key, value in self.slots if key == name), None)
+
+    def with_slot(self, name: str, value: Any) -> Draft:
+        """With one more slot; None changes nothing."""
+        return self if value is None else replace(self, slots=(*self.slots, (name, value)))
+
+
+Bundle = tuple[Draft, ...]
+"""Drafts that are done one after the other to the same thing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """One command: what to do, the form of its verb, and its words."""
+
+    bundles: tuple[Bundle, ...]
+    form: Literal["base", "ing", "ed"]
+    text: str = ""
+
+
+def draft(action: str, **slots: Any) -> Draft:
+    """A draft of the slots that say something; ``from_`` is the slot "from"."""
+    named = tuple((name.rstrip("_"), value) for name, value in slots.items() if value is not None)
+    return Draft(action, named)
+
+
+Meaning = Callable[[tuple[Any, ...]], Any]
+"""From the meanings of a production's parts to its own: None when they do not go together."""

@@ -1,0 +1,193 @@
+"""What is said of where things are and go, which hand is used, and how far, long and fast."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.lattice import Word
+from executive.language.nominals import ROBOT, words
+from executive.language.phrases import (
+    Benefit,
+    Hand,
+    Meaning,
+    Measure,
+    Nominal,
+    Preposition,
+    Relative,
+    Trouble,
+    Where,
+)
+
+Parts = tuple[Any, ...]
+_LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO"})
+_KIND = {"NEXT_TO": "next_to", "NEAREST_TO": "nearest"}
+
+
+def _place(role: str, preposition: Preposition) -> Meaning:
+    def meaning(parts: Parts) -> Where | Trouble | None:
+        nominal = parts[-1]
+        if not isinstance(nominal, Nominal):
+            return None
+        return Where(role, nominal, preposition)  # type: ignore[arg-type]
+
+    return meaning
+
+
+def _relation(role: str) -> Meaning:
+    def meaning(parts: Parts) -> Where | None:
+        nominal = parts[-1]
+        link = words(parts, *_LINKS)[-1]
+        if not isinstance(nominal, Nominal):
+            return None
+        kind = _relation_of(link, nominal)
+        return None if kind is None else Where(role, nominal, None, kind)  # type: ignore[arg-type]
+
+    return meaning
+
+
+def _relation_of(link: Word, of: Nominal) -> str | None:
+    """The relation that a word says; the left side of a table is a part of it, and no relation to it."""
+    kind = _KIND.get(link.word_class, link.meaning)
+    if kind.endswith("_side_of"):
+        return None if of.is_place else kind.replace("_side", "")
+    return kind
+
+
+def _within(parts: Parts) -> Relative | None:
+    """The second half of "the person next to the table", said of the noun before it."""
+    link, of = parts
+    if link.word_class in ("ON", "IN", "AT"):
+        place = {"ON": "on", "IN": "in", "AT": "next_to"}[link.word_class]
+        return Relative(place, of) if of.is_place else None
+    kind = _relation_of(link, of)
+    return None if kind is None else Relative(kind, of)
+
+
+def _qualified(parts: Parts) -> Nominal | Trouble | None:
+    nominal, relation = parts
+    if (
+        not isinstance(nominal, Nominal)
+        or not (nominal.is_person or nominal.is_place)
+        or nominal.sort in ("me", "name")
+    ):
+        return None
+    if nominal.reference or (
+        relation.kind in ("on", "in") and nominal.is_place and relation.to.sort != "room"
+    ):
+        return None
+    return nominal.placed(relation)
+
+
+def _trash(_parts: Parts) -> Where:
+    return Where("to", Nominal("container", "bin"), "in")
+
+
+def _here(_parts: Parts) -> Where:
+    return Where("to", Nominal("me", "me", reference="here"), "to")
+
+
+def _there(_parts: Parts) -> Where:
+    return Where("to", Nominal("any", reference="there"), "at")
+
+
+def _back(_parts: Parts) -> str:
+    return "back"
+
+
+def _somewhere(_parts: Parts) -> Trouble:
+    return Trouble("where shall it go?", asks=True)
+
+
+def _inside(_parts: Parts) -> Where:
+    return Where("to", Nominal("any", reference="it"), "in")
+
+
+def _hand(parts: Parts) -> Hand | None:
+    sides = words(parts, "LEFT_RIGHT")
+    marks = words(parts, "PAUSE")
+    if any(mark.meaning != "," for mark in marks):
+        return None
+    named = words(parts, "HAND") or sides[0].end - sides[0].start > 1
+    return Hand(sides[0].meaning) if named else None
+
+
+def _benefit(parts: Parts) -> Benefit | None:
+    person = parts[-1]
+    return Benefit(person) if isinstance(person, Nominal) and person.is_person else None
+
+
+def _measure(of: str) -> Meaning:
+    def meaning(parts: Parts) -> Measure:
+        unit = next(part for part in reversed(parts) if isinstance(part, Word))
+        number = next(part for part in parts if isinstance(part, float))
+        return Measure(of, number * float(unit.meaning), f"{number:g}")  # type: ignore[arg-type]
+
+    return meaning
+
+
+def _amount(parts: Parts) -> float | None:
+    numbers = [
+        float(part.meaning) for part in parts if isinstance(part, Word) and part.word_class != "BULLET"
+    ]
+    if len(numbers) == 2:
+        tens, ones = numbers
+        return tens + ones if 20 <= tens < 100 and 1 <= ones <= 9 else None
+    return numbers[0]
+
+
+def _number(parts: Parts) -> float | None:
+    found = [part for part in parts if isinstance(part, Word) and part.word_class != "BULLET"]
+    if found[0].word_class == "HALF":
+        return 0.5
+    if len(found) == 1:
+        return float(found[0].meaning)
+    first, second = found
+    if second.word_class == "TENS":
+        return float(first.meaning) * 100 if second.meaning == "100" else None
+    return _amount(parts) if first.word_class == "TENS" else float(first.meaning) + float(second.meaning)
+
+
+def _decimal(parts: Parts) -> float | None:
+    whole, _, fraction = parts
+    return float(whole.meaning) + float(fraction.meaning) / 10 if float(fraction.meaning) < 10 else None
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {
+        "located_on": _place("is", "on"),
+        "located_in": _place("is", "in"),
+        "located_at": _place("is", "at"),
+        "located_relation": _relation("is"),
+        "at_on": _place("either", "on"),
+        "at_in": _place("either", "in"),
+        "at_place": _place("either", "at"),
+        "to_on": _place("to", "on"),
+        "to_in": _place("to", "in"),
+        "to_place": _place("to", "to"),
+        "located_from": _place("from", "on"),
+        "at_relation": _relation("either"),
+        "to_relation": _relation("to"),
+        "within": _within,
+        "qualified": _qualified,
+        "trash": _trash,
+        "here": _here,
+        "there": _there,
+        "back": _back,
+        "somewhere": _somewhere,
+        "inside": _inside,
+        "hand": _hand,
+        "benefit": _benefit,
+        "duration": _measure("duration"),
+        "distance": _measure("distance"),
+        "angle": _measure("angle"),
+        "linear_speed": _measure("linear_speed"),
+        "angular_speed": _measure("angular_speed"),
+        "amount": _amount,
+        "number": _number,
+        "decimal": _decimal,
+    }
+)
+
+__all__ = ["MEANINGS", "ROBOT"]

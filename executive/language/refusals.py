@@ -1,0 +1,155 @@
+"""Why a sentence that nobody could read is refused: the words that caused it, and a wording that works."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterator
+from functools import cached_property
+
+from executive.language.chart import Chart
+from executive.language.lattice import Lattice
+from executive.meaning import Refusal
+from executive.vocabulary import Vocabulary
+
+EXAMPLES = (
+    "pick up the red cup",
+    "pick up the red cup on the table",
+    "pick up the blue box with the left hand",
+    "put the red cup on the shelf",
+    "put the ball in the box",
+    "bring me the bottle",
+    "hand the cup to Ana",
+    "open the fridge",
+    "close the drawer",
+    "walk to the kitchen",
+    "move forward 1 meter",
+    "turn left",
+    "wave to Ana",
+    "point at the bottle",
+    "look at the cup",
+    "find the red cup",
+    "count the cups on the table",
+    "what is on the table",
+    "say hello to Ana",
+    "wait 5 seconds",
+    "go home",
+    "stop",
+)
+"""Valid wordings to offer when nothing nearer is found."""
+
+_VERBS = frozenset({"PICK", "PUT", "OPEN", "WALK", "STOP"})
+_NOUNS = frozenset({"KIND", "THING"})
+_LINK = "LINK"
+_NEVER_USED = frozenset({"NEGATION", "CONDITION", "LIMITLESS", "DOUBT"})
+"""Word classes that decide a refusal wherever they stand before the place that broke the parse."""
+
+_SHOWN = 40
+"""Characters of an offending word that are repeated to the user."""
+
+_LONGEST_TYPO = 24
+_CORRECTIONS = 8
+"""Corrections of an unknown word that are tried."""
+
+
+def printable(word: str) -> str:
+    """A word that may be shown: bounded, with escapes for what a terminal could take for control."""
+    short = word if len(word) <= _SHOWN else word[:_SHOWN] + "\u2026"
+    return "".join(one if one.isprintable() else f"\\x{ord(one):02x}" for one in short)
+
+
+class Explainer:
+    """Finds the words that caused a refusal."""
+
+    def __init__(self, vocabulary: Vocabulary, is_valid: Callable[[str], bool]) -> None:
+        self._vocabulary, self._is_valid = vocabulary, is_valid
+
+    def explain(self, lattice: Lattice, chart: Chart) -> Refusal:
+        """Why there is no parse."""
+        plain, position = lattice.plain, chart.furthest
+        unknown = lattice.unknown()
+        if unknown is not None:
+            refusal, corrected = self._unknown(lattice, unknown)
+            if corrected or unknown <= position or self._refused(lattice, chart) is None:
+                return refusal
+        if position >= len(lattice.pieces) or lattice.ends[position]:
+            return self._incomplete(lattice, chart)
+        found = self._refused(lattice, chart)
+        if found is not None:
+            word, message = found
+            return Refusal(message, word, None)
+        shown = printable(lattice.pieces[position].text)
+        if position == 0 and chart.expected >= _VERBS:
+            message = f"a command begins with what to do, not with {shown!r}"
+        else:
+            message = f"{shown!r} does not fit here"
+        return Refusal(message, shown, self.nearest_example(plain))
+
+    def _incomplete(self, lattice: Lattice, chart: Chart) -> Refusal:
+        missing = "an object such as a cup or a box" if chart.expected & _NOUNS else "something"
+        if chart.expected >= _VERBS:
+            missing = "what to do"
+        last = next((piece.text for piece in reversed(lattice.pieces) if not piece.is_mark), lattice.plain)
+        message = f"after {printable(last)!r} {missing} is missing"
+        return Refusal(message, printable(last), self.nearest_example(lattice.plain))
+
+    def _unknown(self, lattice: Lattice, position: int) -> tuple[Refusal, bool]:
+        """Refuse an unknown word; tell also whether a known one in its place makes a valid sentence."""
+        piece = lattice.pieces[position]
+        shown = printable(piece.text)
+        message = f"the word {shown!r} is not known"
+        for candidate in self._similar(piece.text):
+            corrected = lattice.plain[: piece.start] + candidate + lattice.plain[piece.end :]
+            if self._is_valid(corrected):
+                return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
+        return Refusal(message, shown, self.nearest_example(lattice.plain)), False
+
+    def _refused(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:
+        """The first words, up to where the parse broke off, that are known and never acted on."""
+        last = min(chart.furthest, len(lattice.pieces) - 1)
+        phrases = [
+            word
+            for position in range(last + 1)
+            for word in sorted(lattice.phrase(position), key=lambda one: -one.end)
+        ]
+        harmful = [word for word in phrases if word.word_class == "HARM"]
+        here = [
+            word for word in phrases if word.start <= chart.furthest < word.end and word.word_class != _LINK
+        ]
+        here.sort(key=lambda word: (word.start - word.end, word.word_class != "NO_SKILL"))
+        before = [word for word in phrases if word.start < chart.furthest and word.word_class in _NEVER_USED]
+        rest = [word for word in phrases if word.start == chart.furthest]
+        for word in (*harmful, *here, *before, *rest):
+            if word.word_class in self._vocabulary.classes:
+                said = printable(word.said)
+                message = self._vocabulary.refusal_of(word.word_class, word.meaning, said)
+                if message is not None:
+                    return said, message
+        return None
+
+    @cached_property
+    def _deletions(self) -> dict[str, list[str]]:
+        """Known words by what is left of them without one letter."""
+        left: dict[str, list[str]] = {}
+        for word in sorted(self._vocabulary.single_words):
+            for key in _without_one(word):
+                left.setdefault(key, []).append(word)
+        return left
+
+    def _similar(self, word: str) -> Iterator[str]:
+        """Known words that differ by a letter or two, nearest first."""
+        if not 2 < len(word) <= _LONGEST_TYPO or not word.isalpha():
+            return
+        found = {one for key in _without_one(word) for one in self._deletions.get(key, ())}
+        ranked = sorted(found, key=lambda one: (-difflib.SequenceMatcher(None, word, one).ratio(), one))
+        yield from ranked[:_CORRECTIONS]
+
+    def nearest_example(self, text: str) -> str:
+        """The valid wording that looks most like the text."""
+        words = set(text[:100].lower().split())
+        return max(
+            EXAMPLES, key=lambda item: len(words & set(item.lower().split())) / (3 + len(item.split()))
+        )
+
+
+def _without_one(word: str) -> set[str]:
+    return {word, *(word[:index] + word[index + 1 :] for index in range(len(word)))}

@@ -1,0 +1,175 @@
+"""Clauses put in the order in which they are to be done."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Any
+
+from executive.language import attention, going, handling, nominals, places
+from executive.language.phrases import Clause, Draft, Hand, Meaning, Where
+
+Parts = tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Clauses in the order in which they are done."""
+
+    clauses: tuple[Clause, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """All clauses; ``unseparated`` counts those that nothing stands before."""
+
+    clauses: tuple[Clause, ...]
+    unseparated: int = 0
+
+
+class _Nothing:
+    """A part that says nothing of its own."""
+
+    __slots__ = ()
+
+
+NOTHING = _Nothing()
+
+
+def _nothing(_parts: Parts) -> Any:
+    return NOTHING
+
+
+def _list_number(parts: Parts) -> Any:
+    return (
+        NOTHING
+        if len(parts) == 2 and "." not in parts[0].meaning and parts[1].meaning in (".", ")", ":", "paren")
+        else None
+    )
+
+
+def _clause(parts: Parts) -> Clause | None:
+    """A command, with what was said before it."""
+    command: Clause = parts[-1]
+    for part in parts[:-1]:
+        slot = (
+            ("hand", part.side)
+            if isinstance(part, Hand)
+            else ("source", part.of)
+            if isinstance(part, Where)
+            else None
+        )
+        if slot is not None:
+            changed = _with_slot(command, *slot)
+            if changed is None:
+                return None
+            command = changed
+    return command
+
+
+def _clause_with_hand(parts: Parts) -> Clause | None:
+    side = nominals.words(parts, "LEFT_RIGHT")[0]
+    return _clause((Hand(side.meaning), parts[-1]))
+
+
+_TAKES = {
+    "hand": frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"}),
+    "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
+}
+
+
+def _with_slot(command: Clause, name: str, value: Any) -> Clause | None:
+    bundles = []
+    for bundle in command.bundles:
+        first, *rest = bundle
+        if first.action not in _TAKES[name] or first.get(name) not in (None, value):
+            return None
+        bundles.append((_filled(first, name, value), *rest))
+    return replace(command, bundles=tuple(bundles))
+
+
+def _filled(first: Draft, name: str, value: Any) -> Draft:
+    return first if first.get(name) is not None else first.with_slot(name, value)
+
+
+def _clauses(parts: Parts) -> list[Clause]:
+    return [part for part in parts if isinstance(part, Clause)]
+
+
+def _done_before(parts: Parts) -> Clause | None:
+    (clause,) = _clauses(parts)
+    return replace(clause, form="base") if clause.form == "ed" else None
+
+
+def _ordered(*, subordinate: int, first_done: int) -> Meaning:
+    """Two clauses, one of them after a conjunction, which asks for a form of its own.
+
+    Args:
+        subordinate: Which of the two, as they are said, the conjunction stands before.
+        first_done: Which of the two is done first.
+    """
+
+    def meaning(parts: Parts) -> Group | None:
+        clauses = _clauses(parts)
+        expected = "base" if nominals.words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
+        if clauses[subordinate].form != expected or clauses[1 - subordinate].form != "base":
+            return None
+        done = [replace(clause, form="base") for clause in clauses]
+        return Group((done[first_done], done[1 - first_done]))
+
+    return meaning
+
+
+def _sentence(parts: Parts) -> Sentence | None:
+    clauses: list[Clause] = []
+    unseparated = 0
+    for part in parts:
+        if isinstance(part, Clause):
+            clauses.append(part)
+        elif isinstance(part, Group):
+            clauses.extend(part.clauses)
+        elif isinstance(part, _Unseparated):
+            unseparated += 1
+            clauses.extend(part.clauses)
+    forms = {clause.form for clause in clauses}
+    if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
+        return None
+    return Sentence(tuple(clauses), unseparated)
+
+
+@dataclass(frozen=True, slots=True)
+class _Unseparated:
+    clauses: tuple[Clause, ...]
+
+
+def _without_separator(parts: Parts) -> _Unseparated:
+    (part,) = parts
+    return _Unseparated(part.clauses if isinstance(part, Group) else (part,))
+
+
+def _more(parts: Parts) -> Any:
+    return parts[-1]
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {
+        **nominals.MEANINGS,
+        **places.MEANINGS,
+        **handling.MEANINGS,
+        **going.MEANINGS,
+        **attention.MEANINGS,
+        "nothing": _nothing,
+        "list_number": _list_number,
+        "clause": _clause,
+        "clause_with_hand": _clause_with_hand,
+        "done_before": _done_before,
+        "after_first": _ordered(subordinate=0, first_done=0),
+        "after_last": _ordered(subordinate=1, first_done=1),
+        "before_first": _ordered(subordinate=0, first_done=1),
+        "before_last": _ordered(subordinate=1, first_done=0),
+        "sentence": _sentence,
+        "unseparated": _without_separator,
+        "more": _more,
+    }
+)

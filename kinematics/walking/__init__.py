@@ -1,0 +1,1 @@
+"""Walking as values: footsteps, the CoM's pattern, whole-body references, wrenches, odometry."""

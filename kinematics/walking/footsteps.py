@@ -1,0 +1,117 @@
+"""Where the feet land."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from kinematics.robot_description import Hand
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.steering import Steering
+
+Feet = Mapping[Hand, PlanarPose]
+
+OTHER: Mapping[Hand, Hand] = {"left": "right", "right": "left"}
+_LEFTWARDS: Mapping[Hand, float] = {"left": 1.0, "right": -1.0}
+_CLOSED_M = 0.008
+_CLOSED_RAD = 0.012
+"""Feet that stand so near to their places beside each other need no closing step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Footstep:
+    """One landing.
+
+    Attributes:
+        side: Which foot.
+        pose: Where its sole lands, in the plan's frame.
+        advance: How far the body goes with it.
+    """
+
+    side: Hand
+    pose: PlanarPose
+    advance: PlanarPose = PlanarPose()  # noqa: RUF009 - a frozen value
+
+
+class FootstepPlanner:
+    """Makes landings of a steering, each within reach of the foot that stands."""
+
+    def __init__(self, settings: WalkingSettings, rest_spacing_m: float) -> None:
+        """Plan for a robot.
+
+        Args:
+            settings: Its reach.
+            rest_spacing_m: Between its feet when it stands.
+        """
+        self._settings = settings
+        self._rest_m = rest_spacing_m
+
+    def body_over(self, side: Hand, foot: PlanarPose) -> PlanarPose:
+        """Where the body is, walking, when one foot stands here."""
+        return foot @ PlanarPose(0.0, -0.5 * _LEFTWARDS[side] * self._settings.spacing_m)
+
+    def foot_under(self, side: Hand, body: PlanarPose) -> PlanarPose:
+        """Where a foot stands, walking, when the body is here."""
+        return body @ PlanarPose(0.0, 0.5 * _LEFTWARDS[side] * self._settings.spacing_m)
+
+    def beside(self, side: Hand, foot: PlanarPose) -> PlanarPose:
+        """Where a foot rests beside the other one."""
+        return foot @ PlanarPose(0.0, _LEFTWARDS[side] * self._rest_m)
+
+    def first_side(self, steering: Steering, feet: Feet, odom_T_plan: PlanarPose) -> Hand:
+        """Which foot steps first: the one on the side of the turn."""
+        body = odom_T_plan @ PlanarPose.between(feet["left"], feet["right"])
+        advance = steering.advance(body, PlanarPose())
+        if advance is None:
+            return "right"
+        return "left" if advance.yaw_rad > 1e-3 or advance.y_m > 1e-3 else "right"
+
+    def plan(
+        self,
+        standing: Hand,
+        feet: Feet,
+        steering: Steering,
+        before: PlanarPose,
+        odom_T_plan: PlanarPose,
+        horizon: int,
+    ) -> list[Footstep]:
+        """Landings that follow, ending with the feet side by side.
+
+        Args:
+            standing: The foot that stands while the first of them swings.
+            feet: Where both stand, or stood last.
+            steering: Where to go.
+            before: How far the body went with the step before.
+            odom_T_plan: Where the plan's frame is in the odometry frame.
+            horizon: How many steps to look ahead.
+
+        Returns:
+            Nothing, when the feet stand side by side and there is nowhere to go.
+        """
+        steps: list[Footstep] = []
+        side, foot = standing, feet[standing]
+        behind = feet[OTHER[standing]]
+        body = self.body_over(side, foot)
+        for _ in range(horizon):
+            advance = steering.advance(odom_T_plan @ body, before)
+            if advance is None:
+                break
+            next_side = OTHER[side]
+            landing = self._within_reach(next_side, foot, self.foot_under(next_side, body @ advance))
+            steps.append(Footstep(next_side, landing, advance))
+            behind, side, foot, before = foot, next_side, landing, advance
+            body = self.body_over(side, foot)
+        closing = self.beside(OTHER[side], foot)
+        off = closing.to(behind)
+        if not steps and abs(off.x_m) + abs(off.y_m) < _CLOSED_M and abs(off.yaw_rad) < _CLOSED_RAD:
+            return steps
+        steps.append(Footstep(OTHER[side], closing))
+        return steps
+
+    def _within_reach(self, side: Hand, standing: PlanarPose, landing: PlanarPose) -> PlanarPose:
+        """The landing, moved to where the foot can go without touching the one that stands."""
+        seen = standing.to(landing)
+        across = _LEFTWARDS[side] * seen.y_m
+        limited = min(max(across, self._settings.narrowest_m), self._settings.widest_m)
+        return standing @ PlanarPose(seen.x_m, _LEFTWARDS[side] * limited, seen.yaw_rad)

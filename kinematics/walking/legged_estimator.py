@@ -1,0 +1,231 @@
+"""Where the base and the CoM are while the feet move: encoders, IMU, and the feet that carry.
+
+The orientation is the integral of the gyro, whose bias is measured while the robot stands. What slowly
+goes wrong with it is put right by the soles that carry, which are flat on the floor, and a little by the
+accelerometer. The position hangs on the foot that carries most: it stands where it was found to stand when
+the load came onto it. So what accumulates is what each landing adds: slips, and soles that give way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.walking.planar import PlanarPose, wrapped
+
+Array = NDArray[np.float64]
+
+_GRAVITY_M_S2 = 9.81
+
+
+@dataclass(frozen=True, slots=True)
+class LeggedSettings:
+    """Time constants and thresholds.
+
+    Attributes:
+        sole_time_s: The tilt returns to that of flat soles with this time constant.
+        sole_yaw_time_s: The heading returns to that of the standing foot with this one: slowly, for
+            soles twist a little under turns and a gyro without bias does not.
+        gravity_time_s: The tilt returns to the accelerometer's with this one.
+        carrying_force_n: A sole with less normal force than this carries nothing.
+        shift_share: Another foot becomes the one to rely on with this share of the load.
+    """
+
+    sole_time_s: float = 0.4
+    sole_yaw_time_s: float = 10.0
+    gravity_time_s: float = 4.0
+    carrying_force_n: float = 30.0
+    shift_share: float = 0.6
+
+
+@dataclass(frozen=True, slots=True)
+class ComEstimate:
+    """The CoM as one sole sees it.
+
+    Attributes:
+        position_m: From the sole's origin, along the sole's heading, its left, and up, shape (3,).
+        velocity_m_s: The same of its velocity, were the sole at rest, shape (3,).
+        heading_rad: The base's, seen from the sole.
+    """
+
+    position_m: Array
+    velocity_m_s: Array
+    heading_rad: float
+
+
+class LeggedEstimator:
+    """Estimates pose and CoM in the odometry frame.
+
+    Attributes:
+        gyro_bias_rad_s: What the gyro shows at rest, in the base's frame, shape (3,).
+        odom_R_base: Orientation, shape (3, 3).
+        loads_n: Normal force on each sole, 0 where it carries nothing.
+        turn_rad_s: Angular velocity of the base in its own frame, shape (3,).
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        q: Array,
+        soles: Mapping[Hand, Array],
+        gyro_bias_rad_s: Array,
+        settings: LeggedSettings | None = None,
+    ) -> None:
+        """Begin at rest.
+
+        Args:
+            model: The robot.
+            q: Its configuration, base in the odometry frame, shape (nq,).
+            soles: Where its soles stand then, shape (4, 4) each.
+            gyro_bias_rad_s: In the IMU's frame, shape (3,).
+            settings: Time constants.
+        """
+        self._settings = settings or LeggedSettings()
+        self._model, self._data = model.pin, model.pin.createData()
+        self._sides = tuple(sole.side for sole in model.description.soles)
+        self._frames = [model.frame_id(sole.frame) for sole in model.description.soles]
+        self._imu = model.frame_id(model.description.imu_link)
+        self._q, self._v = pin.neutral(model.pin), np.zeros(model.nv)
+        self.odom_R_base = poses.rotation_from_quaternion(q[3:7])
+        self._anchors = {
+            side: (np.array(pose[:3, 3]), poses.yaw_of(pose[:3, :3])) for side, pose in soles.items()
+        }
+        self._relied: Hand = self._sides[0]
+        self._last_s: float | None = None
+        self.gyro_bias_rad_s = gyro_bias_rad_s.copy()
+        self.turn_rad_s = np.zeros(3)
+        self.loads_n: dict[Hand, float] = dict.fromkeys(self._sides, 0.0)
+        self._base_T_soles: dict[Hand, tuple[Array, Array]] = {}
+        self._velocities: dict[Hand, Array] = {}
+        self._com, self._com_velocity = np.zeros(3), np.zeros(3)
+        self._estimate = q.copy()
+
+    @property
+    def tilt_rad(self) -> Array:
+        """Whole configuration of the last update: what ``configuration`` is given back, shape (nq,)."""
+        return self._estimate
+
+    def configuration(self, joints_rad: Array, foot_wrench: Array, estimate: Array) -> Array:  # noqa: ARG002
+        """The configuration of an update, from its ``tilt_rad``; as ``BaseEstimator`` gives it."""
+        return estimate.copy()
+
+    def update(
+        self,
+        stamp_s: float,
+        joints_rad: Array,
+        joints_rad_s: Array,
+        gyro_rad_s: Array,
+        accelerometer_m_s2: Array,
+        foot_wrench: Array,
+    ) -> None:
+        """Take one set of readings.
+
+        Args:
+            stamp_s: Their time.
+            joints_rad, joints_rad_s: Body joints, shape (n,) each.
+            gyro_rad_s, accelerometer_m_s2: In the IMU's frame, shape (3,) each.
+            foot_wrench: On each sole, sole frame, shape (feet, 6).
+        """
+        self._q[7:], self._v[6:] = joints_rad, joints_rad_s
+        model, data = self._model, self._data
+        self._com = np.array(pin.centerOfMass(model, data, self._q, self._v, False))
+        self._com_velocity = np.array(data.vcom[0])
+        for side, frame in zip(self._sides, self._frames, strict=True):
+            placement = pin.updateFramePlacement(model, data, frame)
+            self._base_T_soles[side] = (placement.rotation, placement.translation)
+            self._velocities[side] = pin.getFrameVelocity(model, data, frame, pin.LOCAL_WORLD_ALIGNED).linear
+        base_R_imu = pin.updateFramePlacement(model, data, self._imu).rotation
+        self.turn_rad_s = base_R_imu.dot(gyro_rad_s - self.gyro_bias_rad_s)
+        least = self._settings.carrying_force_n
+        forces = foot_wrench[:, 2].tolist()
+        self.loads_n = {
+            side: force if force >= least else 0.0 for side, force in zip(self._sides, forces, strict=True)
+        }
+        if self._last_s is not None and stamp_s > self._last_s:
+            self._turn(stamp_s - self._last_s, base_R_imu.dot(accelerometer_m_s2))
+        self._last_s = stamp_s
+        self._rely()
+        self._place(joints_rad)
+
+    def com_from(self, side: Hand) -> ComEstimate:
+        """The CoM as a sole sees it."""
+        base_R_sole, base_p_sole = self._base_T_soles[side]
+        odom_R_sole = self.odom_R_base.dot(base_R_sole)
+        heading = math.atan2(odom_R_sole[1, 0], odom_R_sole[0, 0])
+        c, s = math.cos(heading), math.sin(heading)
+        arm = self._com - base_p_sole
+        moving = self._com_velocity - self._velocities[side] + _cross(self.turn_rad_s, arm)
+        x, y, z = self.odom_R_base.dot(arm).tolist()
+        vx, vy, vz = self.odom_R_base.dot(moving).tolist()
+        base_heading = math.atan2(self.odom_R_base[1, 0], self.odom_R_base[0, 0])
+        return ComEstimate(
+            np.array((c * x + s * y, c * y - s * x, z)),
+            np.array((c * vx + s * vy, c * vy - s * vx, vz)),
+            wrapped(base_heading - heading),
+        )
+
+    def sole(self, side: Hand) -> PlanarPose:
+        """Where a sole is believed to be now."""
+        base_R_sole, base_p_sole = self._base_T_soles[side]
+        place = self._estimate[:3] + self.odom_R_base.dot(base_p_sole)
+        odom_R_sole = self.odom_R_base.dot(base_R_sole)
+        return PlanarPose(float(place[0]), float(place[1]), poses.yaw_of(odom_R_sole))
+
+    def _turn(self, dt: float, force: Array) -> None:
+        """Integrate the gyro, then correct a little."""
+        settings = self._settings
+        R = self.odom_R_base.dot(pin.exp3(self.turn_rad_s * dt))
+        ex = ey = ez = 0.0
+        total = sum(self.loads_n.values())
+        if total > 0.0:
+            gain = dt / settings.sole_time_s
+            for side, load in self.loads_n.items():
+                if load <= 0.0:
+                    continue
+                sole = R.dot(self._base_T_soles[side][0])
+                share = gain * load / total
+                # the turn that brings the sole's z axis up
+                ex += share * sole[1, 2]
+                ey -= share * sole[0, 2]
+                if side == self._relied:
+                    off = wrapped(self._anchors[side][1] - math.atan2(sole[1, 0], sole[0, 0]))
+                    ez += dt / settings.sole_yaw_time_s * off
+        fx, fy, fz = R.dot(force).tolist()
+        gain = dt / settings.gravity_time_s
+        size = max(math.sqrt(fx * fx + fy * fy + fz * fz), 1e-6)
+        ex += gain * fy / size
+        ey -= gain * fx / size
+        self.odom_R_base = pin.exp3(np.array((ex, ey, ez))).dot(R)
+
+    def _rely(self) -> None:
+        """Change over to the foot that carries most, standing where it stands now."""
+        total = sum(self.loads_n.values())
+        if total <= 0.0:
+            return
+        for side, load in self.loads_n.items():
+            if side != self._relied and load > self._settings.shift_share * total:
+                place = self.sole(side)
+                self._anchors[side] = (np.array((place.x_m, place.y_m, 0.0)), place.yaw_rad)
+                self._relied = side
+
+    def _place(self, joints_rad: Array) -> None:
+        anchor, _ = self._anchors[self._relied]
+        estimate = np.empty(len(self._q))
+        estimate[:3] = anchor - self.odom_R_base.dot(self._base_T_soles[self._relied][1])
+        estimate[3:7] = poses.quaternion_from_rotation(self.odom_R_base)
+        estimate[7:] = joints_rad
+        self._estimate = estimate
+
+
+def _cross(a: Array, b: Array) -> Array:
+    ax, ay, az = a.tolist()
+    bx, by, bz = b.tolist()
+    return np.array((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx))

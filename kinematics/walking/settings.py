@@ -1,0 +1,61 @@
+"""How one robot walks, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class WalkingSettings:
+    """Timing, reach and balance of a walk; lengths in m, times in s, angles in rad.
+
+    Attributes:
+        first_shift_s: From standing to the first lift.
+        single_support_s, double_support_s: Of each step.
+        closing_s: From the last landing until the DCM is between the feet.
+        settle_s: From there to rest.
+        lift_m: Height of the swing foot's arc.
+        spacing_m: Between the feet's centres while walking.
+        forward_m, backward_m, sideways_m, turn_rad: Most that the body advances in one step.
+        narrowest_m, widest_m: Between the feet's centres, across.
+        front_m, back_m, half_width_m: Room that the robot takes ahead of its base, behind it, and to
+            each side.
+        acceleration_m_s2, turn_acceleration_rad_s2: Of the body's velocity from step to step.
+        dcm_gain: Share of the DCM's error that is added to the ZMP, less 1.
+        zmp_inset_m: The ZMP stays this far inside the sole's edge.
+        trunk_stiffness_nm, trunk_damping_nms: Moment that rights the trunk, per rad and rad/s.
+        joint_acceleration: Limit of the setpoints by joint, rad/s^2, while walking; those that are
+            not named keep the limits of other motions.
+        effort_share: Of a joint's effort limit that feed-forward and feedback may ask for.
+    """
+
+    first_shift_s: float
+    single_support_s: float
+    double_support_s: float
+    closing_s: float
+    settle_s: float
+    lift_m: float
+    spacing_m: float
+    forward_m: float
+    backward_m: float
+    sideways_m: float
+    turn_rad: float
+    narrowest_m: float
+    widest_m: float
+    front_m: float
+    back_m: float
+    half_width_m: float
+    acceleration_m_s2: float
+    turn_acceleration_rad_s2: float
+    dcm_gain: float
+    zmp_inset_m: float
+    trunk_stiffness_nm: float
+    trunk_damping_nms: float
+    joint_acceleration: Mapping[str, float]
+    effort_share: float
+
+    @property
+    def step_s(self) -> float:
+        """Time from one landing to the next."""
+        return self.single_support_s + self.double_support_s

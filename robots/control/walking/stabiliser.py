@@ -1,0 +1,94 @@
+"""Keeps a walk upright: compares what the sensors say with the pattern, and corrects by efforts."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory_sampler import MotionSample
+from kinematics.walking.dcm import Point
+from kinematics.walking.foot_wrenches import WrenchDistribution
+from kinematics.walking.legged_estimator import LeggedEstimator
+from kinematics.walking.pattern import PatternSample
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.walking_dynamics import WalkingDynamics
+
+Array = NDArray[np.float64]
+
+
+class Stabiliser:
+    """Feed-forward efforts that carry a walk out and bring its DCM back.
+
+    Joint references are the plan's; what is measured enters through the efforts alone.
+
+    Attributes:
+        error: The DCM's error of the last period in the plan's frame, m.
+    """
+
+    def __init__(self, model: RobotModel, settings: WalkingSettings, omega: float) -> None:
+        soles = {sole.side: sole for sole in model.description.soles}
+        self._distribution = WrenchDistribution(settings, soles, model.mass_kg, omega)
+        self._dynamics = WalkingDynamics(model)
+        self._settings, self._omega = settings, omega
+        self._most = settings.effort_share * model.effort
+        self.error: Point = (0.0, 0.0)
+
+    def efforts(self, pattern: PatternSample, motion: MotionSample, measured: LeggedEstimator) -> Array:
+        """Efforts of the body joints for one instant, Nm, shape (n,).
+
+        Args:
+            pattern: The plan's instant.
+            motion: The same as a motion of all joints.
+            measured: What the sensors say.
+        """
+        shares = self._shares(pattern, measured)
+        x = y = vx = vy = 0.0
+        for side, share in shares.items():
+            seen, foot = measured.com_from(side), pattern.feet[side]
+            px, py, _ = seen.position_m.tolist()
+            sx, sy, _ = seen.velocity_m_s.tolist()
+            place = foot @ PlanarPose(px, py)
+            speed = PlanarPose(yaw_rad=foot.yaw_rad) @ PlanarPose(sx, sy)
+            x, y = x + share * place.x_m, y + share * place.y_m
+            vx, vy = vx + share * speed.x_m, vy + share * speed.y_m
+        w, dcm = self._omega, pattern.com.dcm
+        self.error = (x + vx / w - dcm[0], y + vy / w - dcm[1])
+        wanted = self._distribution.wrenches(
+            pattern.com.zmp,
+            self.error,
+            (x - pattern.com.pivot[0], y - pattern.com.pivot[1]),
+            pattern.feet,
+            pattern.carrying,
+            self._righting(pattern, motion, measured, max(shares, key=lambda side: shares[side])),
+        )
+        efforts = self._dynamics.efforts(motion, wanted.soles)
+        return np.clip(efforts, -self._most, self._most)
+
+    def _shares(self, pattern: PatternSample, measured: LeggedEstimator) -> dict[Hand, float]:
+        """How much each foot's view counts: by its load, among those that the plan has on the floor."""
+        loads = {side: measured.loads_n[side] for side in pattern.carrying}
+        total = sum(loads.values())
+        if total <= 0.0:
+            return {side: 1.0 / len(loads) for side in loads}
+        return {side: load / total for side, load in loads.items()}
+
+    def _righting(
+        self, pattern: PatternSample, motion: MotionSample, measured: LeggedEstimator, side: Hand
+    ) -> Array:
+        """Moment that turns the trunk to where the plan has it, shape (3,)."""
+        s = self._settings
+        R = measured.odom_R_base
+        heading = pattern.feet[side].yaw_rad + measured.com_from(side).heading_rad
+        turn = poses.rotation_z(heading - math.atan2(R[1, 0], R[0, 0]))
+        plan_R_base = turn.dot(R)
+        off = plan_R_base.dot(poses.rotation_from_quaternion(motion.q[3:7]).T)
+        angle = 0.5 * np.array((off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]))
+        rate = plan_R_base.dot(measured.turn_rad_s)
+        rate[2] -= motion.v[5]
+        return -(s.trunk_stiffness_nm * angle + s.trunk_damping_nms * rate)

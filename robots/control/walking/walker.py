@@ -1,0 +1,310 @@
+"""Walks: takes the whole body over from standing, and gives it back where it stands then."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Stance
+from kinematics.trajectory_sampler import MotionSample
+from kinematics.walking.legged_estimator import LeggedEstimator
+from kinematics.walking.pattern import PatternSample, Phase, WalkingPattern
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.steering import Steering
+from kinematics.walking.whole_body import WholeBody
+from robots.clock import Clock
+from robots.control.authority import HOLD, STOP, Authority, together
+from robots.control.events import ControlSink, MotionEnded, MotionStarted
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.motion_streamer import MotionStreamer
+from robots.control.proposal import Proposal
+from robots.control.walking.rejoin import Rejoin
+from robots.control.walking.stabiliser import Stabiliser
+from robots.interface import RobotState
+from robots.sensed_state import SensedState
+
+Array = NDArray[np.float64]
+
+_UPRIGHT_RAD = 0.05
+"""A pelvis that leans more than this does not start to walk: go home first."""
+_GYRO_TIME_S = 4.0
+"""What the gyro shows at rest is averaged over this."""
+_AT_REST_PERIODS = 3
+"""Periods at rest until the averaged references are at rest too."""
+
+
+class Walker:
+    """The one walk that may be under way; satisfies ``trees.toolbox.Walking``."""
+
+    def __init__(
+        self,
+        model: RobotModel,
+        streamer: MotionStreamer,
+        authority: Authority,
+        clock: Clock,
+        sink: ControlSink,
+        period_s: float,
+    ) -> None:
+        """Stand; whoever moves the standing body is ``streamer``."""
+        self._model, self._streamer, self._authority = model, streamer, authority
+        self._clock, self._sink, self._period_s = clock, sink, period_s
+        self._bodies = len(model.joints)
+        self._count = 0
+        self._handle: MotionHandle | None = None
+        self._owner = ""
+        self._walk: _Walk | None = None
+        self._gyro_at_rest = np.zeros(3)
+        self._rested = 0
+        self._readings: RobotState | None = None
+
+    # ---------------------------------------------------------------- for those who want to walk
+
+    def walk(self, steering: Steering, name: str) -> MotionHandle:
+        """Set out from standing.
+
+        Args:
+            steering: Where to; the handle is done when it stops by itself.
+            name: What it is, for people.
+
+        Returns:
+            A running handle, or a refused one with the reason.
+        """
+        self._count += 1
+        handle = MotionHandle(name, f"walk-{self._count}")
+        reason = self._why_not()
+        if reason is None:
+            conflict = self._authority.claim(handle.owner, self._model.joints)
+            reason = None if conflict is None else f"{conflict[0]} is held by {conflict[1]}"
+        if reason is None:
+            self._walk = _Walk(self._model, self._streamer, self._gyro_at_rest, self._period_s)
+            if self._readings is not None:
+                self._walk.sense(self._readings)
+            self._walk.pattern.steer(steering)
+            self._handle, self._owner = handle, handle.owner
+            self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
+            return handle
+        handle.status, handle.reason = MotionStatus.REFUSED, reason
+        self._sink(MotionEnded(self._clock.now_s(), handle.name, handle.owner, "refused", reason))
+        return handle
+
+    def steer(self, handle: MotionHandle, steering: Steering) -> None:
+        """Go somewhere else with a walk that is under way; one that has ended is left alone."""
+        if self._walk is not None and handle is self._handle:
+            self._walk.pattern.steer(steering)
+
+    def finish(self, handle: MotionHandle) -> None:
+        """Bring a walk to its end within its last steps; its handle is done when the robot stands."""
+        if self._walk is not None and handle is self._handle:
+            self._walk.pattern.finish()
+
+    def cancel(self, handle: MotionHandle, reason: str) -> None:
+        """Stop a walk within its last steps; one that has ended is left alone."""
+        if handle is self._handle:
+            self.stop(reason)
+
+    # ---------------------------------------------------------------- for the control loop
+
+    @property
+    def active(self) -> bool:
+        """Whether it has the body."""
+        return self._walk is not None
+
+    def stop(self, reason: str, status: MotionStatus = MotionStatus.CANCELED) -> None:
+        """Bring the feet together and come to rest, with no regard to whoever wanted the walk."""
+        if self._walk is None:
+            return
+        self._walk.pattern.finish()
+        handle, self._handle = self._handle, None
+        if handle is not None:
+            self._end(handle, status, reason)
+            self._authority.release(self._owner)
+            self._authority.claim(_STOPPING, self._model.joints)
+            self._owner = _STOPPING
+
+    def abandon(self) -> None:
+        """Forget the walk: the power is gone, and there are no last steps."""
+        self._walk = None
+        self._authority.release(self._owner)
+
+    def rejoin(self, told_rad: Array) -> None:
+        """Go on from where the joints were told to stay for a period, shape (actuated,)."""
+        if self._walk is not None:
+            self._walk.rejoin(told_rad[: self._bodies])
+
+    def stand_by(self, readings: RobotState) -> None:
+        """Take in what the sensors say while nobody walks: where the gyro's zero is, above all."""
+        self._readings = readings
+        if not self._streamer.resting:
+            return
+        self._rested += 1
+        share = max(1.0 / self._rested, self._period_s / _GYRO_TIME_S)
+        self._gyro_at_rest += share * (readings.gyro - self._gyro_at_rest)
+
+    def sense(self, readings: RobotState) -> SensedState:
+        """What the robot knows about itself on its way."""
+        if self._walk is None:
+            raise RuntimeError("nobody walks")
+        estimate = self._walk.sense(readings)
+        return SensedState(readings, lambda: estimate)
+
+    def propose(self, standing: Proposal) -> Proposal:
+        """The next setpoint: the grippers' from those who hold them, the body's from the walk."""
+        if self._walk is None:
+            raise RuntimeError("nobody walks")
+        body, efforts = self._walk.next()
+        q, v = standing.q.copy(), standing.v.copy()
+        q[: self._bodies], v[: self._bodies] = self._walk.joints(body)
+        owners = [self._owner] if standing.owner == HOLD else [self._owner, standing.owner]
+        return dataclasses.replace(standing, owner=together(owners), q=q, v=v, body=body, efforts=efforts)
+
+    def commit(self) -> tuple[Stance, Array] | None:
+        """The last proposal is what the robot follows now.
+
+        Returns:
+            Where it stands and in which configuration, when the walk has come to its end.
+        """
+        walk = self._walk
+        if walk is None or not walk.at_rest:
+            return None
+        standing = walk.standing()
+        self._walk = None
+        self._authority.release(self._owner)
+        handle, self._handle = self._handle, None
+        if handle is not None:
+            handle.progress = 1.0
+            self._end(handle, MotionStatus.DONE, "")
+        return standing
+
+    # ---------------------------------------------------------------- inside
+
+    def _why_not(self) -> str | None:
+        if self._model.description.walking is None:
+            return f"{self._model.description.name} is not known to walk"
+        if self._walk is not None:
+            return "it walks already"
+        if (closed := self._streamer.why_closed) is not None:
+            return closed
+        if not self._streamer.resting:
+            return "the body is moving"
+        lean = poses.rotation_from_quaternion(self._streamer.reference()[3:7])[2, 2]
+        if lean < np.cos(_UPRIGHT_RAD):
+            return f"the pelvis leans by {float(np.degrees(np.arccos(lean))):.1f} degrees; go home first"
+        return None
+
+    def _end(self, handle: MotionHandle, status: MotionStatus, reason: str) -> None:
+        handle.status, handle.reason = status, reason
+        self._sink(MotionEnded(self._clock.now_s(), handle.name, handle.owner, status.value, reason))
+
+
+_STOPPING = f"{STOP} of a walk"
+
+
+class _Walk:
+    """One walk, from rest to rest."""
+
+    def __init__(
+        self, model: RobotModel, streamer: MotionStreamer, gyro_at_rest: Array, period_s: float
+    ) -> None:
+        settings = model.description.walking
+        if settings is None:
+            raise RuntimeError("the robot is not known to walk")
+        self._model, self._period_s = model, period_s
+        q, stance = streamer.reference(), streamer.stance()
+        placed = dict(stance.soles)
+        soles = {sole.side: sole for sole in model.description.soles}
+        feet = {side: PlanarPose.of(placed[sole.frame]) for side, sole in soles.items()}
+        self._body = WholeBody(model, q, feet, period_s, settings.first_shift_s)
+        com = model.com(q)
+        home = {
+            side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
+        }
+        self.pattern = WalkingPattern(
+            settings,
+            soles,
+            feet,
+            (float(com[0]), float(com[1])),
+            self._body.rest_m,
+            home["left"].distance_m(home["right"]),
+            self._body.omega,
+            self._body.sway_s2,
+        )
+        self._stabiliser = Stabiliser(model, settings, self._body.omega)
+        anchors = {side: placed[sole.frame] for side, sole in soles.items()}
+        self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
+        self._sensed = False
+        self._sample: PatternSample | None = None
+        self._motion: MotionSample | None = None
+        self._phase = Phase.REST
+        self._rejoin: Rejoin | None = None
+        self._resting = 0
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether it is over."""
+        return self._resting >= _AT_REST_PERIODS
+
+    def sense(self, readings: RobotState) -> Array:
+        """Take readings in; gives the configuration estimated from them, shape (nq,)."""
+        estimator, bodies = self._estimator, len(self._model.joints)
+        estimator.update(
+            readings.stamp_s,
+            readings.q[:bodies],
+            readings.v[:bodies],
+            readings.gyro,
+            readings.accelerometer,
+            readings.foot_wrench,
+        )
+        self._sensed = True
+        return estimator.tilt_rad
+
+    def next(self) -> tuple[MotionSample, Array]:
+        """The next instant and its efforts."""
+        sample = self.pattern.advance(self._period_s)
+        motion = self._body.follow(sample)
+        if sample.phase is Phase.SWING and self._phase is not Phase.SWING:
+            self._locate(sample)
+        self._phase = sample.phase
+        self._resting = self._resting + 1 if sample.phase is Phase.REST else 0
+        before, self._sample = self._sample or sample, sample
+        self._motion = motion
+        return motion, self._stabiliser.efforts(before, motion, self._estimator)
+
+    def joints(self, motion: MotionSample) -> tuple[Array, Array]:
+        """Positions and velocities to command, on the way back to the motion if they are off it."""
+        q, v = motion.q[7:], motion.v[6:]
+        if self._rejoin is None:
+            return q, v
+        left, speed = self._rejoin.advance(self._period_s)
+        if self._rejoin.over:
+            self._rejoin = None
+        return q + left, v + speed
+
+    def rejoin(self, told_rad: Array) -> None:
+        """Come back to the motion from where the joints rest for a period."""
+        if self._motion is not None:
+            self._rejoin = Rejoin(told_rad - self._motion.q[7:], -self._motion.v[6:])
+
+    def standing(self) -> tuple[Stance, Array]:
+        """Stance and configuration at its end, in the odometry frame."""
+        if self._motion is None:
+            raise RuntimeError("the walk has not begun")
+        feet = self.pattern.feet
+        found = PlanarPose.between(self._estimator.sole("left"), self._estimator.sole("right"))
+        odom_T_plan = found @ PlanarPose.between(feet["left"], feet["right"]).inverse()
+        soles = tuple(
+            (sole.frame, (odom_T_plan @ feet[sole.side]).transform())
+            for sole in self._model.description.soles
+        )
+        q = self._motion.q.copy()
+        base = odom_T_plan.transform() @ poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
+        q[:3], q[3:7] = base[:3, 3], poses.quaternion_from_rotation(base[:3, :3])
+        return Stance(soles), q
+
+    def _locate(self, sample: PatternSample) -> None:
+        """Learn where the plan is from the foot that stands."""
+        side = sample.carrying[0]
+        self.pattern.odom_T_plan = self._estimator.sole(side) @ sample.feet[side].inverse()

@@ -1,0 +1,91 @@
+"""Moves the hand of a simulated person: a spring with a force limit, and a pinch."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from robots.simulated.person_model import HAND_REST_M, PINCH_M, hand_body, hand_joint
+from robots.simulated.physics import Physics
+
+Array = NDArray[np.float64]
+
+STIFFNESS_N_M = 250.0
+FORCE_N = 20.0
+"""The most that the spring pulls with."""
+SPEED_M_S = 0.35
+"""The spring's other end moves no faster than this."""
+PINCH_N = 22.0
+ROLL_STIFFNESS_NM = 4.0
+_GAP_STIFFNESS_N_M = 400.0
+
+
+class PersonHand:
+    """One person's hand; ``tick`` is called once each control period.
+
+    Attributes:
+        force_n: Limit of the spring's force.
+        pinching: Whether the pads press together; else they are open.
+        open_m: How far from the hand's middle an open pad is.
+        roll_rad: Turn of the pinch about the forearm: 0 is from above and below.
+    """
+
+    def __init__(self, physics: Physics, person: str) -> None:
+        """Take over a hand at rest.
+
+        Raises:
+            StopIteration: There is no such person.
+        """
+        self._physics = physics
+        self._body = physics.body_id(hand_body(person))
+        place = next(one for one in physics.scene.people if one.name == person)
+        self._world_T_person = poses.transform(poses.rotation_z(place.yaw_rad), (*place.position_m, 0.0))
+        self._dof = {
+            axis: self._addresses(hand_joint(person, axis))
+            for axis in ("x", "y", "z", "roll", "upper", "lower")
+        }
+        self.force_n = FORCE_N
+        self.pinching = False
+        self.open_m = PINCH_M[1]
+        self.roll_rad = 0.0
+        self._rest = (self._world_T_person @ [*HAND_REST_M, 1.0])[:3]
+        self._goal, self._anchor = self._rest.copy(), self._rest.copy()
+
+    def place(self) -> Array:
+        """Where the middle of the hand is, in the world, shape (3,)."""
+        self._physics.refresh()
+        return np.array(self._physics.data.xpos[self._body])
+
+    def move_to(self, point: Array) -> None:
+        """Have the spring's other end go to a world point."""
+        self._goal = np.asarray(point, dtype=np.float64)
+
+    def tick(self, period_s: float) -> None:
+        """Apply the forces of the next period."""
+        way = self._goal - self._anchor
+        far = float(np.linalg.norm(way))
+        self._anchor = (
+            self._goal.copy()
+            if far <= SPEED_M_S * period_s
+            else self._anchor + way * (SPEED_M_S * period_s / far)
+        )
+        force = STIFFNESS_N_M * (self._anchor - self.place())
+        strength = float(np.linalg.norm(force))
+        force *= min(1.0, self.force_n / max(strength, 1e-9))
+        data = self._physics.data
+        own = self._world_T_person[:3, :3].T @ force
+        for axis, value in zip("xyz", own, strict=True):
+            data.qfrc_applied[self._dof[axis][1]] = value
+        qpos, dof = self._dof["roll"]
+        data.qfrc_applied[dof] = ROLL_STIFFNESS_NM * (self.roll_rad - data.qpos[qpos])
+        for axis in ("upper", "lower"):
+            qpos, dof = self._dof[axis]
+            gap = _GAP_STIFFNESS_N_M * (self.open_m - float(data.qpos[qpos]))
+            data.qfrc_applied[dof] = -PINCH_N if self.pinching else float(np.clip(gap, -PINCH_N, PINCH_N))
+
+    def _addresses(self, joint: str) -> tuple[int, int]:
+        model = self._physics.model
+        index = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, joint))
+        return int(model.jnt_qposadr[index]), int(model.jnt_dofadr[index])

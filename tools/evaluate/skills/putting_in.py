@@ -1,0 +1,111 @@
+"""Suite of put_in: into an open box or a bowl on the table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from executive.assembly import Assembly
+from executive.task_result import TaskResult
+from kinematics import poses
+from kinematics.shapes import Box, Cylinder, Shape
+from robots.scene_description import Furniture, SceneItem
+from tools.evaluate.skills import rooms
+from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
+from tools.evaluate.skills.watch import TIPPED_RAD, Bystanders
+from trees.tasks import ObjectDescription, PickTask, PutInTask, Task
+
+PUSHED_M = 0.02
+BOX_M = ((0.15, 0.15, 0.07), (0.20, 0.20, 0.11))
+BOWL_RADIUS_M, BOWL_HEIGHT_M = (0.085, 0.105), (0.06, 0.085)
+WALL_M = 0.006
+CONTAINER_KG = (0.4, 0.9)
+_BOWL_CHANCE = 0.4
+_HELD_CHANCE = 0.6
+
+
+class PutInJudge:
+    """The object is between the walls, the container where it was."""
+
+    def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
+        self._truth, self._trial = assembly.world.truth, trial
+        self._container = next(item for item in trial.scene.objects if item.wall_m is not None)
+        self._stood = self._truth.world_T_object(self._container.name)
+        self._others = Bystanders(self._truth, [trial.aim, self._container.name])
+
+    def on_event(self, event: object) -> None:
+        """Nothing to learn from events."""
+
+    def on_period(self) -> None:
+        """Only the end counts."""
+
+    def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
+        """Inside, with nothing pushed."""
+        truth, container = self._truth, self._container
+        now = truth.world_T_object(container.name)
+        local = (poses.inverse(now) @ truth.world_T_object(self._trial.aim))[:3, 3]
+        shape = container.shape
+        if isinstance(shape, Box):
+            inside = bool(np.all(np.abs(local[:2]) <= 0.5 * np.array(shape.size_m[:2])))
+        else:
+            inside = float(np.linalg.norm(local[:2])) <= shape.radius_m
+        pushed_m = float(np.linalg.norm((now - self._stood)[:3, 3]))
+        moved = self._others.moved()
+        held = any("gripper" in link for link in truth.object_contacts(self._trial.aim))
+        faults = {
+            "beside it": not inside,
+            "over its rim": truth.lowest_m(self._trial.aim) > float(now[2, 3]) + 0.5 * shape.height_m,
+            f"pushed the container by {1e3 * pushed_m:.0f} mm": pushed_m > PUSHED_M,
+            "tipped the container": truth.tilt_rad(container.name) > TIPPED_RAD,
+            "still in the hand": held,
+            f"moved: {', '.join(sorted(moved))}": bool(moved),
+        }
+        wrong = [words for words, so in faults.items() if so]
+        return Verdict(not wrong, {"pushed_m": pushed_m}, "; ".join(wrong))
+
+
+def put_in_trial(rng: np.random.Generator) -> Trial:
+    """A table with a container, something that fits in, and perhaps other things."""
+    table = rooms.table(rng)
+    container = _container(rng, table)
+    objects = [container]
+    for number in range(int(rng.integers(1, 4))):
+        kind = ("cup", "can")[int(rng.integers(2))]
+        place = rooms.spot(rng, table, objects, 0.24)
+        if place is not None:
+            shape = rooms.shape_of(kind, rng)
+            color = rooms.COLORS[number]
+            objects.append(rooms.item(f"{color} {kind}", kind, color, shape, table, place, rng))
+    if len(objects) < 2:
+        return put_in_trial(rng)
+    item = objects[1]
+    meant = ObjectDescription(item.kind, item.color)
+    words = f"put the {item.name} into the {container.name}"
+    put = PutInTask(words, meant, ObjectDescription(container.kind, container.color))
+    tasks: tuple[Task, ...] = (put,)
+    if rng.random() < _HELD_CHANCE:
+        tasks = (PickTask(f"pick up the {item.name}", meant), put)
+    return Trial(rooms.room("put_in", rng, [table], objects), tasks, item.name)
+
+
+def _container(rng: np.random.Generator, table: Furniture) -> SceneItem:
+    shape: Shape
+    if rng.random() < _BOWL_CHANCE:
+        kind, color = "bowl", "white"
+        shape = Cylinder(float(rng.uniform(*BOWL_RADIUS_M)), float(rng.uniform(*BOWL_HEIGHT_M)))
+    else:
+        kind, color = "box", "brown"
+        x, y, z = (float(value) for value in rng.uniform(*BOX_M))
+        shape = Box((x, y, z))
+    edge = table.position_m[0] - 0.5 * table.size_m[0]
+    place = (edge + float(rng.uniform(0.16, 0.26)), float(rng.uniform(-0.3, 0.3)))
+    pose = poses.transform(
+        poses.rotation_z(float(rng.uniform(-0.5, 0.5)) if kind == "box" else 0.0),
+        (*place, table.size_m[2] + 0.5 * shape.height_m),
+    )
+    mass = float(rng.uniform(*CONTAINER_KG))
+    return SceneItem(f"{color} {kind}", kind, color, shape, mass, 0.7, pose, WALL_M)
+
+
+PUT_IN = SkillSuite(put_in_trial, PutInJudge)

@@ -1,0 +1,64 @@
+"""Wait until the person takes hold and pulls."""
+
+from __future__ import annotations
+
+import numpy as np
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE, RUNNING, Leaf
+from trees.ports import ports
+from trees.touch_watch import TouchWatch
+
+
+class AwaitPull(Leaf):
+    """Feel the hand: a force that has changed by the policy's pull, and stays so for its time, is a pull.
+
+    An object that has left the hand by itself was taken, too.
+    """
+
+    INPUT_PORTS = ports(held=HeldObject)
+    OUTPUT_PORTS = ports(pull_n=float)
+    CONTRACT = Contract(
+        precondition="the hand offers the object, at rest",
+        postcondition="the hand felt a steady pull, or nothing in it any more",
+        deadline_s=1.0,
+        on_success="the hand goes on holding",
+        on_failure="the hand goes on holding",
+        on_cancel="the hand goes on holding",
+    )
+
+    def begin(self) -> None:
+        """Feel anew."""
+        self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
+        self._since_s: float | None = None
+
+    def step(self) -> Status | Failure:
+        """One more reading."""
+        policy, held = self.toolbox.policy, self.get_input("held")
+        if self.elapsed_s < policy.offer_rest_s:
+            self._watch.feel_rest()
+            return RUNNING
+        if not self.toolbox.grippers[held.hand].reading().holding:
+            self._set_output("pull_n", 0.0)
+            return DONE
+        pull_n = float(np.linalg.norm(self._watch.feel()))
+        self.feedback_message = f"{pull_n:.1f} N"
+        if pull_n < policy.pull_n:
+            self._since_s = None
+        elif self._since_s is None:
+            self._since_s = self.elapsed_s
+        elif self.elapsed_s - self._since_s >= policy.pull_s:
+            self.measured(pull_n=pull_n)
+            self._set_output("pull_n", pull_n)
+            return DONE
+        if self.elapsed_s > policy.take_within_s:
+            return Failure.postcondition(f"nobody took the {held.name}", waited_s=self.elapsed_s)
+        return RUNNING
+
+    @property
+    def deadline_s(self) -> float:
+        """The policy's patience, and the contract's allowance."""
+        return self.toolbox.policy.take_within_s + self.CONTRACT.deadline_s

@@ -1,0 +1,83 @@
+"""See what something is to be put into."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics import poses
+from kinematics.place_requests import Spot
+from kinematics.placing_spots import footprint_radius_m
+from kinematics.shapes import Box
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.destination import Place, resolve
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE
+from trees.look_around import LookAround
+from trees.ports import ports
+from trees.tasks import PutInTask
+
+# Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.
+_DEPTHS_M = (0.08, 0.06, 0.045, 0.03, 0.015, 0.0)
+# Beside the middle, when the middle does not go: a share of the room that is left.
+_ASIDE = (0.0, 0.5, -0.5)
+_HOVER_M = 0.08
+# Left between the object and the walls: a perception error.
+_ROOM_M = 0.01
+
+
+class FindContainer(LookAround):
+    """Look, and list poses of the held object in the opening of the container, the deepest first."""
+
+    INPUT_PORTS = ports(task=PutInTask, held=HeldObject)
+    OUTPUT_PORTS = ports(spots=tuple, place=Place)
+    CONTRACT = Contract(
+        precondition="the head is at rest; the object is an attached body",
+        postcondition="exactly one container that fits was seen, wide enough for the object",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Choose the container, and measure it."""
+        held = self.get_input("held")
+        place = resolve(self.get_input("task").to, seen, self.around())
+        if isinstance(place, Failure):
+            return place
+        if place.category != "object":
+            return Failure.infeasible(f"nothing can be put into the {place.name}")
+        spots = _spots(held, place)
+        if not spots:
+            return Failure.infeasible(f"the {held.name} is too wide for the {place.name}")
+        self._set_output("place", place)
+        self._set_output("spots", spots)
+        self.feedback_message = f"into the {place.name}"
+        return DONE
+
+
+def _spots(held: HeldObject, place: Place) -> tuple[Spot, ...]:
+    radius = footprint_radius_m(held.shape)
+    shape = place.shape
+    half = np.array(shape.size_m[:2]) * 0.5 if isinstance(shape, Box) else np.full(2, shape_radius(place))
+    room = half - radius - _ROOM_M
+    if float(room.min()) < 0.0:
+        return ()
+    rim = 0.5 * shape.height_m
+    spots = []
+    for depth in _DEPTHS_M:
+        if depth > shape.height_m - 0.01:
+            continue
+        for aside in _ASIDE:
+            local = np.array([aside * room[0], 0.0, rim - depth + 0.5 * held.shape.height_m, 1.0])
+            x, y, z = (float(value) for value in (place.odom_T_place @ local)[:3])
+            pose = poses.translation(x, y, z)
+            spots.append(Spot(pose, (place.name,), hover_m=_HOVER_M, below_m=0.0))
+    return tuple(spots)
+
+
+def shape_radius(place: Place) -> float:
+    """Of a round container."""
+    return footprint_radius_m(place.shape)

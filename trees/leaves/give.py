@@ -1,0 +1,50 @@
+"""Let a person have what the hand holds."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from robots.control.motion_handle import MotionHandle
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE, RUNNING
+from trees.motion_leaf import MotionLeaf
+from trees.ports import ports
+
+_OPEN_SHARE = 0.9
+
+
+class Give(MotionLeaf):
+    """Open the hand; what it held is the person's now, and no longer part of the scene."""
+
+    INPUT_PORTS = ports(held=HeldObject, pull_n=float)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the person pulls at the object",
+        postcondition="the gripper measures nine tenths of its largest opening or more",
+        deadline_s=4.0,
+        moves="gripper",
+        on_success="the gripper is open",
+        on_failure="the gripper holds its present opening",
+        on_cancel="the gripper holds its present opening",
+    )
+
+    def start(self) -> MotionHandle:
+        """Open."""
+        return self.toolbox.grippers[self.get_input("held").hand].open()
+
+    def finish(self) -> Status | Failure:
+        """Measure the opening; ``RUNNING`` until it is wide enough, the deadline ends that."""
+        held: HeldObject = self.get_input("held")
+        gripper = self.toolbox.model.description.grippers[held.hand]
+        opening_m = self.toolbox.grippers[held.hand].reading().opening_m
+        if opening_m < _OPEN_SHARE * gripper.max_opening_m:
+            return RUNNING
+        world = self.toolbox.world
+        if held.name in world.scene.attached:
+            pose = world.scene.attached[held.name].body.world_T_object
+            world.update(world.scene.with_detached(held.name, pose).without_object(held.name))
+        pull_n = self.get_input("pull_n")
+        self._set_output("evidence", {"given": held.name, "hand": held.hand, "pull_n": pull_n})
+        return DONE

@@ -1,0 +1,166 @@
+"""Walk at a velocity."""
+
+from __future__ import annotations
+
+import math
+
+from py_trees.common import Status
+
+from kinematics.walking.corridor import free_way_m, stopping_distance_m
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.steering import Steering, StretchSteering, VelocitySteering
+from robots.control.motion_handle import MotionHandle
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE, RUNNING, Leaf
+from trees.motion_leaf import motion_failure
+from trees.odometry import body_pose
+from trees.ports import ports
+from trees.tasks import MoveTask
+
+_LOOK_EVERY_S = 0.1
+
+
+class Move(Leaf):
+    """Walk at the task's velocity for its time or distance, and stop before anything that is in the way.
+
+    A velocity beyond the limits is refused, never lowered.
+    """
+
+    INPUT_PORTS = ports(task=MoveTask)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the robot stands, its pelvis level, and the way is free beyond the stopping distance",
+        postcondition="the robot stands still; how far it went was measured by odometry",
+        deadline_s=10.0,
+        moves="body",
+        on_success="the robot stands where it stopped",
+        on_failure="the robot stops within two steps and stands",
+        on_cancel="the robot stops within two steps and stands",
+    )
+
+    def begin(self) -> None:
+        """Nothing has moved yet."""
+        self._handle: MotionHandle | None = None
+        self._stopping = False
+        self._looked_s = -math.inf
+        self._free_m = math.inf
+        self._last = PlanarPose()
+        self._gone_m = self._turned_rad = 0.0
+
+    def step(self) -> Status | Failure:
+        """Set out, watch the way, stop in time, and wait until the robot stands."""
+        toolbox, task = self.toolbox, self._task
+        settings = toolbox.model.description.walking
+        if settings is None or toolbox.walking is None:
+            return Failure.infeasible(f"{toolbox.model.description.name} is not known to walk")
+        blocked = self._blocked(settings)
+        if self._handle is None:
+            refused = self._beyond_limits(settings) or blocked
+            if refused is not None:
+                return refused
+            if task.linear_m_s == 0.0 and task.angular_rad_s == 0.0:
+                return DONE
+            self._last = body_pose(toolbox)
+            self._handle = toolbox.walking.walk(self._steering(settings), "walk")
+        if (ended := motion_failure(self._handle)) is not None:
+            return ended
+        self._measure()
+        if self._handle.finished:
+            return self._stood()
+        if blocked is not None and not self._stopping:
+            return blocked
+        if not self._stopping and self.elapsed_s >= self._duration_s:
+            toolbox.walking.finish(self._handle)
+            self._stopping = True
+        self.feedback_message = f"{self._gone_m:+.2f} m, {math.degrees(self._turned_rad):+.0f} degrees"
+        return RUNNING
+
+    def release(self, reason: str) -> None:
+        """Stop within the last steps."""
+        if self._handle is not None and self.toolbox.walking is not None:
+            self.toolbox.walking.cancel(self._handle, reason)
+
+    @property
+    def deadline_s(self) -> float:
+        """The contract's, longer by what was asked for."""
+        return self.CONTRACT.deadline_s + 2.0 * self._duration_s
+
+    @property
+    def _task(self) -> MoveTask:
+        task: MoveTask = self.get_input("task")
+        return task
+
+    @property
+    def _duration_s(self) -> float:
+        """For how long; a distance takes as long as it takes."""
+        task = self._task
+        if task.duration_s is not None:
+            return task.duration_s
+        if task.distance_m is not None and task.linear_m_s != 0.0:
+            return 2.0 * abs(task.distance_m / task.linear_m_s) + 10.0
+        return self.toolbox.policy.move_s
+
+    def _beyond_limits(self, settings: WalkingSettings) -> Failure | None:
+        policy, task = self.toolbox.policy, self._task
+        fastest_m_s = min(
+            policy.fastest_m_s,
+            (settings.forward_m if task.linear_m_s > 0.0 else settings.backward_m) / settings.step_s,
+        )
+        fastest_rad_s = min(policy.fastest_rad_s, settings.turn_rad / settings.step_s)
+        for what, unit, value, limit in (
+            ("forward speed", "m/s", task.linear_m_s, fastest_m_s),
+            ("turning speed", "rad/s", task.angular_rad_s, fastest_rad_s),
+        ):
+            if not abs(value) <= limit:
+                message = f"a {what} of {value:g} {unit} is beyond the limit of {limit:g} {unit}"
+                return Failure.refused(message, value=value, limit=limit)
+        for what, number in (("duration", task.duration_s), ("distance", task.distance_m)):
+            if number is not None and not 0.0 <= number < math.inf:
+                return Failure.refused(f"a {what} of {number:g} makes no sense", value=number)
+        return None
+
+    def _blocked(self, settings: WalkingSettings) -> Failure | None:
+        """Why it must not go on, from the range sensor's last scan."""
+        task, sensor = self._task, self.toolbox.ranging
+        if sensor is None or task.linear_m_s == 0.0:
+            return None
+        if self.elapsed_s - self._looked_s >= _LOOK_EVERY_S:
+            self._looked_s = self.elapsed_s
+            self._free_m = free_way_m(sensor.scan(), settings, task.linear_m_s)
+        needed_m = stopping_distance_m(settings, task.linear_m_s)
+        if self._free_m > needed_m:
+            return None
+        where = "ahead" if task.linear_m_s > 0.0 else "behind"
+        return Failure.refused(
+            f"an obstacle is {max(self._free_m, 0.0):.2f} m {where}, nearer than the stopping distance of "
+            f"{needed_m:.2f} m",
+            free_m=self._free_m,
+            needed_m=needed_m,
+        )
+
+    def _measure(self) -> None:
+        now = body_pose(self.toolbox)
+        gone = self._last.to(now)
+        self._gone_m += gone.x_m
+        self._turned_rad += gone.yaw_rad
+        self._last = now
+
+    def _steering(self, settings: WalkingSettings) -> Steering:
+        task = self._task
+        if task.distance_m is not None and task.linear_m_s != 0.0 and task.angular_rad_s == 0.0:
+            return StretchSteering(settings, self._last, task.linear_m_s, task.distance_m)
+        return VelocitySteering(settings, task.linear_m_s, task.angular_rad_s)
+
+    def _stood(self) -> Status:
+        took_s = self.elapsed_s
+        self._set_output(
+            "evidence",
+            {
+                "walked_m": self._gone_m,
+                "turned_rad": self._turned_rad,
+                "mean_m_s": self._gone_m / max(took_s, 1e-6),
+            },
+        )
+        return DONE

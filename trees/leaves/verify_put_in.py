@@ -1,0 +1,73 @@
+"""See that the object is in the container."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics import poses
+from kinematics.placing_spots import footprint_radius_m
+from kinematics.shapes import Box
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE
+from trees.look_around import LookAround
+from trees.ports import ports
+
+# A container that was pushed farther than this was not left alone.
+_PUSHED_M = 0.04
+
+
+class VerifyPutIn(LookAround):
+    """The hand is empty, and the object is seen inside the container, or nowhere beside it.
+
+    Walls may hide it; the evidence says whether it was seen.
+    """
+
+    INPUT_PORTS = ports(held=HeldObject, place=Place)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the hand was opened over the container; the head is at rest",
+        postcondition="the object was seen between the container's walls, or was seen nowhere else; the "
+        "container stands where it stood",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Compare the places."""
+        held, place = self.get_input("held"), self.get_input("place")
+        if self.toolbox.grippers[held.hand].reading().holding:
+            return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
+        container = seen.get(place.name)
+        if container is None:
+            return Failure.postcondition(f"the {place.name} is not seen where it was")
+        pushed_m = float(np.linalg.norm((container.odom_T_object - place.odom_T_place)[:2, 3]))
+        if pushed_m > _PUSHED_M:
+            return Failure.postcondition(f"the {place.name} was pushed", pushed_m=pushed_m)
+        same = [
+            item
+            for item in seen.values()
+            if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
+        ]
+        inside = [item for item in same if _inside(item, container)]
+        if same and not inside:
+            return Failure.postcondition(f"the {held.name} is seen beside the {place.name}")
+        evidence = {"object": held.name, "in": place.name, "seen": bool(inside), "pushed_m": pushed_m}
+        self.measured(**evidence)
+        self._set_output("evidence", evidence)
+        self.feedback_message = "seen inside" if inside else "not to be seen; taken to be inside"
+        return DONE
+
+
+def _inside(item: ObjectEstimate, container: ObjectEstimate) -> bool:
+    local = (poses.inverse(container.odom_T_object) @ item.odom_T_object)[:3, 3]
+    shape = container.shape
+    if isinstance(shape, Box):
+        half = 0.5 * np.array(shape.size_m[:2])
+        return bool(np.all(np.abs(local[:2]) <= half))
+    return float(np.linalg.norm(local[:2])) <= footprint_radius_m(shape)

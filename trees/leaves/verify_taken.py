@@ -1,0 +1,49 @@
+"""See that the person has it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.held import HeldObject
+from trees.leaf import DONE
+from trees.look_around import LookAround
+from trees.ports import ports
+
+# Lower than this above the floor, and nobody holds it.
+_DROPPED_BELOW_M = 0.4
+# The person's hand is no farther than this from the person's axis.
+_IN_REACH_M = 0.9
+
+
+class VerifyTaken(LookAround):
+    """What was given is seen in the person's reach and in the air, or is out of sight; never on the floor."""
+
+    INPUT_PORTS = ports(held=HeldObject, place=Place)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the hand was opened while the person pulled",
+        postcondition="the object was not seen where it would be, had it fallen; the gripper is empty",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Where is it?"""
+        held, person = self.get_input("held"), self.get_input("place").odom_T_place[:2, 3]
+        if self.toolbox.grippers[held.hand].reading().holding:
+            return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
+        for item in seen.values():
+            if item.category != "object" or (item.kind, item.color) != (held.kind, held.color):
+                continue
+            far_m = float(np.linalg.norm(item.odom_T_object[:2, 3] - person))
+            height_m = float(item.odom_T_object[2, 3])
+            self.measured(height_m=height_m, from_person_m=far_m)
+            if height_m < _DROPPED_BELOW_M or far_m > _IN_REACH_M:
+                return Failure.postcondition(f"the {held.name} was dropped", height_m=height_m)
+        return DONE

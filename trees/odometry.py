@@ -1,0 +1,15 @@
+"""Where the body is, on the floor."""
+
+from __future__ import annotations
+
+import math
+
+from kinematics.walking.planar import PlanarPose
+from trees.toolbox import Toolbox
+
+
+def body_pose(toolbox: Toolbox) -> PlanarPose:
+    """Where the base is believed to be in the odometry frame, and where it heads."""
+    x, y, _, qx, qy, qz, qw = toolbox.sensing.state().q[:7].tolist()
+    heading = math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
+    return PlanarPose(x, y, heading)

@@ -1,0 +1,33 @@
+"""Hand an object over: offer it, wait for a pull, let go; take it back when nobody takes it."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+
+from trees.leaves.await_pull import AwaitPull
+from trees.leaves.give import Give
+from trees.leaves.go_home import GoHome
+from trees.leaves.offer import Offer
+from trees.leaves.verify_taken import VerifyTaken
+from trees.leaves.wait import Hold
+from trees.subtrees.have_it import have_it
+from trees.subtrees.search_place import search_place
+from trees.subtrees.tidily import tidily
+from trees.toolbox import Toolbox
+
+
+def hand_over(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    policy = toolbox.policy
+    gazes = (*policy.level_gazes, *policy.level_gazes[:1])
+    children: list[Behaviour] = [
+        have_it(toolbox),
+        search_place("find the person", toolbox, gazes, slots=("to",)),
+        Offer("offer", toolbox),
+        AwaitPull("wait for the pull", toolbox),
+        Give("give", toolbox),
+        Hold("let it go", toolbox, policy.after_giving_s),
+        VerifyTaken("verify taken", toolbox),
+        GoHome("go home", toolbox),
+    ]
+    return tidily("hand over", children, toolbox)

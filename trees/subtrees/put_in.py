@@ -1,0 +1,73 @@
+"""Put an object into something: over its opening, as deep as the hand gets, let go, look."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives, defect
+from trees.best_effort import BestEffort
+from trees.failures import Failure, FailureKind
+from trees.leaves.draw_back import DrawBack
+from trees.leaves.exclude_spot import ExcludeSpot
+from trees.leaves.find_container import FindContainer
+from trees.leaves.go_home import GoHome
+from trees.leaves.let_go import LetGo
+from trees.leaves.look_at import LookAt
+from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.plan_place import PlanPlace
+from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.verify_put_in import VerifyPutIn
+from trees.retry import Retry
+from trees.subtrees.have_it import have_it
+from trees.subtrees.place import set_down
+from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.subtrees.tidily import tidily
+from trees.toolbox import Toolbox
+
+
+def put_in(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    attempt: list[Behaviour] = [
+        PlanPlace("plan put in", toolbox),
+        *set_down(toolbox, further_steps=0),
+        LetGo("let go", toolbox, anyway=True),
+    ]
+    recover: list[Behaviour] = [
+        ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
+        BestEffort(RaiseHeld("lift it again", toolbox)),
+        _find_container(toolbox),
+    ]
+    attempts = Retry(
+        "attempts",
+        Sequence("lower it in", memory=True, children=attempt),
+        Sequence("try otherwise", memory=True, children=recover),
+        toolbox.policy.place_attempts,
+        _nothing_else_helps,
+    )
+    children: list[Behaviour] = [
+        have_it(toolbox),
+        _find_container(toolbox),
+        attempts,
+        BestEffort(DrawBack("draw back", toolbox)),
+        GoHome("clear the view", toolbox),
+        BestEffort(LookAtPlacement("look into it", toolbox)),
+        VerifyPutIn("verify put in", toolbox),
+    ]
+    return tidily("put in", children, toolbox)
+
+
+def _find_container(toolbox: Toolbox) -> Behaviour:
+    looks: list[Behaviour] = []
+    for gaze in toolbox.policy.search_gazes:
+        children: list[Behaviour] = [
+            LookAt("look", toolbox, gaze),
+            FindContainer("find container", toolbox),
+        ]
+        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+    return Alternatives("find what it goes into", looks, hopeless=looking_elsewhere_is_useless)
+
+
+def _nothing_else_helps(failure: Failure, before: Failure | None) -> bool:
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    return defect(failure) or bool(failure.choices) or twice

@@ -1,0 +1,45 @@
+"""Find, count and describe: looks from several points of view, then an answer."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.best_effort import BestEffort
+from trees.leaves.go_home import GoHome
+from trees.leaves.look_at import LookAt
+from trees.leaves.survey import Survey
+from trees.leaves.tell import TellCount, TellDescription
+from trees.leaves.tell_found import TellFound
+from trees.subtrees.search_place import everywhere, search_place
+from trees.subtrees.tidily import tidily
+from trees.toolbox import Toolbox
+
+
+def find(toolbox: Toolbox) -> Behaviour:
+    """Look from everywhere until it is seen, and say where. Reads "task", writes "evidence"."""
+    gazes = (*everywhere(toolbox), *toolbox.policy.peering_gazes)
+    children: list[Behaviour] = [search_place("look for it", toolbox, gazes), TellFound("tell", toolbox)]
+    return tidily("find", children, toolbox)
+
+
+def count(toolbox: Toolbox) -> Behaviour:
+    """Look everywhere, then say how many. Reads "task", writes "evidence"."""
+    return tidily("count", [*_looks(toolbox), TellCount("tell", toolbox)], toolbox)
+
+
+def describe(toolbox: Toolbox) -> Behaviour:
+    """Look everywhere, then say what is there. Reads "task", writes "evidence"."""
+    return tidily("describe", [*_looks(toolbox), TellDescription("tell", toolbox)], toolbox)
+
+
+def _looks(toolbox: Toolbox) -> list[Behaviour]:
+    """A survey from each gaze, and home again: a posture that cannot be reached is left out."""
+    looks: list[Behaviour] = []
+    for gaze in toolbox.policy.inventory_gazes:
+        pair: list[Behaviour] = [
+            LookAt("look", toolbox, gaze),
+            Survey("survey", toolbox, {"sightings_now": "sightings"}),
+        ]
+        looks.append(BestEffort(Sequence(f"look {gaze.name}", memory=True, children=pair)))
+    return [*looks, GoHome("go home", toolbox)]
