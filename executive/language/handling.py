@@ -67,12 +67,20 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 
 def _pick(parts: Parts) -> Clause:
     each = arranged(parts)
+    each = [_from_there(one) for one in each]
     for one in each:
         if one.goal is not None or one.back:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     return clause(parts, [(_pick_bundle(one),) for one in each])
+
+
+def _from_there(one: Arranged) -> Arranged:
+    """ "Pick up the cup there": from the place that was named."""
+    if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
+        return replace(one, goal=None, source=one.goal.of)
+    return one
 
 
 def _fetch(parts: Parts) -> Clause:
@@ -271,6 +279,11 @@ def _put_into(parts: Parts) -> Clause:
     each = arranged(parts, goes=True)
     if any(one.goal is None or one.goal.preposition != "in" or one.goal.of.sort == "room" for one in each):
         raise unfit()
+    verb = words(parts, "PUT_IN")[0]
+    if verb.said.split()[0] in ("throw", "toss") and any(
+        one.goal is not None and one.goal.of.kind != "bin" for one in each
+    ):
+        raise trouble(f"{verb.said!r}: throwing is no skill of this robot yet", verb.said)
     return clause(
         parts,
         [(_put_draft(thing(one, "throwing"), one.goal, one.source, one.hand),) for one in each if one.goal],

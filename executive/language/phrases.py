@@ -187,11 +187,19 @@ Bundle = tuple[Draft, ...]
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """One command: what to do, the form of its verb, and its words."""
+    """One command: what to do, the form of its verb, and its words.
+
+    Attributes:
+        bundles: What to do.
+        form: Of the verb.
+        text: The words.
+        revokes: The words that take back what was said before them, if these are such words.
+    """
 
     bundles: tuple[Bundle, ...]
     form: Literal["base", "ing", "ed"]
     text: str = ""
+    revokes: str | None = None
 
 
 def draft(action: str, **slots: Any) -> Draft:
