@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -93,7 +93,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
         chart = self._chart(lattice)
         try:
-            outcomes = _outcomes(chart.meanings())
+            outcomes = _outcomes(chart.meanings(), self._is_valid)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
@@ -144,7 +144,9 @@ class CommandParser:
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
 
 
-def _outcomes(meanings: Iterable[object]) -> list[Outcome]:
+def _outcomes(
+    meanings: Iterable[object], is_command: Callable[[str], bool] = lambda _text: False
+) -> list[Outcome]:
     """What each meaning of the whole sentence comes to, without doubles.
 
     Words to say end as early as they can, clauses are separated where they can be, and "go ahead and" is
@@ -166,5 +168,11 @@ def _outcomes(meanings: Iterable[object]) -> list[Outcome]:
             key = repr([command_json(one) for one in commands])
             if key not in understood or rank < understood[key][0]:
                 understood[key] = (rank, commands)
+    if len({spoken for (_, spoken, _), _ in understood.values()}) > 1 and any(
+        isinstance(one, SayTask) and is_command(one.words)
+        for _, commands in understood.values()
+        for one in commands
+    ):
+        return [Trouble("where do the words to say end? put them in quotation marks", asks=True)]
     best = min((rank for rank, _ in understood.values()), default=(0, 0, 0))
     return [commands for rank, commands in understood.values() if rank == best] or list(troubles)

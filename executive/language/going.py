@@ -79,6 +79,8 @@ def _toward_relation(parts: Parts) -> Relative:
     kind = words(parts, "RELATION")[0].meaning
     if kind.endswith("_side_of"):
         raise unfit()
+    if kind == "under":
+        raise trouble("walking under something is no skill of this robot", words(parts, "RELATION")[0].said)
     return Relative(kind, target(parts[-1]))
 
 

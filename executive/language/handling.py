@@ -16,6 +16,9 @@ PREVIOUS = Nominal("any", reference="previous", determined=True)
 BACK = Nominal("any", reference="there", name="back")
 """The place that a thing was taken from."""
 
+_SHARP = frozenset({"knife", "scissors", "screwdriver", "drill"})
+_CHILDREN = frozenset({"child", "baby", "boy", "girl"})
+
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
 
@@ -96,7 +99,7 @@ def _fetch(parts: Parts) -> Clause:
         bundles.append(
             (taken,)
             if person is None
-            else (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
+            else _handed(one, taken, person)
         )
     return clause(parts, bundles)
 
@@ -111,13 +114,18 @@ def _recipient(nominal: Nominal) -> Nominal:
     return nominal
 
 
+def _handed(one: Arranged, taken: Any, person: Nominal) -> Bundle:
+    _safe_for(one.object, person)
+    return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
+
+
 def _transport(one: Arranged) -> Bundle:
     taken = _pick_bundle(one, doing="taking away", fetched=True)
     goal = one.goal
     if goal is None:
-        return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(one.person or ME)))
+        return _handed(one, taken, one.person or ME)
     if goal.of.is_person or goal.of.reference == "here":
-        return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(goal.of)))
+        return _handed(one, taken, goal.of)
     if goal.of.reference == "there":
         return (taken, draft("place", object=PREVIOUS, there=goal))
     return (taken, _put_draft(PREVIOUS, goal, None, None))
@@ -148,11 +156,8 @@ def _bring_pairs(parts: Parts) -> Clause:
     bundles: list[Bundle] = []
     person = ME
     for person, one in _pairs(parts):
-        bundles.append((_pick_bundle(one, fetched=True), draft("hand_over", object=PREVIOUS, to=person)))
-    bundles += [
-        (_pick_bundle(one, fetched=True), draft("hand_over", object=PREVIOUS, to=person))
-        for one in _more(parts)
-    ]
+        bundles.append(_handed(one, _pick_bundle(one, fetched=True), person))
+    bundles += [_handed(one, _pick_bundle(one, fetched=True), person) for one in _more(parts)]
     return clause(parts, bundles)
 
 
@@ -188,8 +193,14 @@ def _give(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
+def _safe_for(nominal: Nominal, person: Nominal) -> None:
+    if nominal.kind in _SHARP and person.kind in _CHILDREN:
+        raise trouble(f"a {nominal.kind} is not handed to a {person.kind}", nominal.kind)
+
+
 def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
     nominal = thing(one, "handing over")
+    _safe_for(nominal, person)
     return (
         draft(
             "hand_over",

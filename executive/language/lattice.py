@@ -9,7 +9,8 @@ from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", "SECOND_THOUGHT"})
+_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", *_AT_FIRST})
 _COMPLETE = frozenset(
     "KIND KINDS SUBSTANCE PAIR THING THINGS ONE ONES FURNITURE FURNITURES CONTAINER CONTAINERS DOOR DOORS ROOM "
     "PERSON PEOPLE NAME IT THEM THIS HIM ME LEFT_RIGHT NUM AMOUNT TENS".split()
@@ -73,8 +74,10 @@ class Lattice:
 
     def _is_passed_over(self, word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
         """Whether a word says nothing where it stands; after a thing "er" may correct what was said."""
-        if word.word_class in (FILLER, "SECOND_THOUGHT"):
-            return word.word_class == FILLER or self._nothing_said[word.start]
+        if word.word_class == FILLER:
+            return True
+        if word.word_class in _AT_FIRST:
+            return self._nothing_said[word.start]
         if word.word_class != "HESITATION":
             return False
         before = word.start - 1

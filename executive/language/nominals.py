@@ -256,7 +256,15 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
         and (nominal.reference or nominal.sort in ("me", "you", "name"))
     ):
         return None
-    return described(nominal, parts[1:])
+    told = described(nominal, parts[1:])
+    if (
+        isinstance(told, Nominal)
+        and isinstance(nominal, Nominal)
+        and told.counted
+        and told.ordinal not in (nominal.ordinal, "other")
+    ):
+        return Trouble(f"several things that are each the {told.ordinal} one", told.ordinal)
+    return told
 
 
 def _on_side(parts: Parts) -> Feature | None:

@@ -79,6 +79,8 @@ class Nominal:
 
     def placed(self, relation: Relative) -> Nominal | Trouble:
         """With where it is; being at two places is trouble."""
+        if self.sort in ("me", "you", "name"):
+            return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.relation is not None and self.relation != relation:
             return Trouble("more than one place is named for the same thing", None)
         return replace(self, relation=relation)
