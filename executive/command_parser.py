@@ -22,7 +22,6 @@ from executive.language.sentences import Sentence
 from executive.language.tokens import MalformedTextError, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
-from trees.extensions import extensions
 from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
@@ -48,6 +47,8 @@ def parse(text: str, config: Path | None = None) -> Parsed:
     """
     parsed = parser_with(config_files(config)).parse(text)
     if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
+        from trees.extensions import extensions  # it loads what trees act on: only when it is asked
+
         outside: Any = extensions().for_phrase(text)
         if outside is not None:
             return Parsed(text, commands=(outside,))

@@ -96,11 +96,7 @@ def _fetch(parts: Parts) -> Clause:
                 raise unfit()
             person = one.goal.of
         taken = _pick_bundle(one)
-        bundles.append(
-            (taken,)
-            if person is None
-            else _handed(one, taken, person)
-        )
+        bundles.append((taken,) if person is None else _handed(one, taken, person))
     return clause(parts, bundles)
 
 
