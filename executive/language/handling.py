@@ -80,7 +80,7 @@ def _pick(parts: Parts) -> Clause:
 
 
 def _from_there(one: Arranged) -> Arranged:
-    """ "Pick up the cup there": from the place that was named."""
+    """Read "there" of a thing that is picked up as the place that was named."""
     if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
         return replace(one, goal=None, source=one.goal.of)
     return one

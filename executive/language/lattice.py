@@ -12,8 +12,11 @@ FILLER = "FILLER"
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
 _PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", *_AT_FIRST})
 _COMPLETE = frozenset(
-    "KIND KINDS SUBSTANCE PAIR THING THINGS ONE ONES FURNITURE FURNITURES CONTAINER CONTAINERS DOOR DOORS ROOM "
-    "PERSON PEOPLE NAME IT THEM THIS HIM ME LEFT_RIGHT NUM AMOUNT TENS".split()
+    {
+        *("KIND", "KINDS", "SUBSTANCE", "PAIR", "THING", "THINGS", "ONE", "ONES", "FURNITURE", "FURNITURES"),
+        *("CONTAINER", "CONTAINERS", "DOOR", "DOORS", "ROOM", "PERSON", "PEOPLE", "NAME"),
+        *("IT", "THEM", "THIS", "HIM", "ME", "LEFT_RIGHT", "AMOUNT", "TENS"),
+    }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
@@ -85,9 +88,7 @@ class Lattice:
             before -= 1
         if before < 0 or self._nothing_said[word.start]:
             return True
-        if self.pieces[before].is_number:
-            return False
-        return not any(
+        return not self.pieces[before].is_number and not any(
             length == 1 and reading.word_class in _COMPLETE
             for length, reading in vocabulary.matches(texts, before)
         )

@@ -71,6 +71,11 @@ class Explainer:
             refusal, corrected = self._unknown(lattice, unknown)
             if corrected or unknown <= position or self._refused(lattice, chart) is None:
                 return refusal
+        verbless = lattice.pieces and not chart.has_beginning_of("command")
+        if verbless and self._refused(lattice, chart) is None:
+            shown = printable(lattice.pieces[0].text)
+            message = f"a command begins with what to do, not with {shown!r}"
+            return Refusal(message, shown, self.nearest_example(plain))
         if position >= len(lattice.pieces) or lattice.ends[position]:
             return self._incomplete(lattice, chart)
         found = self._refused(lattice, chart)
