@@ -38,8 +38,9 @@ from kinematics.validity import validity
 Array = NDArray[np.float64]
 
 APPROACH_M = 0.10
-SHORT_M = 0.004
-"""The TCP stops so far before the bar's middle: behind the bar there is no more room than for fingers."""
+SHORT_M = 0.010
+"""The TCP stops so far before the bar's middle: fingers swing ahead as they close, and behind the bar there
+is no more room than they need."""
 _REACH_PACE = Pace(velocity=0.5, acceleration=0.7)
 _STRAIGHT_PACE = Pace(velocity=0.2, acceleration=0.5)
 _RESERVE_M, _SELF_MARGIN_M = 0.004, 0.005

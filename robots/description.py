@@ -142,8 +142,8 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         mount_xyz_m=tuple(body.get("mount_xyz_m", (0.0, 0.0, 0.0))),
         mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
         cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
-        health=HealthLimits(**data.get("health", {})),
         walking=_walking(data.get("walking"), joints, members),
+        health=HealthLimits(**data.get("health", {})),
     )
     _require_consistent(description, link_names(urdf))
     return description

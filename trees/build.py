@@ -18,6 +18,7 @@ from trees.subtrees.place import place
 from trees.subtrees.put_in import put_in
 from trees.subtrees.talk import say, wait
 from trees.subtrees.telling import count, describe, find
+from trees.subtrees.walk_to import walk_to
 from trees.task_tree import TaskTree
 from trees.tasks import (
     CloseTask,
@@ -36,6 +37,7 @@ from trees.tasks import (
     SayTask,
     Task,
     WaitTask,
+    WalkToTask,
     WaveTask,
 )
 from trees.toolbox import Toolbox
@@ -60,6 +62,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         SayTask: say,
         WaitTask: wait,
         MoveTask: move,
+        WalkToTask: walk_to,
     }
 )
 """What makes the root of each task's tree."""

@@ -13,3 +13,9 @@ def body_pose(toolbox: Toolbox) -> PlanarPose:
     x, y, _, qx, qy, qz, qw = toolbox.sensing.state().q[:7].tolist()
     heading = math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
     return PlanarPose(x, y, heading)
+
+
+def feet_pose(toolbox: Toolbox) -> PlanarPose:
+    """The middle between the feet that the robot stands on, and where they point."""
+    soles = [PlanarPose.of(pose) for _, pose in toolbox.motion.stance().soles]
+    return PlanarPose.between(soles[0], soles[-1])

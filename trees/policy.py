@@ -62,6 +62,9 @@ class TreePolicy:
             fingers move an object by up to the clearance of the open hand.
         unseen_hold_factor: A hold that cannot be seen must last this much longer.
         fastest_m_s, fastest_rad_s: Speed limits of a walk; the robot's own may be lower.
+        stand_m, stand_rad: The robot stands this near to where it should, as it sees; the truth adds the
+            perception's bias.
+        walk_attempts: How often it walks, corrections included.
         move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
         peering_gazes: Further ones, that put the eyes elsewhere: past what hides something.
@@ -125,6 +128,9 @@ class TreePolicy:
     unseen_hold_factor: float = 2.0
     fastest_m_s: float = 0.5
     fastest_rad_s: float = 1.0
+    stand_m: float = 0.012
+    stand_rad: float = 0.02
+    walk_attempts: int = 4
     move_s: float = 3.0
     level_gazes: tuple[Gaze, ...] = (
         Gaze("level", tilt_rad=0.15),

@@ -27,11 +27,13 @@ class Footstep:
         side: Which foot.
         pose: Where its sole lands, in the plan's frame.
         advance: How far the body goes with it.
+        body: Where the body is then.
     """
 
     side: Hand
     pose: PlanarPose
-    advance: PlanarPose = PlanarPose()  # noqa: RUF009 - a frozen value
+    advance: PlanarPose
+    body: PlanarPose
 
 
 class FootstepPlanner:
@@ -47,13 +49,10 @@ class FootstepPlanner:
         self._settings = settings
         self._rest_m = rest_spacing_m
 
-    def body_over(self, side: Hand, foot: PlanarPose) -> PlanarPose:
-        """Where the body is, walking, when one foot stands here."""
-        return foot @ PlanarPose(0.0, -0.5 * _LEFTWARDS[side] * self._settings.spacing_m)
-
-    def foot_under(self, side: Hand, body: PlanarPose) -> PlanarPose:
-        """Where a foot stands, walking, when the body is here."""
-        return body @ PlanarPose(0.0, 0.5 * _LEFTWARDS[side] * self._settings.spacing_m)
+    def foot_under(self, side: Hand, body: PlanarPose, last: bool) -> PlanarPose:
+        """Where a foot stands when the body is here: nearer to the middle where it is going to rest."""
+        spacing_m = self._rest_m if last else self._settings.spacing_m
+        return body @ PlanarPose(0.0, 0.5 * _LEFTWARDS[side] * spacing_m)
 
     def beside(self, side: Hand, foot: PlanarPose) -> PlanarPose:
         """Where a foot rests beside the other one."""
@@ -71,6 +70,7 @@ class FootstepPlanner:
         self,
         standing: Hand,
         feet: Feet,
+        body: PlanarPose,
         steering: Steering,
         before: PlanarPose,
         odom_T_plan: PlanarPose,
@@ -81,6 +81,7 @@ class FootstepPlanner:
         Args:
             standing: The foot that stands while the first of them swings.
             feet: Where both stand, or stood last.
+            body: Where the body is when the standing foot carries it.
             steering: Where to go.
             before: How far the body went with the step before.
             odom_T_plan: Where the plan's frame is in the odometry frame.
@@ -92,26 +93,29 @@ class FootstepPlanner:
         steps: list[Footstep] = []
         side, foot = standing, feet[standing]
         behind = feet[OTHER[standing]]
-        body = self.body_over(side, foot)
+        advance = steering.advance(odom_T_plan @ body, before)
         for _ in range(horizon):
-            advance = steering.advance(odom_T_plan @ body, before)
             if advance is None:
                 break
-            next_side = OTHER[side]
-            landing = self._within_reach(next_side, foot, self.foot_under(next_side, body @ advance))
-            steps.append(Footstep(next_side, landing, advance))
-            behind, side, foot, before = foot, next_side, landing, advance
-            body = self.body_over(side, foot)
+            body = body @ advance
+            then = steering.advance(odom_T_plan @ body, advance)
+            wanted = self.foot_under(OTHER[side], body, last=then is None)
+            landing = self._within_reach(OTHER[side], foot, wanted)
+            # a foot that could not go so far takes the body less far as well
+            body = landing @ wanted.inverse() @ body
+            behind, side, foot = foot, OTHER[side], landing
+            steps.append(Footstep(side, landing, advance, body))
+            advance = then
         closing = self.beside(OTHER[side], foot)
         off = closing.to(behind)
         if not steps and abs(off.x_m) + abs(off.y_m) < _CLOSED_M and abs(off.yaw_rad) < _CLOSED_RAD:
             return steps
-        steps.append(Footstep(OTHER[side], closing))
+        steps.append(Footstep(OTHER[side], closing, PlanarPose(), PlanarPose.between(foot, closing)))
         return steps
 
     def _within_reach(self, side: Hand, standing: PlanarPose, landing: PlanarPose) -> PlanarPose:
         """The landing, moved to where the foot can go without touching the one that stands."""
         seen = standing.to(landing)
         across = _LEFTWARDS[side] * seen.y_m
-        limited = min(max(across, self._settings.narrowest_m), self._settings.widest_m)
+        limited = min(max(across, min(self._settings.narrowest_m, self._rest_m)), self._settings.widest_m)
         return standing @ PlanarPose(seen.x_m, _LEFTWARDS[side] * limited, seen.yaw_rad)

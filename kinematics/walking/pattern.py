@@ -102,6 +102,7 @@ class WalkingPattern:
         self._rest_m, self._sway_s2 = rest_m, sway_s2
         self._steering: Steering = Halt()
         self._before = PlanarPose()
+        self._body = self._next_body = PlanarPose.between(feet["left"], feet["right"])
         self._standing: Hand = "left"
         self._swing: Swing | None = None
         self._advance = PlanarPose()
@@ -159,6 +160,7 @@ class WalkingPattern:
             side = OTHER[self._standing]
             self.feet[side] = self._swing.goal
             self._before, self._standing, self._swing = self._advance, side, None
+            self._body = self._next_body
             self.steps += 1
             if self._plan():
                 self._land()
@@ -193,7 +195,7 @@ class WalkingPattern:
             self._close()
             return
         side = OTHER[self._standing]
-        self._advance = steps[0].advance
+        self._advance, self._next_body = steps[0].advance, steps[0].body
         swing_s = self._settings.single_support_s
         self._swing = Swing(self.feet[side], steps[0].pose, self._settings.lift_m, swing_s)
         self.phase, self._swing_s = Phase.SWING, 0.0
@@ -221,14 +223,15 @@ class WalkingPattern:
             return
         side = OTHER[self._standing]
         beside = self._planner.beside(side, self.feet[self._standing])
-        after = [Footstep(side, beside)]
+        body = PlanarPose.between(self.feet[self._standing], beside)
+        after = [Footstep(side, beside, PlanarPose(), body)]
         before = swing.goal
         swing.redirect(beside, self._swing_s)
         zmp = self._steering_zmp(after)
         if self._on_sole(zmp, _QUICK_STOP_INSET_M) != zmp:
             swing.redirect(before, self._swing_s)
             return
-        self._advance = PlanarPose()
+        self._advance, self._next_body = PlanarPose(), body
         self._balance_on_one(after)
 
     # ---------------------------------------------------------------- the DCM's way
@@ -311,7 +314,7 @@ class WalkingPattern:
 
     def _plan(self) -> list[Footstep]:
         return self._planner.plan(
-            self._standing, self.feet, self._steering, self._before, self.odom_T_plan, _HORIZON
+            self._standing, self.feet, self._body, self._steering, self._before, self.odom_T_plan, _HORIZON
         )
 
     # ---------------------------------------------------------------- places

@@ -59,7 +59,7 @@ class VelocitySteering:
     linear_m_s: float
     angular_rad_s: float
 
-    def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:
+    def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:  # noqa: ARG002
         """A step nearer to the velocity that is wanted."""
         s, step_s = self.settings, self.settings.step_s
         if abs(self.linear_m_s) < _STILL and abs(self.angular_rad_s) < _STILL:

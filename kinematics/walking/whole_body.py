@@ -160,10 +160,7 @@ class WholeBody:
         ):
             raise OutOfReachError("a step is out of the legs' reach")
         com = pin.centerOfMass(self._pin, self._data, q, False)
-        self._offset = self._offset + (
-            sample.com.com[0] - float(com[0]),
-            sample.com.com[1] - float(com[1]),
-        )
+        self._offset += np.array(sample.com.com) - com[:2]
         row: Array = np.empty(_BASE + len(q) - 7)
         row[:3], row[3], row[_BASE:] = q[:3], heading, q[7:]
         return row

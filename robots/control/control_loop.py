@@ -305,10 +305,41 @@ class ControlLoop:
         self._streamer.halt()
         self._stuck = True
 
+    def _command_walk(self, state: RobotState) -> None:
+        """The same while the feet move: standing still on one leg is no way out, so the walk goes on."""
+        self._gate.expect_steps(True)
+        proposal = self._walker.propose(self._streamer.propose(state))
+        refusal = self._submit(proposal)
+        if refusal is None:
+            self._streamer.commit()
+            self._end_walk()
+            self._stuck = False
+            return
+        self._tell(proposal.owner, refusal)
+        self._stuck = True
+        self._streamer.revert()
+        self._streamer.stop(str(refusal), along_path=False, status=MotionStatus.REFUSED)
+        self._walker.stop(str(refusal), MotionStatus.REFUSED)
+        self._gate.repeat()
+        self._walker.rejoin(self._gate.last.q)
+
+    def _end_walk(self) -> None:
+        """Stand where a walk has ended: nothing moves, but feet and base are elsewhere."""
+        ended = self._walker.commit()
+        if ended is None:
+            return
+        stance, q = ended
+        self._gate.expect_steps(False)
+        self._streamer.stand(stance, q)
+        self._balance = Balance(self._model, stance)
+        self._estimator = BaseEstimator(self._model, stance)
+
     def _look_after_health(self) -> None:
         streamer = self._streamer
         standing = streamer.standing and not self._walker.active
-        new, over = self._health.judge(self.sensing.state(), self._gate.last, standing, streamer.in_contact)
+        new, over = self._health.judge(
+            self.sensing.state(), self._gate.last, standing, streamer.in_contact, self._walker.active
+        )
         if not new and not over:
             return
         self._tell_health(new, over)
@@ -344,35 +375,6 @@ class ControlLoop:
             self._streamer.latch(reason)
         else:
             self._streamer.unlatch()
-
-    def _command_walk(self, state: RobotState) -> None:
-        """The same while the feet move: standing still on one leg is no way out, so the walk goes on."""
-        self._gate.expect_steps(True)
-        proposal = self._walker.propose(self._streamer.propose(state))
-        refusal = self._submit(proposal)
-        if refusal is None:
-            self._streamer.commit()
-            self._end_walk()
-            self._stuck = False
-            return
-        self._tell(proposal.owner, refusal)
-        self._stuck = True
-        self._streamer.revert()
-        self._streamer.stop(str(refusal), along_path=False, status=MotionStatus.REFUSED)
-        self._walker.stop(str(refusal), MotionStatus.REFUSED)
-        self._gate.repeat()
-        self._walker.rejoin(self._gate.last.q)
-
-    def _end_walk(self) -> None:
-        """Stand where a walk has ended: nothing moves, but feet and base are elsewhere."""
-        ended = self._walker.commit()
-        if ended is None:
-            return
-        stance, q = ended
-        self._gate.expect_steps(False)
-        self._streamer.stand(stance, q)
-        self._balance = Balance(self._model, stance)
-        self._estimator = BaseEstimator(self._model, stance)
 
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""

@@ -22,6 +22,7 @@ class YieldSettings:
             overshoot it by some newtons; at 80 N the robot tipped once.
         stop_force_n: The same where a stop is expected.
         eased_n: What has met its stop is pressed no harder than this when the hand has come to rest.
+        ease_m: From a stop that it met, the hand goes back at least so far.
         slow_share: From this share of the limit on it slows down, to a stand at the limit.
         give_ns_m: Resistance of the hand across the path: the smaller, the softer.
         give_m_s: Fastest yielding.
@@ -40,6 +41,7 @@ class YieldSettings:
     force_limit_n: float = 58.0
     stop_force_n: float = 40.0
     eased_n: float = 10.0
+    ease_m: float = 0.0
     slow_share: float = 0.7
     give_ns_m: float = 300.0
     give_m_s: float = 0.15

@@ -113,6 +113,7 @@ class YieldingHand:
         self._phase_s = self._slow_s = self._empty_s = 0.0
         self._asked_to_finish = False
         self._eased_from = s_from
+        self._met_stop = False
         self._times: Array | None = None
         rest = np.zeros(model.nv)
         self.body = MotionSample(self._tracker.q, rest, rest)
@@ -236,14 +237,16 @@ class YieldingHand:
             elif self._s == self._s_to:
                 self._end("arrived", "ease" if self._stop_from is not None else "settle")
             elif self._slow_s > settings.stuck_s:
+                self._met_stop = self._at_stop
                 self._end(*(("arrived", "ease") if self._at_stop else ("stuck", "back")))
         elif self._phase == "back":
             self._advance(self._s_from, -self._way, 0.0)
             if self._s == self._s_from:
                 self._enter("settle")
         elif self._phase == "ease":
-            eased = abs(self._s - self._eased_from) * self._path.lever_m > _MOST_EASED_M
-            if against_n < settings.eased_n or eased:
+            back_m = abs(self._s - self._eased_from) * self._path.lever_m
+            far_enough = back_m >= settings.ease_m or not self._met_stop
+            if (against_n < settings.eased_n and far_enough) or back_m > _MOST_EASED_M:
                 self._enter("settle")
             else:
                 self._advance(self._s_from, -self._way, 0.0)

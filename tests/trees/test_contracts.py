@@ -14,6 +14,7 @@ from trees.job_leaf import JobLeaf
 from trees.leaf import Leaf
 from trees.motion_leaf import MotionLeaf
 from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.walking_leaf import WalkingLeaf
 
 MODULES = [
     importlib.import_module(f"trees.leaves.{module.name}")
@@ -53,7 +54,7 @@ def test_a_leaf_reads_and_writes_every_port_that_it_declares(leaf):
 
 @pytest.mark.parametrize("leaf", LEAVES, ids=lambda leaf: leaf.__name__)
 def test_a_leaf_that_moves_something_stops_it_when_it_is_released(leaf):
-    moves = issubclass(leaf, MotionLeaf | PlannedMotionLeaf)
+    moves = issubclass(leaf, MotionLeaf | PlannedMotionLeaf | WalkingLeaf)
 
     assert (leaf.CONTRACT.moves != "nothing") == moves
     if moves or issubclass(leaf, JobLeaf):

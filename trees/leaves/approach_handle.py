@@ -20,8 +20,9 @@ from trees.leaf import DONE
 from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
 
-GENTLE = replace(USUAL, stop_force_n=20.0, eased_n=6.0, stuck_s=0.1, slow_share=0.5)
-"""Fingers that meet a door behind its bar press no harder than a hand that knocks."""
+GENTLE = replace(USUAL, stop_force_n=20.0, eased_n=6.0, stuck_s=0.1, slow_share=0.5, ease_m=0.014)
+"""Fingers that meet a door behind its bar press no harder than a hand that knocks, and leave room for
+their own closing: fingertips swing ahead by a centimetre."""
 
 
 class ApproachHandle(MotionLeaf):

@@ -10,19 +10,19 @@ from kinematics.walking.corridor import free_way_m, stopping_distance_m
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import Steering, StretchSteering, VelocitySteering
-from robots.control.motion_handle import MotionHandle
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.leaf import DONE, RUNNING, Leaf
+from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose
 from trees.ports import ports
 from trees.tasks import MoveTask
+from trees.walking_leaf import WalkingLeaf
 
 _LOOK_EVERY_S = 0.1
 
 
-class Move(Leaf):
+class Move(WalkingLeaf):
     """Walk at the task's velocity for its time or distance, and stop before anything that is in the way.
 
     A velocity beyond the limits is refused, never lowered.
@@ -42,7 +42,7 @@ class Move(Leaf):
 
     def begin(self) -> None:
         """Nothing has moved yet."""
-        self._handle: MotionHandle | None = None
+        super().begin()
         self._stopping = False
         self._looked_s = -math.inf
         self._free_m = math.inf
@@ -54,7 +54,7 @@ class Move(Leaf):
         toolbox, task = self.toolbox, self._task
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} is not known to walk")
+            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         blocked = self._blocked(settings)
         if self._handle is None:
             refused = self._beyond_limits(settings) or blocked
@@ -76,11 +76,6 @@ class Move(Leaf):
             self._stopping = True
         self.feedback_message = f"{self._gone_m:+.2f} m, {math.degrees(self._turned_rad):+.0f} degrees"
         return RUNNING
-
-    def release(self, reason: str) -> None:
-        """Stop within the last steps."""
-        if self._handle is not None and self.toolbox.walking is not None:
-            self.toolbox.walking.cancel(self._handle, reason)
 
     @property
     def deadline_s(self) -> float:

@@ -48,15 +48,19 @@ class BodyHealth:
         late = 1.0 if late_s > self._period_s else 0.0
         self._late_share += min(1.0, self._period_s / _PACE_TIME_S) * (late - self._late_share)
 
-    def judge(self, sensed: SensedState, standing: bool) -> list[Finding]:
+    def judge(self, sensed: SensedState, standing: bool, stepping: bool = False) -> list[Finding]:
         """Take one period's readings.
 
         Args:
             sensed: Readings, and the configuration estimated from them.
             standing: Whether both soles are meant to carry.
+            stepping: Whether the feet move: the orientation hangs on the gyro then, and cannot judge it.
         """
         state, limits, found = sensed.readings, self._limits, []
-        if self._imu is not None:
+        if stepping:
+            self._gyro_sum[:], self._periods, self._facing = 0.0, 0, None
+            self._excess.clear()
+        elif self._imu is not None:
             found += self._gyro(sensed, self._imu)
         if self._soles:
             found += self._feet(state, standing)

@@ -61,7 +61,9 @@ class JointHealth:
         self._origin = None
         self._past.clear()
 
-    def judge(self, state: RobotState, setpoint: JointSetpoint, in_contact: bool = False) -> list[Finding]:
+    def judge(
+        self, state: RobotState, setpoint: JointSetpoint, in_contact: bool = False, room: float = 1.0
+    ) -> list[Finding]:
         """Take one period's readings, made while the robot followed a setpoint.
 
         Args:
@@ -69,6 +71,7 @@ class JointHealth:
             setpoint: What was followed.
             in_contact: A hand holds something that may not move: a joint that does not follow is judged by
                 how far it stays behind alone.
+            room: What motors and followers are judged by is multiplied by this.
 
         Returns:
             What is wrong now; nothing in the periods between two judgements.
@@ -83,14 +86,18 @@ class JointHealth:
         self._periods += 1
         if self._periods % _EVERY:
             return []
-        motors = self._motors(q, v, state.effort[:n], setpoint)
+        motors = self._motors(q, v, state.effort[:n], setpoint, room)
         blamed = {finding.part for finding in motors}  # a joint without effort does not follow either
         followers = [
-            finding for finding in self._followers(q, setpoint, in_contact) if finding.part not in blamed
+            finding
+            for finding in self._followers(q, setpoint, in_contact, room)
+            if finding.part not in blamed
         ]
         return [*motors, *followers, *self._encoders(q)]
 
-    def _motors(self, q: Array, v: Array, effort: Array, setpoint: JointSetpoint) -> list[Finding]:
+    def _motors(
+        self, q: Array, v: Array, effort: Array, setpoint: JointSetpoint, room: float
+    ) -> list[Finding]:
         n = self._bodies
         asked = self._stiffness * (setpoint.q[:n] - q) + self._damping * (setpoint.v[:n] - v)
         asked += setpoint.tau[:n]
@@ -101,6 +108,7 @@ class JointHealth:
         bound = np.maximum(
             self._limits.motor_effort_fraction * self._effort, (1.0 - _GIVEN_SHARE) * np.abs(self._asked)
         )
+        bound *= room
         found = []
         for i in np.flatnonzero(missing > bound).tolist():
             dead = abs(effort[i]) < _OFFLINE_SHARE * self._effort[i]
@@ -108,7 +116,7 @@ class JointHealth:
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found
 
-    def _followers(self, q: Array, setpoint: JointSetpoint, in_contact: bool) -> list[Finding]:
+    def _followers(self, q: Array, setpoint: JointSetpoint, in_contact: bool, room: float) -> list[Finding]:
         wanted_now, limits = setpoint.q[: self._bodies], self._limits
         if in_contact:
             self._past.clear()
@@ -117,8 +125,8 @@ class JointHealth:
         wanted, followed = np.abs(wanted_now - then_wanted), np.abs(q - then)
         error = np.abs(wanted_now - q)
         stuck = (wanted > limits.stuck_rad) & (followed < _FOLLOWED_SHARE * wanted)
-        stuck &= error > 0.5 * limits.stuck_rad
-        stuck |= error > limits.tracking_rad
+        stuck &= error > 0.5 * room * limits.stuck_rad
+        stuck |= error > room * limits.tracking_rad
         return [
             Finding(Ailment.STUCK, self._names[i], float(error[i]), limits.stuck_rad)
             for i in np.flatnonzero(stuck).tolist()

@@ -91,4 +91,5 @@ class Stabiliser:
         angle = 0.5 * np.array((off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]))
         rate = plan_R_base.dot(measured.turn_rad_s)
         rate[2] -= motion.v[5]
-        return -(s.trunk_stiffness_nm * angle + s.trunk_damping_nms * rate)
+        righting: Array = -(s.trunk_stiffness_nm * angle + s.trunk_damping_nms * rate)
+        return righting

@@ -1,0 +1,168 @@
+"""Paths over the floor around what stands on it: A* on a grid, then corners cut where the way is free."""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Ball, Box
+from kinematics.walking.planar import PlanarPose
+
+Array = NDArray[np.float64]
+
+_CELL_M = 0.05
+_ROOM_ROUND_M = 1.5
+"""The grid reaches this far beyond start, goal and obstacles."""
+_NEIGHBOURS = tuple((i, j, math.hypot(i, j)) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0))
+
+
+@dataclass(frozen=True, slots=True)
+class Footprint:
+    """What something takes of the floor: a rectangle, and what is nearer to it than a radius.
+
+    Attributes:
+        pose: Middle and heading of the rectangle.
+        half_x_m, half_y_m: Its half-sizes; 0 for what is round.
+        radius_m: The radius; 0 for what is not.
+    """
+
+    pose: PlanarPose
+    half_x_m: float
+    half_y_m: float
+    radius_m: float = 0.0
+
+    def distance_m(self, points: Array) -> Array:
+        """Distance of points on the floor, shape (n, 2), to it; 0 inside."""
+        c, s = math.cos(self.pose.yaw_rad), math.sin(self.pose.yaw_rad)
+        dx, dy = points[:, 0] - self.pose.x_m, points[:, 1] - self.pose.y_m
+        out_x = np.maximum(np.abs(c * dx + s * dy) - self.half_x_m, 0.0)
+        out_y = np.maximum(np.abs(c * dy - s * dx) - self.half_y_m, 0.0)
+        return np.asarray(np.maximum(np.hypot(out_x, out_y) - self.radius_m, 0.0))
+
+
+def footprints(scene: PlanningScene) -> tuple[Footprint, ...]:
+    """Those of everything in a scene that does not hang on a hand."""
+    found = []
+    for item in scene.objects.values():
+        pose = PlanarPose(
+            float(item.world_T_object[0, 3]),
+            float(item.world_T_object[1, 3]),
+            poses.yaw_of(item.world_T_object[:3, :3]),
+        )
+        if isinstance(item.shape, Box):
+            found.append(Footprint(pose, 0.5 * item.shape.size_m[0], 0.5 * item.shape.size_m[1]))
+        else:
+            reach_m = (
+                item.shape.radius_m
+                if isinstance(item.shape, Ball)
+                else _round_m(item.world_T_object, item.shape)
+            )
+            found.append(Footprint(pose, 0.0, 0.0, reach_m))
+    return tuple(found)
+
+
+def clearance_m(obstacles: Iterable[Footprint], point: PlanarPose) -> float:
+    """Distance of a point to the nearest obstacle; infinite if there is none."""
+    at = np.array([[point.x_m, point.y_m]])
+    return min((float(obstacle.distance_m(at)[0]) for obstacle in obstacles), default=math.inf)
+
+
+def plan_path(
+    start: PlanarPose, goal: PlanarPose, obstacles: Sequence[Footprint], clearance: float
+) -> tuple[PlanarPose, ...] | None:
+    """The shortest way that keeps a distance from all obstacles, or None.
+
+    Where the start or the goal is nearer to something than that, the distance grows up to it from there.
+    """
+    least = min(clearance, clearance_m(obstacles, start) - _CELL_M, clearance_m(obstacles, goal) - _CELL_M)
+    places = [(p.pose.x_m, p.pose.y_m) for p in obstacles]
+    around = np.array([(start.x_m, start.y_m), (goal.x_m, goal.y_m), *places])
+    low, high = around.min(axis=0) - _ROOM_ROUND_M, around.max(axis=0) + _ROOM_ROUND_M
+    size = np.ceil((high - low) / _CELL_M).astype(int) + 1
+    xs, ys = low[0] + _CELL_M * np.arange(size[0]), low[1] + _CELL_M * np.arange(size[1])
+    cells = np.stack(np.meshgrid(xs, ys, indexing="ij"), axis=-1).reshape(-1, 2)
+    distance = np.full(len(cells), np.inf)
+    for obstacle in obstacles:
+        distance = np.minimum(distance, obstacle.distance_m(cells))
+    from_ends = np.minimum(
+        np.hypot(cells[:, 0] - start.x_m, cells[:, 1] - start.y_m),
+        np.hypot(cells[:, 0] - goal.x_m, cells[:, 1] - goal.y_m),
+    )
+    needed = np.minimum(clearance, max(least, 0.0) + from_ends)
+    free = (distance > needed).reshape(size[0], size[1])
+    first, last = _cell(start, low), _cell(goal, low)
+    free[first] = free[last] = True
+    way = _search(free, first, last)
+    if way is None:
+        return None
+    points = [start, *(PlanarPose(float(xs[i]), float(ys[j])) for i, j in way[1:-1]), goal]
+    return tuple(_cut(points, free, low))
+
+
+def _cell(point: PlanarPose, low: Array) -> tuple[int, int]:
+    return round((point.x_m - float(low[0])) / _CELL_M), round((point.y_m - float(low[1])) / _CELL_M)
+
+
+def _search(
+    free: NDArray[np.bool_], first: tuple[int, int], last: tuple[int, int]
+) -> list[tuple[int, int]] | None:
+    cost = {first: 0.0}
+    came: dict[tuple[int, int], tuple[int, int]] = {}
+    queue = [(math.dist(first, last), first)]
+    done: set[tuple[int, int]] = set()
+    while queue:
+        _, here = heapq.heappop(queue)
+        if here == last:
+            way = [here]
+            while here in came:
+                here = came[here]
+                way.append(here)
+            return way[::-1]
+        if here in done:
+            continue
+        done.add(here)
+        for di, dj, length in _NEIGHBOURS:
+            there = here[0] + di, here[1] + dj
+            inside = 0 <= there[0] < free.shape[0] and 0 <= there[1] < free.shape[1]
+            if not inside or not free[there]:
+                continue
+            new = cost[here] + length
+            if new < cost.get(there, math.inf):
+                cost[there], came[there] = new, here
+                heapq.heappush(queue, (new + math.dist(there, last), there))
+    return None
+
+
+def _cut(points: list[PlanarPose], free: NDArray[np.bool_], low: Array) -> list[PlanarPose]:
+    """Leave out corners where the straight line is free."""
+    kept, k = [points[0]], 0
+    while k < len(points) - 1:
+        reach = next(
+            (j for j in range(len(points) - 1, k + 1, -1) if _line_free(points[k], points[j], free, low)),
+            k + 1,
+        )
+        kept.append(points[reach])
+        k = reach
+    return kept
+
+
+def _line_free(a: PlanarPose, b: PlanarPose, free: NDArray[np.bool_], low: Array) -> bool:
+    count = max(2, math.ceil(2.0 * a.distance_m(b) / _CELL_M))
+    share = np.linspace(0.0, 1.0, count)
+    i = np.rint((a.x_m + share * (b.x_m - a.x_m) - low[0]) / _CELL_M).astype(int)
+    j = np.rint((a.y_m + share * (b.y_m - a.y_m) - low[1]) / _CELL_M).astype(int)
+    return bool(free[i, j].all())
+
+
+def _round_m(world_T_object: Array, shape: object) -> float:
+    """Reach of a cylinder, standing or lying."""
+    radius_m, height_m = getattr(shape, "radius_m", 0.0), getattr(shape, "height_m", 0.0)
+    upright = abs(float(world_T_object[2, 2]))
+    return float(radius_m + 0.5 * height_m * math.sqrt(max(0.0, 1.0 - upright * upright)))

@@ -1,0 +1,69 @@
+"""Ways around things, judged point by point."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box, Cylinder
+from kinematics.walking.corridor import free_way_m, stopping_distance_m
+from kinematics.walking.path_planning import clearance_m, footprints, plan_path
+from kinematics.walking.planar import PlanarPose
+from robots.description import load_description
+
+
+def scene(*items):
+    return PlanningScene().with_objects(items)
+
+
+def box(name, x, y, size=(0.6, 1.2, 0.9)):
+    return SceneObject(name, Box(size), poses.translation(x, y, 0.5 * size[2]))
+
+
+def nearest_m(path, obstacles):
+    """Least distance of the whole way, looked at each centimetre."""
+    least = np.inf
+    for a, b in pairwise(path):
+        for share in np.linspace(0.0, 1.0, max(2, int(100 * a.distance_m(b)))):
+            at = PlanarPose(a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m))
+            least = min(least, clearance_m(obstacles, at))
+    return least
+
+
+def test_a_free_way_is_straight():
+    assert plan_path(PlanarPose(), PlanarPose(3.0, 1.0), (), 0.5) == (PlanarPose(), PlanarPose(3.0, 1.0))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_way_keeps_its_distance_from_everything(seed):
+    rng = np.random.default_rng(seed)
+    goal = PlanarPose(5.0, float(rng.uniform(-1.0, 1.0)))
+    items = [box(f"table {k}", float(rng.uniform(1.3, 3.7)), float(rng.uniform(-2.0, 2.0))) for k in range(3)]
+    items.append(SceneObject("Ana", Cylinder(0.25, 1.7), poses.translation(2.5, 0.0, 0.85)))
+    obstacles = footprints(scene(*items))
+
+    path = plan_path(PlanarPose(), goal, obstacles, 0.55)
+
+    assert path is not None
+    assert path[0] == PlanarPose()
+    assert path[-1] == goal
+    assert nearest_m(path, obstacles) >= 0.55 - 0.05
+
+
+def test_no_way_is_no_way():
+    walls = [box("a", 2.0, 0.0, (0.2, 3.0, 2.0)), box("b", -2.0, 0.0, (0.2, 3.0, 2.0))]
+    walls += [box("c", 0.0, 1.5, (4.0, 0.2, 2.0)), box("d", 0.0, -1.5, (4.0, 0.2, 2.0))]
+
+    assert plan_path(PlanarPose(), PlanarPose(4.0, 0.0), footprints(scene(*walls)), 0.4) is None
+
+
+def test_what_is_beside_the_corridor_is_not_in_the_way():
+    settings = load_description("talos").walking
+    beside, ahead = np.array([[0.6, 0.8, 0.5]]), np.array([[0.6, 0.1, 0.5]])
+
+    assert free_way_m(beside, settings, 0.3) == np.inf
+    assert free_way_m(ahead, settings, 0.3) == pytest.approx(0.6 - settings.front_m)
+    assert free_way_m(ahead, settings, -0.3) == np.inf
+    assert stopping_distance_m(settings, 0.5) > stopping_distance_m(settings, 0.1) > 0.0

@@ -1,0 +1,161 @@
+"""A whole walk as values: it stays continuous, keeps the ZMP under its feet, and stops in time."""
+
+import numpy as np
+import pytest
+
+from kinematics.robot_model import RobotModel
+from kinematics.walking.pattern import Phase, WalkingPattern
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.steering import PathSteering, StretchSteering, VelocitySteering
+from kinematics.walking.whole_body import WholeBody
+from robots.description import load_description
+
+PERIOD_S = 0.002
+
+
+@pytest.fixture(scope="module")
+def model():
+    return RobotModel(load_description("talos"))
+
+
+class Walk:
+    """A pattern from standing at home, with its whole body."""
+
+    def __init__(self, model):
+        self.settings = model.description.walking
+        soles = {sole.side: sole for sole in model.description.soles}
+        self.feet = {
+            side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
+        }
+        self.body = WholeBody(model, model.q_home, self.feet, PERIOD_S, self.settings.first_shift_s)
+        x, y, _ = model.com(model.q_home).tolist()
+        self.pattern = WalkingPattern(
+            self.settings,
+            soles,
+            self.feet,
+            (x, y),
+            self.body.rest_m,
+            0.17,
+            self.body.omega,
+            self.body.sway_s2,
+        )
+
+    def samples(self, periods, finish_after=None):
+        """The pattern's instants until it rests."""
+        found = []
+        for k in range(periods):
+            if k == finish_after:
+                self.pattern.finish()
+            found.append(self.pattern.advance(PERIOD_S))
+            if found[-1].phase is Phase.REST:
+                break
+        return found
+
+
+@pytest.mark.parametrize("velocity", [(0.5, 0.0), (-0.5, 0.0), (0.3, 0.5), (0.0, 1.0)])
+def test_com_and_dcm_never_jump(model, velocity):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, *velocity))
+
+    samples = walk.samples(6000, finish_after=2500)
+
+    com = np.array([sample.com.com for sample in samples])
+    dcm = np.array([sample.com.dcm for sample in samples])
+    assert np.abs(np.diff(com, axis=0)).max() < 1.0 * PERIOD_S
+    assert np.abs(np.diff(dcm, axis=0)).max() < 1.5 * PERIOD_S
+    assert np.abs(np.diff(com, n=2, axis=0)).max() < 6.0 * PERIOD_S**2
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("velocity", [(0.5, 0.0), (-0.45, 0.33)])
+def test_a_walk_stops_within_2_2_seconds_and_two_landings_whenever_it_is_told(model, velocity):
+    for told in range(20, 2400, 290):
+        walk = Walk(model)
+        walk.pattern.steer(VelocitySteering(walk.settings, *velocity))
+        walk.samples(told)
+        landed = walk.pattern.steps
+
+        samples = walk.samples(2000, finish_after=0)
+
+        assert samples[-1].phase is Phase.REST
+        assert len(samples) * PERIOD_S <= 2.2
+        assert walk.pattern.steps - landed <= 2
+
+
+def test_the_zmp_stays_under_the_foot_that_stands(model):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.5, 0.3))
+    sole = model.description.soles[0]
+
+    for sample in walk.samples(5000, finish_after=3000):
+        if len(sample.carrying) == 1:
+            seen = sample.feet[sample.carrying[0]].to(PlanarPose(*sample.com.zmp))
+            assert sole.x_m[0] <= seen.x_m <= sole.x_m[1]
+            assert sole.y_m[0] <= seen.y_m <= sole.y_m[1]
+
+
+def test_at_the_end_the_legs_are_at_home_on_parallel_feet(model):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.3, 0.2))
+
+    motions = [walk.body.follow(sample) for sample in walk.samples(5000, finish_after=1500)]
+    motions += [walk.body.follow(walk.pattern.advance(PERIOD_S)) for _ in range(3)]
+
+    left, right = walk.pattern.feet["left"], walk.pattern.feet["right"]
+    assert right.to(left).y_m == pytest.approx(0.17, abs=1e-9)
+    assert right.to(left).yaw_rad == pytest.approx(0.0, abs=1e-9)
+    assert np.abs(motions[-1].q[7:] - model.q_home[7:]).max() < 1e-5
+    assert np.abs(motions[-1].v).max() < 1e-3
+
+
+def test_each_position_follows_from_the_one_before_and_both_velocities(model):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.5, 0.0))
+    motions = [walk.body.follow(sample) for sample in walk.samples(3000, finish_after=2000)]
+
+    q, v = np.array([m.q[7:] for m in motions]), np.array([m.v[6:] for m in motions])
+
+    assert np.abs(np.diff(q, axis=0) - 0.5 * PERIOD_S * (v[1:] + v[:-1])).max() < 1e-12
+    limits = walk.settings.joint_acceleration
+    most = np.array([limits.get(name, np.inf) for name in model.joints])
+    assert (np.abs(np.diff(v, axis=0)) / PERIOD_S <= most).all()
+
+
+def test_the_soles_are_where_the_pattern_has_them(model):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.3, 0.5))
+    samples = walk.samples(1500)
+    motions = [walk.body.follow(sample) for sample in samples]
+
+    for k in range(1, 1499, 50):
+        for sole in model.description.soles:
+            found = model.frame_pose(motions[k].q, sole.frame)
+            wanted = samples[k - 1].feet[sole.side]
+            assert found[2, 3] == pytest.approx(samples[k - 1].lift_m[sole.side], abs=1e-3)
+            assert PlanarPose.of(found).distance_m(wanted) < 1e-3
+
+
+@pytest.mark.parametrize(
+    "goal", [PlanarPose(1.0, 0.4, 1.0), PlanarPose(-0.2, 0.1, -0.3), PlanarPose(0.05, 0.0, 0.0)]
+)
+def test_a_path_ends_between_the_feet(model, goal):
+    walk = Walk(model)
+    walk.pattern.steer(PathSteering(walk.settings, (PlanarPose(), goal)))
+
+    samples = walk.samples(30000)
+
+    assert samples[-1].phase is Phase.REST
+    off = goal.to(PlanarPose.between(walk.pattern.feet["left"], walk.pattern.feet["right"]))
+    assert np.hypot(off.x_m, off.y_m) < 0.008
+    assert abs(off.yaw_rad) < 0.01
+
+
+@pytest.mark.parametrize("speed", [0.3, -0.25])
+def test_a_stretch_is_as_long_as_was_asked_for(model, speed):
+    walk = Walk(model)
+    walk.pattern.steer(StretchSteering(walk.settings, PlanarPose(), speed, 0.7))
+
+    walk.samples(10000)
+
+    body = PlanarPose.between(walk.pattern.feet["left"], walk.pattern.feet["right"])
+    assert body.x_m == pytest.approx(0.7 if speed > 0.0 else -0.7, abs=0.008)

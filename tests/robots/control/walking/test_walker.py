@@ -1,0 +1,116 @@
+"""Walks in the simulator, on the robot's own sensors."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from kinematics.robot_model import RobotModel
+from kinematics.walking.steering import VelocitySteering
+from robots.clock import ManualClock
+from robots.control.control_loop import ControlLoop
+from robots.control.motion_handle import MotionStatus
+from robots.control.refusal import Limit, Refusal
+from robots.description import load_description
+from robots.scene_description import PerceptionModel, RobotStart, SceneDescription
+from robots.simulated.world import build_world
+
+PERIOD_S = 0.002
+
+
+class Floor:
+    """TALOS on a floor, with a control loop."""
+
+    def __init__(self, **changed):
+        description = load_description("talos")
+        if changed:
+            description = dataclasses.replace(description, **changed)
+        scene = SceneDescription("floor", RobotStart(), PerceptionModel())
+        self.world = build_world(description, scene, np.random.default_rng(3))
+        self.events = []
+        self.loop = ControlLoop(
+            self.world.robot, RobotModel(description), ManualClock(), self.events.append, PERIOD_S
+        )
+        self.settings = description.walking
+        self.run(0.3)
+
+    def run(self, seconds):
+        for _ in range(round(seconds / PERIOD_S)):
+            self.loop.step()
+
+    def walk(self, linear, angular=0.0):
+        return self.loop.walking.walk(VelocitySteering(self.settings, linear, angular), "walk")
+
+    def until_it_stands(self, most_s=6.0):
+        """How long that takes."""
+        for k in range(round(most_s / PERIOD_S)):
+            if not self.loop.walking.active:
+                return k * PERIOD_S
+            self.loop.step()
+        raise AssertionError("it walks on")
+
+
+@pytest.mark.requirement("M6")
+def test_the_robot_walks_and_stands_where_it_believes_to_stand():
+    floor = Floor()
+
+    handle = floor.walk(0.3)
+    floor.run(3.0)
+    floor.loop.walking.finish(handle)
+    floor.until_it_stands()
+    floor.run(0.3)
+
+    truth, believed = floor.world.truth.world_T_base(), floor.loop.sensing.state().q
+    assert handle.status is MotionStatus.DONE
+    assert not floor.world.truth.fallen()
+    assert 0.45 < truth[0, 3] < 0.9
+    assert np.linalg.norm(believed[:3] - truth[:3, 3]) < 0.02
+    assert floor.loop.statistics.refused == 0
+    assert np.linalg.norm(floor.loop.motion.reference()[:3] - believed[:3]) < 0.01
+
+
+@pytest.mark.requirement("S4")
+def test_the_emergency_stop_makes_the_last_steps_and_stays_engaged():
+    floor = Floor()
+
+    handle = floor.walk(0.4)
+    floor.run(1.9)
+    floor.loop.emergency_stop("the button")
+    took_s = floor.until_it_stands()
+
+    assert handle.status is MotionStatus.CANCELED
+    assert took_s <= 2.2
+    assert not floor.world.truth.fallen()
+    assert floor.walk(0.2).status is MotionStatus.REFUSED
+
+
+def test_a_refused_setpoint_in_mid_step_does_not_make_it_fall():
+    floor = Floor()
+    handle = floor.walk(-0.3)
+    floor.run(1.5)
+
+    submit = floor.loop._gate.submit
+    floor.loop._gate.submit = lambda setpoint: Refusal(Limit.AGE, "nobody", 1.0, 0.0)
+    floor.loop.step()
+    floor.loop._gate.submit = submit
+    floor.until_it_stands()
+
+    assert handle.status is MotionStatus.REFUSED
+    assert not floor.world.truth.fallen()
+
+
+def test_a_robot_of_which_no_gait_is_known_refuses():
+    handle = Floor(walking=None).loop.walking.walk(None, "walk")
+
+    assert handle.status is MotionStatus.REFUSED
+    assert "not known to walk" in handle.reason
+
+
+def test_nothing_else_moves_the_body_during_a_walk():
+    floor = Floor()
+    floor.walk(0.2)
+
+    second = floor.walk(0.1)
+
+    assert second.status is MotionStatus.REFUSED
+    assert floor.loop.still is False

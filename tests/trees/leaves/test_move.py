@@ -1,0 +1,113 @@
+"""Moving at a velocity, without a robot that walks."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from trees.failures import FailureKind
+from trees.leaves.move import Move
+from trees.tasks import MoveTask
+
+
+class FakeWalking:
+    """Notes what is asked of it."""
+
+    def __init__(self):
+        self.handle = None
+        self.cancelled = []
+
+    @property
+    def active(self):
+        return self.handle is not None and not self.handle.finished
+
+    def walk(self, steering, name):
+        self.steering, self.handle = steering, MotionHandle(name, "walk-1")
+        return self.handle
+
+    def steer(self, handle, steering):
+        self.steering = steering
+
+    def finish(self, handle):
+        handle.status = MotionStatus.DONE
+
+    def cancel(self, handle, reason):
+        handle.status = MotionStatus.CANCELED
+        self.cancelled.append(reason)
+
+
+class Ranges:
+    """Sees what it is told."""
+
+    def __init__(self, *points):
+        self.points = np.array(points, dtype=float).reshape(-1, 3)
+
+    def scan(self):
+        return self.points
+
+
+@pytest.fixture
+def move(stage):
+    """Makes the leaf for a task, on a stage that can walk."""
+
+    def make(task, ranges=None):
+        walking = FakeWalking()
+        toolbox = dataclasses.replace(stage.toolbox, walking=walking, ranging=ranges or Ranges())
+        return stage.ready(Move("walk", toolbox), task=task), walking
+
+    return make
+
+
+@pytest.mark.requirement("S1")
+@pytest.mark.parametrize(
+    ("linear", "angular", "limit"),
+    [(0.51, 0.0, 0.5), (-0.6, 0.0, 0.5), (0.0, 1.01, 1.0), (float("nan"), 0.0, 0.5)],
+)
+def test_a_velocity_beyond_the_limit_is_refused_with_limit_and_value(move, linear, angular, limit):
+    leaf, walking = move(MoveTask("go", linear, angular, 1.0))
+
+    leaf.tick_once()
+
+    assert leaf.status is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.REFUSED
+    assert leaf.failure.numbers["limit"] == pytest.approx(limit)
+    assert walking.handle is None
+
+
+@pytest.mark.requirement("S2")
+def test_nothing_moves_towards_an_obstacle_nearer_than_the_stopping_distance(move):
+    leaf, walking = move(MoveTask("go", 0.3, 0.0, 1.0), Ranges((0.5, 0.0, 0.9)))
+
+    leaf.tick_once()
+
+    assert leaf.status is Status.FAILURE
+    assert "obstacle" in leaf.failure.message
+    assert walking.handle is None
+
+
+@pytest.mark.requirement("S2")
+def test_a_walk_stops_when_an_obstacle_comes_near(move, stage):
+    ranges = Ranges((2.0, 0.0, 0.9))
+    leaf, walking = move(MoveTask("go", 0.3, 0.0, 5.0), ranges)
+    leaf.tick_once()
+    assert leaf.status is Status.RUNNING
+
+    ranges.points = np.array([[0.4, 0.0, 0.9]])
+    for _ in range(400):
+        stage.fake.step()
+        leaf.tick_once()
+        if leaf.status is not Status.RUNNING:
+            break
+
+    assert leaf.status is Status.FAILURE
+    assert walking.cancelled
+
+
+def test_an_obstacle_ahead_does_not_keep_it_from_going_back(move):
+    leaf, _ = move(MoveTask("back", -0.3, 0.0, 1.0), Ranges((0.5, 0.0, 0.9)))
+
+    leaf.tick_once()
+
+    assert leaf.status is Status.RUNNING

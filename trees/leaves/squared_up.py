@@ -1,0 +1,44 @@
+"""Whether the robot stands where it should, by what it sees from there."""
+
+from __future__ import annotations
+
+import math
+
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.leaf import DONE, Leaf
+from trees.odometry import feet_pose
+from trees.ports import ports
+from trees.standing_place import standing_place
+
+
+class SquaredUp(Leaf):
+    """Compare where the robot stands with where it should, from the last sighting of the place."""
+
+    INPUT_PORTS = ports(place=Place)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the place was seen from where the robot stands",
+        postcondition="distance and angle to the standing place are within the policy's tolerance",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Measure once."""
+        toolbox, policy = self.toolbox, self.toolbox.policy
+        body = feet_pose(toolbox)
+        goal = standing_place(self.get_input("place"), toolbox.world.scene, body, policy.support_gap_m)
+        left = body.to(goal)
+        off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
+        self.measured(off_m=off_m, off_rad=off_rad)
+        if off_m > policy.stand_m or off_rad > policy.stand_rad:
+            return Failure.postcondition(
+                f"it stands {100 * off_m:.1f} cm and {math.degrees(off_rad):.1f} degrees beside its place",
+                off_m=off_m,
+                off_rad=off_rad,
+            )
+        self._set_output("evidence", {"off_m": off_m, "off_rad": off_rad})
+        return DONE

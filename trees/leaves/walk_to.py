@@ -1,0 +1,115 @@
+"""Walk to where the next task can be done."""
+
+from __future__ import annotations
+
+import math
+
+from py_trees.common import Status
+
+from kinematics.walking.path_planning import Footprint, clearance_m, footprints, plan_path
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.steering import PathSteering, Steering, StretchSteering
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.leaf import DONE, RUNNING
+from trees.motion_leaf import motion_failure
+from trees.odometry import feet_pose
+from trees.ports import ports
+from trees.standing_place import standing_place
+from trees.walking_leaf import WalkingLeaf
+
+_APPROACH_M = 0.45
+"""The last stretch to furniture is straight ahead and so long."""
+_TURN_ROOM_M = 0.62
+"""Hands and elbows of the home posture reach so far when the robot turns on the spot."""
+_BACK_M_S = 0.25
+_PATH_CLEARANCE_M = 0.55
+
+
+class WalkTo(WalkingLeaf):
+    """Walk around what is known to stand about, and stand square in front of the place.
+
+    Where the robot is too near to something to turn, it steps straight back first. Its own odometry leads;
+    who wants to know how well it arrived looks again.
+    """
+
+    INPUT_PORTS = ports(place=Place)
+    OUTPUT_PORTS = ports(goal=PlanarPose)
+    CONTRACT = Contract(
+        precondition="the place was seen, and the robot stands upright with its hands at home",
+        postcondition="the robot stands; by odometry within the policy's tolerance of its goal",
+        deadline_s=120.0,
+        moves="body",
+        on_success="the robot stands in front of the place",
+        on_failure="the robot stops within two steps and stands",
+        on_cancel="the robot stops within two steps and stands",
+    )
+
+    def begin(self) -> None:
+        """Nothing has moved yet."""
+        super().begin()
+        self._goal = PlanarPose()
+        self._backing = False
+
+    def step(self) -> Status | Failure:
+        """Choose the goal, walk, and measure."""
+        toolbox = self.toolbox
+        settings = toolbox.model.description.walking
+        if settings is None or toolbox.walking is None:
+            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+        if self._handle is None:
+            steering = self._plan(settings)
+            if isinstance(steering, Failure):
+                return steering
+            if steering is None:
+                return self._arrived()
+            self._handle = toolbox.walking.walk(steering, "walk")
+        if (ended := motion_failure(self._handle)) is not None:
+            return ended
+        if not self._handle.finished:
+            left_m = feet_pose(toolbox).distance_m(self._goal)
+            self.feedback_message = f"{left_m:.2f} m to go"
+            return RUNNING
+        if self._backing:
+            self._handle = None
+            return RUNNING
+        return self._arrived()
+
+    def _plan(self, settings: WalkingSettings) -> Steering | Failure | None:
+        toolbox = self.toolbox
+        policy, scene = toolbox.policy, toolbox.world.scene
+        body, place = feet_pose(toolbox), self.get_input("place")
+        self._goal = standing_place(place, scene, body, policy.support_gap_m)
+        self._set_output("goal", self._goal)
+        left = body.to(self._goal)
+        if math.hypot(left.x_m, left.y_m) < policy.stand_m and abs(left.yaw_rad) < policy.stand_rad:
+            return None
+        if math.hypot(left.x_m, left.y_m) < 0.3 and abs(left.yaw_rad) < 0.3:
+            return PathSteering(settings, (body, self._goal))
+        obstacles = footprints(scene)
+        near_m = clearance_m(obstacles, body)
+        if near_m < _TURN_ROOM_M and not self._backing:
+            back = body @ PlanarPose(-(_TURN_ROOM_M - near_m + 0.1))
+            if clearance_m(obstacles, back) > near_m:
+                self._backing = True
+                return StretchSteering(settings, body, -_BACK_M_S, body.distance_m(back))
+        self._backing = False
+        return self._way(settings, body, obstacles)
+
+    def _way(
+        self, settings: WalkingSettings, body: PlanarPose, obstacles: tuple[Footprint, ...]
+    ) -> Steering | Failure:
+        before = self._goal @ PlanarPose(-_APPROACH_M)
+        path = plan_path(body, before, obstacles, _PATH_CLEARANCE_M)
+        if path is None:
+            return Failure.infeasible(
+                "no way leads there around what is known", clearance_m=_PATH_CLEARANCE_M
+            )
+        return PathSteering(settings, (*path, self._goal))
+
+    def _arrived(self) -> Status | Failure:
+        left = feet_pose(self.toolbox).to(self._goal)
+        self.measured(off_m=math.hypot(left.x_m, left.y_m), off_rad=abs(left.yaw_rad))
+        return DONE

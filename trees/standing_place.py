@@ -1,0 +1,66 @@
+"""Where to stand for what comes next: in front of furniture, within reach of an object, before a person."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from kinematics import poses
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+from kinematics.walking.planar import PlanarPose
+from trees.destination import Place
+from trees.scene_update import support_of
+
+EDGE_M = 0.34
+"""From the middle between the feet to a table's edge: picks reach best from 0.29 to 0.36, and the
+fingertips of the home posture stand out by 0.20."""
+PERSON_M = 0.9
+FREE_M = 0.7
+"""From something that stands on the floor by itself."""
+_FROM_CORNER_M = 0.25
+
+
+def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support_gap_m: float) -> PlanarPose:
+    """The pose of the body, in the odometry frame, facing what the task is about.
+
+    Args:
+        place: What it is about.
+        scene: For what an object stands on.
+        body: Where the body is now; the nearest side is chosen.
+        support_gap_m: As for ``support_of``.
+    """
+    x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
+    if place.category == "furniture" and isinstance(place.shape, Box):
+        return _before(place.shape, place.odom_T_place, body)
+    if place.category == "object":
+        item = SceneObject(place.name, place.shape, place.odom_T_place)
+        under = support_of(item, scene, support_gap_m)
+        if under is not None and isinstance(under.shape, Box):
+            return _before(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
+    away_m = PERSON_M if place.category == "person" else FREE_M
+    heading = math.atan2(y - body.y_m, x - body.x_m)
+    return PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+
+
+def _before(
+    box: Box, odom_T_box: poses.Transform, near: PlanarPose, toward: PlanarPose | None = None
+) -> PlanarPose:
+    """Square in front of the side of a box that is nearest, level with a point of it."""
+    middle = PlanarPose.of(odom_T_box)
+    seen = middle.to(toward or near)
+    half_x, half_y = 0.5 * box.size_m[0], 0.5 * box.size_m[1]
+    sides = {
+        # how far the point is from each side, where to stand, and along which axis one may slide
+        0.0: (half_x - seen.x_m if toward else -(seen.x_m - half_x), half_x, half_y, seen.y_m),
+        math.pi: (half_x + seen.x_m if toward else seen.x_m + half_x, half_x, half_y, -seen.y_m),
+        0.5 * math.pi: (half_y - seen.y_m if toward else -(seen.y_m - half_y), half_y, half_x, -seen.x_m),
+        -0.5 * math.pi: (half_y + seen.y_m if toward else seen.y_m + half_y, half_y, half_x, seen.x_m),
+    }
+    outward = min(sides, key=lambda angle: sides[angle][0])
+    _, out_m, wide_m, along_m = sides[outward]
+    room_m = max(0.0, wide_m - _FROM_CORNER_M)
+    along_m = float(np.clip(along_m if toward else 0.0, -room_m, room_m))
+    side = middle @ PlanarPose(yaw_rad=outward)
+    return side @ PlanarPose(out_m + EDGE_M, along_m, math.pi)
