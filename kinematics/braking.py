@@ -36,7 +36,7 @@ _ZMP_RESERVE_M = 0.005
 _ROOM = 1.0 + DEFAULT_SETTINGS.acceleration_fraction
 _JERK_ROOM = 1.0 + DEFAULT_SETTINGS.jerk_fraction
 """As much as the checker gives: the path that is being braked may use it already."""
-_LOOKS = np.linspace(0.0, 1.0, 17)[1:]
+_LOOKS: Array = np.linspace(0.0, 1.0, 17)[1:].astype(np.float64)
 """Shares of a brake's time at which the ZMP is computed, and where a brake is looked at coarsely."""
 _AHEAD = 33
 """Instants of the path ahead that stand for it in a coarse look."""
@@ -87,7 +87,7 @@ def brake_along(
             tipping_s = max(tipping_s, time_s)
             continue
         periods = max(1, int(np.ceil(time_s / period_s - 1e-9)))
-        motion = _braked(sampler, t_s, limits, period_s * np.arange(1, periods + 1))
+        motion = _braked(sampler, t_s, limits, period_s * np.arange(1, periods + 1, dtype=np.float64))
         if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
             return motion
     return None
