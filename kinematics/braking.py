@@ -13,7 +13,7 @@ from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
-from kinematics.zmp import balance_margins_m
+from kinematics.zmp import zmp_margins_m
 
 Array = NDArray[np.float64]
 
@@ -33,8 +33,17 @@ _BASE_ACCELERATION = np.array([1.5, 1.5, 1.5, 4.0, 4.0, 4.0])
 _BASE_JERK = np.array([20.0, 20.0, 20.0, 50.0, 50.0, 50.0])
 """Of the base while it is braked, m/s^2, rad/s^2, and their rates: as much as the legs can follow."""
 _ZMP_RESERVE_M = 0.005
-_JUDGED_ROWS = 5
-"""Every so many rows of a stop the ZMP is computed."""
+_ROOM = 1.0 + DEFAULT_SETTINGS.acceleration_fraction
+_JERK_ROOM = 1.0 + DEFAULT_SETTINGS.jerk_fraction
+"""As much as the checker gives: the path that is being braked may use it already."""
+_LOOKS: Array = np.linspace(0.0, 1.0, 17)[1:].astype(np.float64)
+"""Shares of a brake's time at which the ZMP is computed, and where a brake is looked at coarsely."""
+_AHEAD = 33
+"""Instants of the path ahead that stand for it in a coarse look."""
+_TRIED = 4
+_MORE_GENTLE = 1.15
+"""So many brakes are computed at most, each gentler by this than one that tips: a stop has to begin
+within a control period."""
 
 
 def brake_along(
@@ -63,32 +72,76 @@ def brake_along(
     hardest = min(_FASTEST_BRAKE_1_S2, float(np.min(acceleration / speed)))
     hardest_jerk = float(np.min(jerk / speed))
     pairs = [(a * hardest, j * hardest_jerk) for a in _SHARES for j in _SHARES]
-    for slope_limit, jerk_limit in sorted(pairs, key=_preference):
-        if t_s + 0.5 * _brake_time_s((slope_limit, jerk_limit)) > sampler.duration_s:
-            continue  # a brake takes half its time of the path
-        passed, rate, slope = _brake_rate(slope_limit, jerk_limit, period_s)
-        if t_s + passed[-1] > sampler.duration_s:
+    # A brake takes half its time of the path.
+    fitting = [pair for pair in pairs if t_s + 0.5 * _brake_time_s(pair) <= sampler.duration_s]
+    tried, tipping_s = 0, 0.0
+    for limits in _within(sorted(fitting, key=_preference), sampler, t_s, acceleration, jerk):
+        time_s = _brake_time_s(limits)
+        if time_s < _MORE_GENTLE * tipping_s:
+            continue  # hardly gentler than one that tips
+        tried += 1
+        if tried > _TRIED:
+            break
+        look_s = time_s * _LOOKS
+        if not _stands(model, stance, _braked(sampler, t_s, limits, look_s)):
+            tipping_s = max(tipping_s, time_s)
             continue
-        motion = sampler.many(t_s + passed, rate, slope)
-        if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s) and _stands(
-            model, stance, motion
-        ):
+        periods = max(1, int(np.ceil(time_s / period_s - 1e-9)))
+        motion = _braked(sampler, t_s, limits, period_s * np.arange(1, periods + 1, dtype=np.float64))
+        if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
             return motion
     return None
 
 
+def _braked(sampler: TrajectorySampler, t_s: float, limits: tuple[float, float], at_s: Array) -> MotionSample:
+    """What a brake that begins at ``t_s`` makes of a trajectory, at times since then, shape (k,)."""
+    passed, rate, slope = _brake_rate(*limits, _brake_time_s(limits), at_s)
+    motion = sampler.many(t_s + passed, rate, slope)
+    if at_s[-1] >= _brake_time_s(limits):
+        motion.v[-1], motion.a[-1] = 0.0, 0.0
+    return motion
+
+
+def _within(
+    pairs: list[tuple[float, float]], sampler: TrajectorySampler, t_s: float, acceleration: Array, jerk: Array
+) -> list[tuple[float, float]]:
+    """Leave out, all at once, the pairs that exceed a limit already where they are looked at coarsely."""
+    if not pairs:
+        return []
+    times = np.array([_brake_time_s(pair) for pair in pairs])
+    ahead_s = np.linspace(0.0, 0.5 * float(times.max()), _AHEAD)
+    ahead = sampler.many(t_s + ahead_s)
+    moves = np.flatnonzero(np.abs(ahead.v[:, 6:]).max(axis=0) > _MOVING_RAD_S)
+    if len(moves) == 0:
+        return pairs
+    # In shares of the limits, whatever moves.
+    v, a = ahead.v[:, 6 + moves], ahead.a[:, 6 + moves]
+    bend = np.gradient(a, ahead_s[1], axis=0)
+    limits = np.array(pairs)
+    at_s = times[:, None] * np.concatenate([[0.0], _LOOKS])
+    hardest, hardest_jerk, time_s = limits[:, :1], limits[:, 1:], times[:, None]
+    passed, rate, slope = _brake_rate(hardest, hardest_jerk, time_s, at_s)
+    bending_s = np.minimum(hardest / hardest_jerk, 0.5 * time_s)
+    change = hardest_jerk * ((at_s >= time_s - bending_s) * 1.0 - (at_s <= bending_s))
+    k = np.minimum(np.rint(passed / ahead_s[1]), _AHEAD - 1).astype(np.intp)
+    rate, slope, change = rate[..., None], slope[..., None], change[..., None]
+    accelerations = rate**2 * a[k] + slope * v[k]
+    jerks = rate**3 * bend[k] + 3.0 * rate * slope * a[k] + change * v[k]
+    most, most_jerk = acceleration[moves] * _ROOM, jerk[moves] * _JERK_ROOM
+    fits = (np.abs(accelerations) <= most).all(axis=(1, 2)) & (np.abs(jerks) <= most_jerk).all(axis=(1, 2))
+    return [pair for pair, fit in zip(pairs, fits.tolist(), strict=True) if fit]
+
+
 def _stands(model: RobotModel, stance: Stance, motion: MotionSample) -> bool:
     """Whether a stop keeps the ZMP inside the support polygon."""
-    rows = MotionSample(motion.q[::_JUDGED_ROWS], motion.v[::_JUDGED_ROWS], motion.a[::_JUDGED_ROWS])
-    return bool(balance_margins_m(model, stance, rows)[0].min() >= _ZMP_RESERVE_M)
+    return bool(zmp_margins_m(model, stance, motion).min() >= _ZMP_RESERVE_M)
 
 
 def _holds(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
-    # As much room as the checker gives: the path that is being braked may use it already.
-    if np.any(np.abs(a) > acceleration * (1.0 + DEFAULT_SETTINGS.acceleration_fraction)):
+    if np.any(np.abs(a) > acceleration * _ROOM):
         return False
     change = np.diff(np.vstack([start, a]), axis=0) / period_s
-    return not np.any(np.abs(change) > jerk * (1.0 + DEFAULT_SETTINGS.jerk_fraction))
+    return not np.any(np.abs(change) > jerk * _JERK_ROOM)
 
 
 def _brake_time_s(limits: tuple[float, float]) -> float:
@@ -107,16 +160,30 @@ def _preference(limits: tuple[float, float]) -> tuple[int, float]:
     return (0 if time_s <= _GENTLE_S[1] else 2), time_s
 
 
-def _brake_rate(slope_limit: float, jerk_limit: float, period_s: float) -> tuple[Array, Array, Array]:
-    """Time passed, rate and its slope for each period while the rate falls from 1 to 0."""
-    request = ruckig.InputParameter(1)
-    request.control_interface = ruckig.ControlInterface.Velocity
-    request.current_position = request.current_acceleration = [0.0]
-    request.current_velocity = [1.0]
-    request.target_velocity = request.target_acceleration = [0.0]
-    request.max_acceleration, request.max_jerk = [slope_limit], [jerk_limit]
-    rows = _rows(request, 1, period_s)
-    return rows[:, 0, 0], rows[:, 1, 0], rows[:, 2, 0]
+def _brake_rate(
+    slope_limit: float | Array, jerk_limit: float | Array, time_s: float | Array, at_s: Array
+) -> tuple[Array, Array, Array]:
+    """Time passed, rate and its slope while the rate falls from 1 to 0 within ``time_s``.
+
+    The slope falls, stays and rises again; its change is limited, and so is it itself.
+
+    Args:
+        slope_limit, jerk_limit, time_s: Of one brake, or of many, shape (n, 1).
+        at_s: Times since the beginning, shape (k,) or (n, k).
+    """
+    bend_s = np.minimum(slope_limit / jerk_limit, 0.5 * time_s)
+    deepest = jerk_limit * bend_s
+    at_s = np.minimum(at_s, time_s)
+    early, late = np.minimum(at_s, bend_s), np.maximum(at_s - (time_s - bend_s), 0.0)
+    straight = np.minimum(np.maximum(at_s - bend_s, 0.0), time_s - 2.0 * bend_s)
+    slope = -jerk_limit * (early - late)
+    rate = 1.0 - 0.5 * jerk_limit * early**2
+    passed = early - jerk_limit * early**3 / 6.0
+    passed += rate * straight - 0.5 * deepest * straight**2
+    rate = rate - deepest * straight
+    passed += rate * late - 0.5 * deepest * late**2 + jerk_limit * late**3 / 6.0
+    rate = rate - deepest * late + 0.5 * jerk_limit * late**2
+    return passed, rate, slope
 
 
 def brake_joints(
@@ -184,8 +251,10 @@ def brake_standing(
             return None
         q[:, 7:] += gap * np.linspace(1.0, 0.0, len(q) + 1)[1:, None]
         motion = _sampled(model, now, q, period_s)
+        rows_seen = np.unique((len(q) * _LOOKS - 0.5).astype(np.intp))
+        seen = MotionSample(motion.q[rows_seen], motion.v[rows_seen], motion.a[rows_seen])
         if _holds(motion.a[:, 6:], now.a[6:], model.acceleration, model.jerk, period_s) and _stands(
-            model, stance, motion
+            model, stance, seen
         ):
             return motion
     return None

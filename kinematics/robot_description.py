@@ -153,6 +153,8 @@ class HealthLimits:
             law asks for, is weak or offline.
         stuck_rad: A joint whose setpoint has moved this far within half a second, and which has not
             moved with it, is stuck.
+        stuck_effort_nm: A soft joint has to be asked for at least the way that this effort bends its
+            servo: so much may what a hand carries or touches hold it back.
         tracking_rad: A joint this far from its setpoint does not follow.
         encoder_offset_rad: A position that has left the sum of the speeds by this.
         gyro_bias_rad_s: Between the gyro and the turning that the legs see.
@@ -163,6 +165,7 @@ class HealthLimits:
 
     motor_effort_fraction: float = 0.08
     stuck_rad: float = 0.005
+    stuck_effort_nm: float = 0.0
     tracking_rad: float = 0.05
     encoder_offset_rad: float = 0.015
     gyro_bias_rad_s: float = 0.01

@@ -1,7 +1,7 @@
 """Where the ground would have to push: the zero-moment point along a motion of a standing robot.
 
-From the whole body's momentum and its rate; Kajita et al., "Introduction to Humanoid Robotics",
-Springer 2014, section 3.3.
+From the wrench that the base would need if nothing else carried it, Pinocchio's inverse dynamics; Kajita
+et al., "Introduction to Humanoid Robotics", Springer 2014, section 3.3.
 """
 
 from __future__ import annotations
@@ -12,12 +12,42 @@ from numpy.typing import NDArray
 
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
+from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
-from kinematics.trajectory_sampler import MotionSample
+from kinematics.trajectory_sampler import MotionSample, cross, rotate
 
 Array = NDArray[np.float64]
 
-_GRAVITY_M_S2 = 9.81
+
+class _Ground:
+    """What is the same for every motion on one stance; making it costs as much as 30 instants."""
+
+    def __init__(self, model: RobotModel, stance: Stance) -> None:
+        self.polygon = SupportPolygon(stance, model.description.soles)
+        self.data = model.pin.createData()
+
+
+_ground = StanceTable(_Ground)
+
+
+def zmp_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> Array:
+    """Distance of the ZMP to the edge of the support polygon, positive inside.
+
+    Args:
+        model: The robot.
+        stance: Where its soles stand.
+        motion: Instants of a motion, arrays with k rows.
+
+    Returns:
+        Margins, shape (k,), m; infinite for a welded robot.
+    """
+    ground = _ground(model, stance)
+    q, v, a = motion.q, motion.v, motion.a
+    wrench = np.array([pin.rnea(model.pin, ground.data, q[k], v[k], a[k])[:6] for k in range(len(q))])
+    force, moment = rotate(q[:, 3:7], wrench[:, :3]), rotate(q[:, 3:7], wrench[:, 3:])
+    moment += cross(q[:, :3], force)
+    up = np.maximum(force[:, 2], 1e-6)
+    return ground.polygon.margins_m(np.column_stack([-moment[:, 1] / up, moment[:, 0] / up]))
 
 
 def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> tuple[Array, Array]:
@@ -32,15 +62,6 @@ def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -
         Margins of the ZMP and of the CoM's ground projection, shape (k,) each, m; infinite for a
         welded robot.
     """
-    polygon = SupportPolygon(stance, model.description.soles)
-    data = model.pin.createData()
-    mass = float(pin.computeTotalMass(model.pin))
-    zmp, com = np.empty((len(motion.q), 2)), np.empty((len(motion.q), 2))
-    for k in range(len(motion.q)):
-        pin.computeCentroidalMomentumTimeVariation(model.pin, data, motion.q[k], motion.v[k], motion.a[k])
-        (fx, fy, fz), (mx, my, _) = data.dhg.linear.tolist(), data.dhg.angular.tolist()
-        x, y, z = data.com[0].tolist()
-        up = max(fz + mass * _GRAVITY_M_S2, 1e-6)
-        com[k] = x, y
-        zmp[k] = x - (z * fx + my) / up, y - (z * fy - mx) / up
-    return polygon.margins_m(zmp), polygon.margins_m(com)
+    ground = _ground(model, stance)
+    com = np.array([pin.centerOfMass(model.pin, ground.data, q)[:2] for q in motion.q])
+    return zmp_margins_m(model, stance, motion), ground.polygon.margins_m(com)

@@ -120,3 +120,19 @@ def test_a_robot_whose_feet_have_left_the_stance_is_not_braked_as_if_they_had_no
     now.q[7 + talos.joint_index("leg_left_4_joint")] += 0.01
 
     assert brake_standing(talos, stance, space, now, PERIOD_S) is None
+
+
+@pytest.mark.parametrize("share", [0.05, 0.3, 0.5, 0.7, 0.95])
+def test_a_stop_is_found_without_computing_many_brakes(talos, stance, monkeypatch, share):
+    """What is computed bounds the time that the first period of a stop takes."""
+    rows = []
+    many = TrajectorySampler.many
+    monkeypatch.setattr(
+        TrajectorySampler, "many", lambda self, t, *rest: rows.append(len(t)) or many(self, t, *rest)
+    )
+    for amount in (0.1, 0.8):
+        rows.clear()
+
+        assert brake_along(talos, stance, swing(talos, amount, 1.2), share * 1.2, PERIOD_S) is not None
+        assert sum(rows) <= 33 + 4 * 16 + 2 * 200
+        assert len(rows) <= 5

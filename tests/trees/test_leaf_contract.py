@@ -22,19 +22,23 @@ from trees.build import SKILLS, build_tree
 from trees.failures import FailureKind
 from trees.leaf import Leaf
 from trees.tasks import (
+    CloseTask,
     CountTask,
     DescribeTask,
     FindTask,
     GoHomeTask,
     HandOverTask,
     LookAtTask,
+    MoveTask,
     ObjectDescription,
+    OpenTask,
     PickTask,
     PlaceTask,
     PointAtTask,
     PutInTask,
     SayTask,
     WaitTask,
+    WalkToTask,
     WaveTask,
 )
 
@@ -55,6 +59,10 @@ TASKS = {
     LookAtTask: LookAtTask("look at the red cup", RED_CUP),
     SayTask: SayTask("say hello", "hello"),
     WaitTask: WaitTask("wait a moment", 0.1),
+    OpenTask: OpenTask("open the fridge", ObjectDescription("fridge")),
+    CloseTask: CloseTask("close the fridge", ObjectDescription("fridge")),
+    MoveTask: MoveTask("go forward", 0.3, 0.0, 1.0),
+    WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
 }
 
 LEAVES = [

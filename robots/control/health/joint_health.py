@@ -46,6 +46,9 @@ class JointHealth:
         self._stiffness = np.array([gain.stiffness for gain in gains])
         self._damping = np.array([gain.damping for gain in gains])
         self._effort = np.array([description.limits[name].effort for name in names])
+        # What a hand carries or touches may hold a soft joint back by as much as its setpoint moves.
+        load_rad = self._limits.stuck_effort_nm / self._stiffness
+        self._stuck_rad = np.maximum(self._limits.stuck_rad, load_rad)
         self._period_s = period_s
         self._share = min(1.0, _EVERY * period_s / _MOTOR_TIME_S)
         n = len(names)
@@ -124,11 +127,11 @@ class JointHealth:
         then_wanted, then = self._past[0]
         wanted, followed = np.abs(wanted_now - then_wanted), np.abs(q - then)
         error = np.abs(wanted_now - q)
-        stuck = (wanted > limits.stuck_rad) & (followed < _FOLLOWED_SHARE * wanted)
-        stuck &= error > 0.5 * room * limits.stuck_rad
+        stuck = (wanted > self._stuck_rad) & (followed < _FOLLOWED_SHARE * wanted)
+        stuck &= error > 0.5 * room * self._stuck_rad
         stuck |= error > room * limits.tracking_rad
         return [
-            Finding(Ailment.STUCK, self._names[i], float(error[i]), limits.stuck_rad)
+            Finding(Ailment.STUCK, self._names[i], float(error[i]), float(self._stuck_rad[i]))
             for i in np.flatnonzero(stuck).tolist()
         ]
 
