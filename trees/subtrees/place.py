@@ -46,6 +46,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         attempts,
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
+        look_over(toolbox),
         LookAtPlacement("look", toolbox),
         VerifyPlaced("verify placed", toolbox),
     ]

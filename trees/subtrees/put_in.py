@@ -55,6 +55,7 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         attempts,
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
+        look_over(toolbox),
         BestEffort(LookAtPlacement("look into it", toolbox)),
         VerifyPutIn("verify put in", toolbox),
     ]
