@@ -53,7 +53,11 @@ def footprint_radius_m(shape: Shape) -> float:
 
 
 def spots_on(
-    top: SceneObject, scene: PlanningScene, radius_m: float, wish: Callable[[Array], float]
+    top: SceneObject,
+    scene: PlanningScene,
+    radius_m: float,
+    wish: Callable[[Array], float],
+    known: Callable[[Array], bool] = lambda _place: True,
 ) -> list[FreeSpot]:
     """Free spots anywhere on a top, the most wished for first.
 
@@ -62,6 +66,7 @@ def spots_on(
         scene: Everything that may stand there.
         radius_m: Of the object's foot.
         wish: Cost of a place, shape (3,).
+        known: Whether all that stands about a place, shape (3,), is in the scene.
     """
     if not isinstance(top.shape, Box):
         return []
@@ -70,7 +75,7 @@ def spots_on(
         return []
     axes = [np.linspace(-h, h, max(1, int(2.0 * h / GRID_M)) + 1) for h in half]
     places = [_on(top, x, y) for x in axes[0] for y in axes[1]]
-    return _chosen(places, top, scene, radius_m, wish)
+    return _chosen(places, top, scene, radius_m, wish, known)
 
 
 def spots_beside(
@@ -80,6 +85,7 @@ def spots_beside(
     radius_m: float,
     directions_rad: Sequence[float],
     wish: Callable[[Array], float],
+    known: Callable[[Array], bool] = lambda _place: True,
 ) -> list[FreeSpot]:
     """Free spots beside an object, in one of some directions from it, nearest to those directions first.
 
@@ -90,6 +96,7 @@ def spots_beside(
         radius_m: Of the object's foot.
         directions_rad: World headings from ``other``, the most wished for first.
         wish: Further cost of a place, shape (3,).
+        known: As for ``spots_on``.
     """
     if not isinstance(top.shape, Box):
         return []
@@ -113,7 +120,7 @@ def spots_beside(
         nearest = min(costs, key=lambda xy: math.hypot(place[0] - xy[0], place[1] - xy[1]))
         return costs[nearest] + 0.3 * wish(place)
 
-    return _chosen(places, top, scene, radius_m, cost)
+    return _chosen(places, top, scene, radius_m, cost, known)
 
 
 def _on(top: SceneObject, x: float, y: float) -> Array:
@@ -127,6 +134,7 @@ def _chosen(
     scene: PlanningScene,
     radius_m: float,
     wish: Callable[[Array], float],
+    known: Callable[[Array], bool],
 ) -> list[FreeSpot]:
     height = float(top.world_T_object[2, 3]) + 0.5 * top.shape.height_m
     around = [
@@ -146,7 +154,8 @@ def _chosen(
     free.sort(key=lambda spot: (spot.cost, *spot.place_m.tolist()))
     chosen: list[FreeSpot] = []
     for spot in free:
-        if all(np.linalg.norm(spot.place_m - other.place_m) >= APART_M for other in chosen):
+        apart = all(np.linalg.norm(spot.place_m - other.place_m) >= APART_M for other in chosen)
+        if apart and known(spot.place_m):
             chosen.append(spot)
         if len(chosen) == MOST:
             break

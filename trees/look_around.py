@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.pointing import elbow_frame
@@ -16,7 +15,7 @@ from trees.believed_thing import Surroundings, surroundings
 from trees.failures import Failure
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.scene_update import updated_scene
-from trees.sight import behind_a_hand, in_view
+from trees.sight import Glimpse
 
 
 class LookAround(LookLeaf):
@@ -41,8 +40,13 @@ class LookAround(LookLeaf):
         """Update the world model, then judge what was seen."""
         world, policy = self.toolbox.world, self.toolbox.policy
         estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
-        update = updated_scene(world.scene, estimates, policy, lambda point: self._unseen(views[-1], point))
+        glimpse = self._glimpse(views[-1])
+        camera, near_m = self.toolbox.model.description.camera, policy.hidden_by_hand_m
+        update = updated_scene(
+            world.scene, estimates, policy, lambda point: not glimpse.shows(camera, point, near_m)
+        )
         world.update(update.scene)
+        world.note_glimpse(glimpse)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         return self.found(update.seen)
 
@@ -59,32 +63,15 @@ class LookAround(LookLeaf):
             if all(float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place)) > near for place in held)
         ]
 
-    def _unseen(self, view: View, point: NDArray[np.float64]) -> bool:
+    def _glimpse(self, view: View) -> Glimpse:
+        """From where the camera looked, and past which parts of the robot: they hide things."""
         model = self.toolbox.model
-        if not in_view(model.description.camera, view.odom_T_camera, point):
-            return True
         q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
-        eye, near_m = view.odom_T_camera[:3, 3], self.toolbox.policy.hidden_by_hand_m
-        if behind_a_hand(model, q, eye, point, near_m):
-            return True
-        return any(_passes(eye, point, part, near_m) for part in self._in_the_way(q))
-
-    def _in_the_way(self, q: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-        """Forearms, and what the hands hold: they hide things as well, shape (3,) each."""
-        model = self.toolbox.model
         parts = []
         for hand in HANDS:
             names = [elbow_frame(model, hand), model.description.tcp_frames[hand]]
             elbow, tcp = model.frame_poses(q, names)
-            parts.append(0.5 * (elbow[:3, 3] + tcp[:3, 3]))
+            parts += [tcp[:3, 3], 0.5 * (elbow[:3, 3] + tcp[:3, 3])]
         held = self.toolbox.world.scene.attached.values()
-        return parts + [(model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3] for body in held]
-
-
-def _passes(
-    eye: NDArray[np.float64], point: NDArray[np.float64], part: NDArray[np.float64], within_m: float
-) -> bool:
-    """Whether a line of sight passes something nearer than that."""
-    ray = point - eye
-    along = float(np.clip((part - eye) @ ray / (ray @ ray), 0.0, 1.0))
-    return float(np.linalg.norm(eye + along * ray - part)) < within_m
+        parts += [(model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3] for body in held]
+        return Glimpse(view.odom_T_camera, tuple(parts))

@@ -20,6 +20,7 @@ from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.grounding import Ambiguous, Found, ground
 from trees.held import HeldObject
 from trees.scene_update import kind_of, support_of
+from trees.sight_of_tops import SightOfTops
 from trees.tasks import Destination, ObjectDescription, Relation
 
 Array = NDArray[np.float64]
@@ -43,6 +44,7 @@ def spots_for(
     scene: PlanningScene,
     odom_T_base: Transform,
     support_gap_m: float,
+    sight: SightOfTops,
 ) -> tuple[Spot, ...] | Failure:
     """Free spots for a held object, the best first.
 
@@ -53,12 +55,13 @@ def spots_for(
         scene: What is believed to be around.
         odom_T_base: Pose of the robot's base, shape (4, 4).
         support_gap_m: Between an object's lowest point and what it stands on, at most.
+        sight: What has been looked at; only there is anything free.
     """
     relation = _relation(to)
     wish = _comfort(held, odom_T_base)
     radius = footprint_radius_m(held.shape)
     if relation is not None:
-        found = _beside(relation, held, scene, odom_T_base, support_gap_m, wish)
+        found = _beside(relation, held, scene, odom_T_base, support_gap_m, wish, sight)
         if isinstance(found, Failure):
             return found
         top, spots = found
@@ -66,9 +69,12 @@ def spots_for(
         surface = _surface(on if on is not None else to, scene, wish)
         if isinstance(surface, Failure):
             return surface
-        top, spots = surface, spots_on(surface, scene, radius, wish)
+        known = sight.about(surface, radius, odom_T_base)
+        top, spots = surface, spots_on(surface, scene, radius, wish, known)
     if not spots:
-        return Failure.infeasible(f"there is no free spot on the {top.name} for the {held.name}")
+        return Failure.infeasible(
+            f"there is no spot on the {top.name} for the {held.name} that is free as far as was seen"
+        )
     return tuple(_resting(held, spot, top) for spot in spots)
 
 
@@ -113,6 +119,7 @@ def _beside(
     odom_T_base: Transform,
     support_gap_m: float,
     wish: Callable[[Array], float],
+    sight: SightOfTops,
 ) -> tuple[SceneObject, list[FreeSpot]] | Failure:
     other = _other(relation.to, scene, odom_T_base, support_gap_m)
     if isinstance(other, Failure):
@@ -123,7 +130,8 @@ def _beside(
     heading = poses.yaw_of(odom_T_base[:3, :3])
     directions = [heading + angle for angle in _DIRECTIONS[relation.kind]]
     radius = footprint_radius_m(held.shape)
-    return top, spots_beside(other, top, scene, radius, directions, wish)
+    known = sight.about(top, radius, odom_T_base)
+    return top, spots_beside(other, top, scene, radius, directions, wish, known)
 
 
 def _other(

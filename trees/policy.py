@@ -47,6 +47,7 @@ class TreePolicy:
             the distance at which two cups can still be grasped apart.
         same_furniture_m: The same for furniture, whose pieces are larger and farther apart.
         hidden_by_hand_m: Something whose line of sight passes a hand nearer than this may be hidden by it.
+        blocked_by_hand_m: A line of sight that keeps this far from hands and forearms is free for certain.
         support_gap_m: Between an object's lowest point and the furniture it stands on, at most: both
             carry a perception bias.
         motion_slack_s: A motion may take this much longer than planned, settling included.
@@ -82,6 +83,8 @@ class TreePolicy:
         early_touch_m: A touch so far above where it should come is one with something else.
         further_m: How much farther down each further step goes when nothing was touched.
         retreat_m: How far an opened hand is drawn back.
+        undisturbed_m: What stands about is seen again this near to where it stood; the perception's bias of
+            one thing stays the same from look to look, and the mean of a look's noise is 1 mm.
         placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
         offer_rest_s: An offering hand is felt at rest for so long first.
         pull_n: A change of the force on an offering hand that is a pull; a touch of 2 N is none.
@@ -117,6 +120,7 @@ class TreePolicy:
     same_object_m: float = 0.05
     same_furniture_m: float = 0.20
     hidden_by_hand_m: float = 0.15
+    blocked_by_hand_m: float = 0.10
     support_gap_m: float = 0.05
     motion_slack_s: float = 1.0
     arrival_tolerance_rad: float = 0.05
@@ -165,6 +169,7 @@ class TreePolicy:
     early_touch_m: float = 0.025
     further_m: float = 0.008
     retreat_m: float = 0.10
+    undisturbed_m: float = 0.010
     placed_tolerance_m: float = 0.03
     offer_rest_s: float = 0.5
     pull_n: float = 3.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,3 +42,36 @@ def behind_a_hand(model: RobotModel, q: Array, eye: Array, point: Array, within_
         if float(np.linalg.norm(eye + along * ray - tcp)) < within_m:
             return True
     return False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Glimpse:
+    """One look: from where, and what of the robot itself was in the way.
+
+    Attributes:
+        odom_T_camera: Pose of the camera, shape (4, 4).
+        in_the_way: Middles of hands, forearms and what is held, odometry frame, shape (3,) each.
+    """
+
+    odom_T_camera: Transform
+    in_the_way: tuple[Array, ...]
+
+    def shows(self, camera: CameraDescription, point: Array, within_m: float) -> bool:
+        """Whether something at a point, shape (3,), would have been seen.
+
+        Args:
+            camera: Field of view and range.
+            point: Odometry frame.
+            within_m: A line of sight that passes a part of the robot nearer than this may be blocked.
+        """
+        if not in_view(camera, self.odom_T_camera, point):
+            return False
+        eye = self.odom_T_camera[:3, 3]
+        return not any(passes(eye, point, part, within_m) for part in self.in_the_way)
+
+
+def passes(eye: Array, point: Array, part: Array, within_m: float) -> bool:
+    """Whether the line of sight from ``eye`` to ``point`` passes something nearer than that."""
+    ray = point - eye
+    along = float(np.clip((part - eye) @ ray / (ray @ ray), 0.0, 1.0))
+    return float(np.linalg.norm(eye + along * ray - part)) < within_m

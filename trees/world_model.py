@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from kinematics.scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
+from trees.sight import Glimpse
+
+# Looks taken from elsewhere, before a walk, say little in a frame that has drifted since.
+_SAME_PLACE_M = 0.8
+_MOST_GLIMPSES = 40
 
 
 class WorldModel:
@@ -15,12 +22,14 @@ class WorldModel:
 
     Attributes:
         sightings: The newest estimate of each thing by its name, for those that are still believed.
+        glimpses: From where it was looked at, the newest last; what no look shows is unknown.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
     """
 
     def __init__(self, scene: PlanningScene | None = None) -> None:
         self._scene = scene or PlanningScene()
         self.sightings: Mapping[str, ObjectEstimate] = {}
+        self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
 
     @property
@@ -32,6 +41,16 @@ class WorldModel:
         """Remember what a look saw, and forget what is no longer believed."""
         known = {**self.sightings, **seen}
         self.sightings = {name: known[name] for name in sorted(known) if name in self._scene.objects}
+
+    def note_glimpse(self, glimpse: Glimpse) -> None:
+        """Remember a look; those from another standing place are forgotten."""
+        eye = glimpse.odom_T_camera[:3, 3]
+        near = [
+            one
+            for one in self.glimpses
+            if float(np.linalg.norm(one.odom_T_camera[:3, 3] - eye)) <= _SAME_PLACE_M
+        ]
+        self.glimpses = (*near, glimpse)[-_MOST_GLIMPSES:]
 
     def update(self, scene: PlanningScene) -> None:
         """Replace the scene by a newer one.

@@ -14,6 +14,7 @@ from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.placement import spots_for
 from trees.ports import ports
+from trees.sight_of_tops import SightOfTops
 from trees.tasks import PlaceTask
 
 
@@ -24,7 +25,8 @@ class FindSpots(LookAround):
     OUTPUT_PORTS = ports(spots=tuple)
     CONTRACT = Contract(
         precondition="the head is at rest; the object is an attached body",
-        postcondition="there is at least one spot with room, on a surface that was seen; the best first",
+        postcondition="there is at least one spot with room, on a surface that was seen, and whose "
+        "surroundings were seen too; the best first",
         deadline_s=2.0,
     )
 
@@ -33,9 +35,12 @@ class FindSpots(LookAround):
         del seen  # what was believed before counts as well
         task, toolbox = self.get_input("task"), self.toolbox
         base = toolbox.model.frame_pose(toolbox.sensing.state().q, toolbox.model.description.base_link)
-        spots = spots_for(
-            self.get_input("held"), task.on, task.to, toolbox.world.scene, base, toolbox.policy.support_gap_m
+        policy = toolbox.policy
+        sight = SightOfTops(
+            toolbox.world.glimpses, toolbox.model.description.camera, policy.blocked_by_hand_m
         )
+        held, scene = self.get_input("held"), toolbox.world.scene
+        spots = spots_for(held, task.on, task.to, scene, base, policy.support_gap_m, sight)
         if isinstance(spots, Failure):
             return spots
         self._set_output("spots", spots)

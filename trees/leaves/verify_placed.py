@@ -9,6 +9,7 @@ import numpy as np
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
+from trees.bystanders import disturbed
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.held import HeldObject
@@ -24,12 +25,12 @@ _UPRIGHT_RAD = math.radians(15.0)
 class VerifyPlaced(LookAround):
     """The object is seen near its placement, and stands."""
 
-    INPUT_PORTS = ports(held=HeldObject, placement=Placement)
+    INPUT_PORTS = ports(stood=dict, held=HeldObject, placement=Placement)
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the hand is clear of the object, the head at rest",
         postcondition="the object was seen within the policy's tolerance of its placement, upright, and the "
-        "hand holds nothing",
+        "hand holds nothing; nothing else was moved",
         deadline_s=2.0,
     )
 
@@ -52,6 +53,10 @@ class VerifyPlaced(LookAround):
             return Failure.postcondition(f"the {held.name} is not where it was put", None, **numbers)
         if nearest.lying or nearest.tilt_rad > _UPRIGHT_RAD:
             return Failure.postcondition(f"the {held.name} has fallen over", None, **numbers)
+        policy, scene = self.toolbox.policy, self.toolbox.world.scene
+        harm = disturbed(self.get_input("stood"), scene, policy.undisturbed_m)
+        if harm is not None:
+            return harm
         on = placement.touches[0] if placement.touches else ""
         self._set_output("evidence", {"object": held.name, "on": on, "hand": held.hand, **numbers})
         self.feedback_message = f"{off_m * 1000:.0f} mm from where it was meant to stand"

@@ -11,6 +11,7 @@ from kinematics import poses
 from kinematics.placing_spots import footprint_radius_m
 from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
+from trees.bystanders import disturbed
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
@@ -29,12 +30,12 @@ class VerifyPutIn(LookAround):
     Walls may hide it; the evidence says whether it was seen.
     """
 
-    INPUT_PORTS = ports(held=HeldObject, place=Place)
+    INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place)
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the hand was opened over the container; the head is at rest",
         postcondition="the object was seen between the container's walls, or was seen nowhere else; the "
-        "container stands where it stood",
+        "container and everything else stand where they stood",
         deadline_s=2.0,
     )
 
@@ -57,6 +58,10 @@ class VerifyPutIn(LookAround):
         inside = [item for item in same if _inside(item, container)]
         if same and not inside:
             return Failure.postcondition(f"the {held.name} is seen beside the {place.name}")
+        policy, scene = self.toolbox.policy, self.toolbox.world.scene
+        harm = disturbed(self.get_input("stood"), scene, policy.undisturbed_m, place.name)
+        if harm is not None:
+            return harm
         evidence = {"object": held.name, "in": place.name, "seen": bool(inside), "pushed_m": pushed_m}
         self.measured(**evidence)
         self._set_output("evidence", evidence)

@@ -17,12 +17,14 @@ from trees.leaves.let_go import LetGo
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.lower import Lower, LowerFurther
+from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
+from trees.subtrees.look_over import look_over
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -37,11 +39,14 @@ def place(toolbox: Toolbox) -> Behaviour:
         "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
     )
     children: list[Behaviour] = [
+        look_over(toolbox),
         have_it(toolbox),
         _find_room(toolbox),
+        NoteBystanders("note what stands about", toolbox),
         attempts,
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
+        look_over(toolbox),
         LookAtPlacement("look", toolbox),
         VerifyPlaced("verify placed", toolbox),
     ]

@@ -15,11 +15,13 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.let_go import LetGo
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
 from trees.leaves.verify_put_in import VerifyPutIn
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
+from trees.subtrees.look_over import look_over
 from trees.subtrees.place import set_down
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
@@ -46,11 +48,14 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         _nothing_else_helps,
     )
     children: list[Behaviour] = [
+        look_over(toolbox),
         have_it(toolbox),
         _find_container(toolbox),
+        NoteBystanders("note what stands about", toolbox),
         attempts,
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
+        look_over(toolbox),
         BestEffort(LookAtPlacement("look into it", toolbox)),
         VerifyPutIn("verify put in", toolbox),
     ]

@@ -165,6 +165,30 @@ def test_a_cup_that_rolls_away_is_not_claimed_as_placed(stage):
     assert tree.evidence == {}
 
 
+@pytest.mark.requirement("M2")
+def test_a_place_that_pushed_a_neighbour_is_not_claimed(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
+    stage.play(stage.pick())
+    stage.when("draw back", lambda: stage.fake.world.move("blue cup", (0.0, 0.02, 0.0)))
+
+    tree = run(stage, PlaceTask("put it down", None, on="table"))
+
+    assert tree.status == "failure"
+    assert "the blue cup was moved" in tree.failure.message
+
+
+@pytest.mark.requirement("M2")
+def test_nothing_is_put_where_nobody_looked(stage, monkeypatch):
+    stage.play(stage.pick())
+    monkeypatch.setattr("trees.sight.in_view", lambda *_: False)
+
+    tree = run(stage, PlaceTask("put it down", None, on="table"))
+
+    assert tree.status == "failure"
+    assert "free as far as was seen" in tree.failure.message
+    assert stage.fake.world.carried_by("red cup") == "right"
+
+
 def test_a_full_table_is_told(stage_with):
     others = [
         cup(f"blue cup {i}", "blue", (0.45 + 0.12 * (i % 4), -0.5 + 0.11 * (i // 4))) for i in range(40)
@@ -186,6 +210,17 @@ def test_a_cup_is_put_into_a_bowl(stage_with):
     off = stage.fake.world.object("red cup").world_T_object[:2, 3] - (0.45, 0.2)
     assert tree.status == "success"
     assert float(np.linalg.norm(off)) <= 0.10
+
+
+@pytest.mark.requirement("M2")
+def test_a_neighbour_that_was_pushed_while_putting_in_is_told(stage_with):
+    stage = stage_with(table(), cup(), bowl(), cup("blue cup", "blue", (0.5, -0.4)))
+    stage.when("clear the view", lambda: stage.fake.world.move("blue cup", (0.0, -0.03, 0.0)))
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "failure"
+    assert "the blue cup was moved" in tree.failure.message
 
 
 def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):

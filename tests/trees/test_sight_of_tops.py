@@ -1,0 +1,52 @@
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.scene import SceneObject
+from kinematics.shapes import Box
+from trees.sight import Glimpse
+from trees.sight_of_tops import SightOfTops
+
+TOP = SceneObject("table", Box((0.8, 1.2, 0.04)), poses.translation(0.7, 0.0, 0.88), 0.015, False)
+PLACE = np.array([0.6, 0.0, 0.90])
+# A camera 0.6 m over the top that looks straight down: its x to the right, its z along the view.
+DOWN = np.diag([1.0, -1.0, -1.0])
+
+
+def looked(camera, *places, in_the_way=()):
+    glimpses = [
+        Glimpse(poses.transform(DOWN, (x, y, 1.5)), tuple(np.array(part) for part in in_the_way))
+        for x, y in places
+    ]
+    return SightOfTops(tuple(glimpses), camera, 0.10).about(TOP, 0.03, np.eye(4))
+
+
+@pytest.fixture
+def camera(model):
+    return model.description.camera
+
+
+def test_what_was_never_looked_at_is_not_known_to_be_free(camera):
+    assert not looked(camera)(PLACE)
+
+
+def test_a_place_that_was_seen_with_all_about_it_is_known(camera):
+    assert looked(camera, (0.5, 0.0))(PLACE)
+
+
+def test_a_place_at_the_edge_of_the_picture_is_not_known(camera):
+    assert not looked(camera, (0.5, 0.25))(PLACE)
+
+
+def test_two_looks_that_each_show_one_half_make_a_place_known(camera):
+    assert looked(camera, (0.5, 0.25), (0.5, -0.25))(PLACE)
+
+
+def test_a_place_behind_a_hand_is_not_known(camera):
+    assert not looked(camera, (0.5, 0.0), in_the_way=[(0.57, 0.0, 1.1)])(PLACE)
+
+
+def test_beyond_the_edge_of_a_top_nothing_can_stand(camera):
+    at_the_edge = np.array([0.33, 0.0, 0.90])
+
+    assert looked(camera, (0.53, 0.0))(at_the_edge)

@@ -1,0 +1,81 @@
+"""What of a top has been looked at: where nothing is known to stand, something unseen may stand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.poses import Transform
+from kinematics.robot_description import CameraDescription
+from kinematics.scene import SceneObject
+from kinematics.shapes import Box
+from trees.sight import Glimpse
+
+Array = NDArray[np.float64]
+
+# Beside an object's foot: an opening finger sweeps 4 cm beyond it, and what stands farther out than this
+# reaches in by 4 cm at most.
+AROUND_M = 0.10
+_DIRECTIONS = 8
+# The hand comes from the robot's side.
+_TOWARDS_ROBOT_M = 0.20
+# What stands on a top is seen a little above it.
+_ABOVE_M = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class SightOfTops:
+    """The looks that were taken.
+
+    Attributes:
+        glimpses: From where.
+        camera: What it sees.
+        hidden_m: A line of sight that passes a part of the robot nearer than this may be blocked.
+    """
+
+    glimpses: tuple[Glimpse, ...]
+    camera: CameraDescription
+    hidden_m: float
+
+    def shows(self, point: Array) -> bool:
+        """Whether any look would have shown something at a point, shape (3,)."""
+        return any(glimpse.shows(self.camera, point, self.hidden_m) for glimpse in self.glimpses)
+
+    def about(self, top: SceneObject, radius_m: float, odom_T_base: Transform) -> Callable[[Array], bool]:
+        """Tells of places on a top, shape (3,), whether all that stands about them would have been seen.
+
+        Args:
+            top: Something flat.
+            radius_m: Of the foot of what is to stand there.
+            odom_T_base: Pose of the robot's base, shape (4, 4): the hand comes from there.
+        """
+
+        def known(place: Array) -> bool:
+            return all(self.shows(point) for point in _about(place, radius_m, top, odom_T_base))
+
+        return known
+
+
+def _about(place: Array, radius_m: float, top: SceneObject, odom_T_base: Transform) -> Iterator[Array]:
+    middle = place + np.array([0.0, 0.0, _ABOVE_M])
+    yield middle
+    way = odom_T_base[:2, 3] - middle[:2]
+    heading = math.atan2(way[1], way[0])
+    around = [(radius_m + AROUND_M, 2.0 * math.pi * k / _DIRECTIONS) for k in range(_DIRECTIONS)]
+    for far_m, turn in (*around, (_TOWARDS_ROBOT_M, 0.0)):
+        offset = far_m * np.array([math.cos(heading + turn), math.sin(heading + turn), 0.0])
+        if _on(top, middle + offset):
+            yield middle + offset
+
+
+def _on(top: SceneObject, point: Array) -> bool:
+    """Nothing stands beside a top."""
+    if not isinstance(top.shape, Box):
+        return True
+    local = (poses.inverse(top.world_T_object) @ np.append(point, 1.0))[:2]
+    return bool(np.all(np.abs(local) <= 0.5 * np.array(top.shape.size_m[:2])))
