@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from kinematics.scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
+
+if TYPE_CHECKING:
+    from trees.held_handle import HandAtHandle
 
 
 class WorldModel:
@@ -16,12 +20,15 @@ class WorldModel:
     Attributes:
         sightings: The newest estimate of each thing by its name, for those that are still believed.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
+        at_handle: A hand that is about the handle of a door or drawer; None once it has drawn back. A task
+            that was cancelled leaves it there, and the next one has to let go first.
     """
 
     def __init__(self, scene: PlanningScene | None = None) -> None:
         self._scene = scene or PlanningScene()
         self.sightings: Mapping[str, ObjectEstimate] = {}
         self.last_acted_on: str | None = None
+        self.at_handle: HandAtHandle | None = None
 
     @property
     def scene(self) -> PlanningScene:
