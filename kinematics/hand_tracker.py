@@ -49,7 +49,7 @@ _ABOVE_HOME_M = 0.04
 """The pelvis rises no more than this above home: knees that are nearly straight must move too fast."""
 _BASE_ROOM = np.array([0.13, 0.15, 0.16])
 """The pelvis stays within this of where the motion began, m."""
-_LOWEST_SHARE = 0.8
+_LOWEST_SHARE = 0.73
 """Of its height at home: arms that want to keep their posture would make the robot squat ever deeper."""
 
 
