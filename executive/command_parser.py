@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -22,7 +22,6 @@ from executive.language.sentences import Sentence
 from executive.language.tokens import MalformedTextError, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
-from trees.extensions import extensions
 from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
@@ -48,6 +47,8 @@ def parse(text: str, config: Path | None = None) -> Parsed:
     """
     parsed = parser_with(config_files(config)).parse(text)
     if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
+        from trees.extensions import extensions  # it loads what trees act on: only when it is asked
+
         outside: Any = extensions().for_phrase(text)
         if outside is not None:
             return Parsed(text, commands=(outside,))
@@ -93,7 +94,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
         chart = self._chart(lattice)
         try:
-            outcomes = _outcomes(chart.meanings())
+            outcomes = _outcomes(chart.meanings(), self._is_valid)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
@@ -144,7 +145,9 @@ class CommandParser:
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
 
 
-def _outcomes(meanings: Iterable[object]) -> list[Outcome]:
+def _outcomes(
+    meanings: Iterable[object], is_command: Callable[[str], bool] = lambda _text: False
+) -> list[Outcome]:
     """What each meaning of the whole sentence comes to, without doubles.
 
     Words to say end as early as they can, clauses are separated where they can be, and "go ahead and" is
@@ -166,5 +169,11 @@ def _outcomes(meanings: Iterable[object]) -> list[Outcome]:
             key = repr([command_json(one) for one in commands])
             if key not in understood or rank < understood[key][0]:
                 understood[key] = (rank, commands)
+    if len({spoken for (_, spoken, _), _ in understood.values()}) > 1 and any(
+        isinstance(one, SayTask) and is_command(one.words)
+        for _, commands in understood.values()
+        for one in commands
+    ):
+        return [Trouble("where do the words to say end? put them in quotation marks", asks=True)]
     best = min((rank for rank, _ in understood.values()), default=(0, 0, 0))
     return [commands for rank, commands in understood.values() if rank == best] or list(troubles)

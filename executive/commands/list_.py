@@ -25,6 +25,8 @@ _EXAMPLES = {
     "hand_over": "give the red cup to Ana",
     "open": "open the fridge",
     "close": "close the drawer",
+    "walk_to": "walk to the table",
+    "move": "move forward for 2 seconds",
     "wave": "wave at Ana",
     "point_at": "point at the blue box",
     "look_at": "look at the red cup",

@@ -195,7 +195,7 @@ def _kind(where: Where) -> str:
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     for where in said:
         if (
-            where.of.sort in ("me", "name")
+            where.of.sort in ("me", "name", "you")
             and where.preposition in ("on", "in", "at")
             and where.role != "from"
         ):

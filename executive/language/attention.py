@@ -236,7 +236,7 @@ def _speech(parts: Parts, *, told: bool) -> str:
         return text
     if not told and not words(parts, "THAT") and " to " in lowered:
         raise unfit()
-    if _SAID_HOW.search(lowered) or '"' in text:
+    if _SAID_HOW.search(lowered) or '"' in text or text.startswith("'"):
         raise unfit()
     if words(parts, "THAT") or any(one.said.endswith(" that") for one in words(parts, "SAY")):
         if lowered.startswith("you"):

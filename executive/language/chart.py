@@ -46,6 +46,13 @@ class Chart:
                 found.update(dict.fromkeys(values))
         return list(found)
 
+    def has_beginning_of(self, rule: str) -> bool:
+        """Whether some word of the sentence can begin what a rule describes."""
+        first = self._rules[rule].first
+        return any(
+            not first.isdisjoint(self._lattice.classes(start)) for start in range(len(self._lattice.pieces))
+        )
+
     def _spans(self, name: str, start: int) -> Spans:
         known = self._known.get((name, start))
         if known is not None:

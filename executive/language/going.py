@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, arranged, clause, guarded, trouble, unfit
@@ -62,14 +63,24 @@ def target(item: Item) -> Nominal:
     return nominal
 
 
+_INSIDE = frozenset({"in", "inside", "into"})
+
+
 def _toward(parts: Parts) -> Nominal:
-    return target(parts[-1])
+    """Where to; into something that is no room would be a collision."""
+    goal = target(parts[-1])
+    links = words(parts, "TO_ALSO", "IN")
+    if links and _INSIDE & set(links[0].said.split()) and goal.sort not in ("room", "any"):
+        raise trouble(f"walking {links[0].said} the {goal.kind} is no skill of this robot", links[0].said)
+    return goal
 
 
 def _toward_relation(parts: Parts) -> Relative:
     kind = words(parts, "RELATION")[0].meaning
     if kind.endswith("_side_of"):
         raise unfit()
+    if kind == "under":
+        raise trouble("walking under something is no skill of this robot", words(parts, "RELATION")[0].said)
     return Relative(kind, target(parts[-1]))
 
 
@@ -79,7 +90,10 @@ def _walk(parts: Parts) -> Clause:
 
 
 def _walk_item(parts: Parts) -> Clause:
-    return clause(parts, [(draft("walk_to", to=target(parts[-1])),)])
+    goal = target(parts[-1])
+    if any(word.said.startswith("reach") for word in words(parts, "APPROACH")) and not goal.is_place:
+        raise unfit()  # with a hand, or on foot?
+    return clause(parts, [(draft("walk_to", to=goal),)])
 
 
 def _come(parts: Parts) -> Clause:
@@ -135,9 +149,23 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
     wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
     if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):
         raise unfit()
+    if _is_return(parts, measures):
+        raise trouble("back to where, or backward?", asks=True)
     if not said:
         raise trouble("to the left or to the right?" if turns else "in which direction?", asks=True)
     return (0.0, _ANGULAR[said[0]]) if turns else (_LINEAR[said[0]], 0.0)
+
+
+def _is_return(parts: Parts, measures: Mapping[str, float]) -> bool:
+    """Whether it may mean to go back to where the robot was: "go back"."""
+    heading, verb = words(parts, "BACKWARD"), words(parts, "MOVE")
+    return bool(
+        heading
+        and heading[0].said == "back"
+        and not measures
+        and verb
+        and verb[0].said.split()[0] not in ("move", "step", "take")
+    )
 
 
 def _bounded(measure: Measure) -> float:
@@ -184,6 +212,10 @@ def _stop(parts: Parts) -> Clause:
     return clause(parts, [(draft("stop"),)])
 
 
+def _revoke(parts: Parts) -> Clause:
+    return replace(_stop(parts), revokes=words(parts, "REVOKE")[0].said)
+
+
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         name: guarded(meaning)
@@ -202,6 +234,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
             "wait": _wait,
             "go_home": _go_home,
             "stop": _stop,
+            "revoke": _revoke,
         }.items()
     }
 )

@@ -16,6 +16,9 @@ PREVIOUS = Nominal("any", reference="previous", determined=True)
 BACK = Nominal("any", reference="there", name="back")
 """The place that a thing was taken from."""
 
+_SHARP = frozenset({"knife", "scissors", "screwdriver", "drill"})
+_CHILDREN = frozenset({"child", "baby", "boy", "girl"})
+
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
 
@@ -67,12 +70,20 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 
 def _pick(parts: Parts) -> Clause:
     each = arranged(parts)
+    each = [_from_there(one) for one in each]
     for one in each:
         if one.goal is not None or one.back:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     return clause(parts, [(_pick_bundle(one),) for one in each])
+
+
+def _from_there(one: Arranged) -> Arranged:
+    """Read "there" of a thing that is picked up as the place that was named."""
+    if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
+        return replace(one, goal=None, source=one.goal.of)
+    return one
 
 
 def _fetch(parts: Parts) -> Clause:
@@ -85,11 +96,7 @@ def _fetch(parts: Parts) -> Clause:
                 raise unfit()
             person = one.goal.of
         taken = _pick_bundle(one)
-        bundles.append(
-            (taken,)
-            if person is None
-            else (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
-        )
+        bundles.append((taken,) if person is None else _handed(one, taken, person))
     return clause(parts, bundles)
 
 
@@ -103,13 +110,18 @@ def _recipient(nominal: Nominal) -> Nominal:
     return nominal
 
 
+def _handed(one: Arranged, taken: Any, person: Nominal) -> Bundle:
+    _safe_for(one.object, person)
+    return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
+
+
 def _transport(one: Arranged) -> Bundle:
     taken = _pick_bundle(one, doing="taking away", fetched=True)
     goal = one.goal
     if goal is None:
-        return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(one.person or ME)))
+        return _handed(one, taken, one.person or ME)
     if goal.of.is_person or goal.of.reference == "here":
-        return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(goal.of)))
+        return _handed(one, taken, goal.of)
     if goal.of.reference == "there":
         return (taken, draft("place", object=PREVIOUS, there=goal))
     return (taken, _put_draft(PREVIOUS, goal, None, None))
@@ -140,11 +152,8 @@ def _bring_pairs(parts: Parts) -> Clause:
     bundles: list[Bundle] = []
     person = ME
     for person, one in _pairs(parts):
-        bundles.append((_pick_bundle(one, fetched=True), draft("hand_over", object=PREVIOUS, to=person)))
-    bundles += [
-        (_pick_bundle(one, fetched=True), draft("hand_over", object=PREVIOUS, to=person))
-        for one in _more(parts)
-    ]
+        bundles.append(_handed(one, _pick_bundle(one, fetched=True), person))
+    bundles += [_handed(one, _pick_bundle(one, fetched=True), person) for one in _more(parts)]
     return clause(parts, bundles)
 
 
@@ -180,8 +189,14 @@ def _give(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
+def _safe_for(nominal: Nominal, person: Nominal) -> None:
+    if nominal.kind in _SHARP and person.kind in _CHILDREN:
+        raise trouble(f"a {nominal.kind} is not handed to a {person.kind}", nominal.kind)
+
+
 def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
     nominal = thing(one, "handing over")
+    _safe_for(nominal, person)
     return (
         draft(
             "hand_over",
@@ -271,6 +286,11 @@ def _put_into(parts: Parts) -> Clause:
     each = arranged(parts, goes=True)
     if any(one.goal is None or one.goal.preposition != "in" or one.goal.of.sort == "room" for one in each):
         raise unfit()
+    verb = words(parts, "PUT_IN")[0]
+    if verb.said.split()[0] in ("throw", "toss") and any(
+        one.goal is not None and one.goal.of.kind != "bin" for one in each
+    ):
+        raise trouble(f"{verb.said!r}: throwing is no skill of this robot yet", verb.said)
     return clause(
         parts,
         [(_put_draft(thing(one, "throwing"), one.goal, one.source, one.hand),) for one in each if one.goal],

@@ -9,6 +9,16 @@ from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
+_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", *_AT_FIRST})
+_COMPLETE = frozenset(
+    {
+        *("KIND", "KINDS", "SUBSTANCE", "PAIR", "THING", "THINGS", "ONE", "ONES", "FURNITURE", "FURNITURES"),
+        *("CONTAINER", "CONTAINERS", "DOOR", "DOORS", "ROOM", "PERSON", "PEOPLE", "NAME"),
+        *("IT", "THEM", "THIS", "HIM", "ME", "LEFT_RIGHT", "AMOUNT", "TENS"),
+    }
+)
+"""Word classes after which a hesitation may introduce another wording of the same thing."""
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
@@ -49,8 +59,39 @@ class Lattice:
         self._own: list[list[Word]] = [[] for _ in range(size + 1)]
         self._covered = [False] * size
         self.ends = [False] * size + [True]
+        self._nothing_said = self._before_any_content(texts, vocabulary)
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
+
+    def _before_any_content(self, texts: Sequence[str], vocabulary: Vocabulary) -> list[bool]:
+        """For each place, whether only courtesies stand before it."""
+        reached = [True] + [False] * len(texts)
+        for start, piece in enumerate(self.pieces):
+            if reached[start] and piece.is_mark:
+                reached[start + 1] = True
+            elif reached[start]:
+                for length, reading in vocabulary.matches(texts, start):
+                    if reading.word_class in _PASSED_AT_FIRST:
+                        reached[start + length] = True
+        return reached
+
+    def _is_passed_over(self, word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
+        """Whether a word says nothing where it stands; after a thing "er" may correct what was said."""
+        if word.word_class == FILLER:
+            return True
+        if word.word_class in _AT_FIRST:
+            return self._nothing_said[word.start]
+        if word.word_class != "HESITATION":
+            return False
+        before = word.start - 1
+        while before >= 0 and self.pieces[before].is_mark:
+            before -= 1
+        if before < 0 or self._nothing_said[word.start]:
+            return True
+        return not self.pieces[before].is_number and not any(
+            length == 1 and reading.word_class in _COMPLETE
+            for length, reading in vocabulary.matches(texts, before)
+        )
 
     def _read(self, start: int, texts: Sequence[str], vocabulary: Vocabulary) -> None:
         piece = self.pieces[start]
@@ -71,11 +112,11 @@ class Lattice:
         elif piece.is_number:
             found.append(Word("NUM", piece.text, start, start + 1))
         at = self._words[start]
-        fillers = [word for word in found if word.word_class == FILLER]
+        fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
         for word in found:
             for index in range(start, word.end):
                 self._covered[index] = True
-            if word.word_class != FILLER:
+            if word not in fillers:
                 at.setdefault(word.word_class, []).append(word)
         self._own[start] = found
         self.ends[start] = piece.is_mark and self.ends[start + 1]
@@ -84,7 +125,7 @@ class Lattice:
             passed |= {
                 word.end + 1
                 for word in self._own[start + 1]
-                if word.word_class == FILLER
+                if self._is_passed_over(word, texts, vocabulary)
                 and word.end < len(self.pieces)
                 and self.pieces[word.end].text == ","
             }

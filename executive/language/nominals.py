@@ -256,7 +256,15 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
         and (nominal.reference or nominal.sort in ("me", "you", "name"))
     ):
         return None
-    return described(nominal, parts[1:])
+    told = described(nominal, parts[1:])
+    if (
+        isinstance(told, Nominal)
+        and isinstance(nominal, Nominal)
+        and told.counted
+        and told.ordinal not in (nominal.ordinal, "other")
+    ):
+        return Trouble(f"several things that are each the {told.ordinal} one", told.ordinal)
+    return told
 
 
 def _on_side(parts: Parts) -> Feature | None:
@@ -290,8 +298,30 @@ def _item(parts: Parts) -> Item:
     return Item(parts[0], tuple(part for part in parts[1:] if not isinstance(part, Word)))
 
 
-def _items(parts: Parts) -> Items:
-    return Items(tuple(part for part in parts if isinstance(part, Item)))
+@dataclass(frozen=True, slots=True)
+class _Joined:
+    """What stands between two things of a list; with ``commas`` nothing but those."""
+
+    commas: bool
+
+
+def _joined(parts: Parts) -> _Joined:
+    return _Joined(not words(parts, "AND"))
+
+
+def _items(parts: Parts) -> Items | Trouble:
+    """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
+    each = tuple(part for part in parts if isinstance(part, Item))
+    links = [part for part in parts if isinstance(part, _Joined)]
+    if len(each) > 1 and len(links) == len(each) - 1 and links[-1].commas:
+        before, last = each[-2].of, each[-1].of
+        placed = bool(each[-2].details and each[-1].details)
+        if not placed and (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
+            return Trouble(
+                f"{spoken(before)}, {spoken(last)}: is this one thing or two? say 'and' between two",
+                asks=True,
+            )
+    return Items(each)
 
 
 def _only_item(parts: Parts) -> Item:
@@ -363,6 +393,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "which_is": _which_is,
         "item": _item,
         "items": _items,
+        "joined": _joined,
         "only_item": _only_item,
         "alternatives": _alternatives,
         "alternatives_of_a_kind": _alternatives_of_a_kind,

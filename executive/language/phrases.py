@@ -79,6 +79,8 @@ class Nominal:
 
     def placed(self, relation: Relative) -> Nominal | Trouble:
         """With where it is; being at two places is trouble."""
+        if self.sort in ("me", "you", "name"):
+            return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.relation is not None and self.relation != relation:
             return Trouble("more than one place is named for the same thing", None)
         return replace(self, relation=relation)
@@ -187,11 +189,19 @@ Bundle = tuple[Draft, ...]
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """One command: what to do, the form of its verb, and its words."""
+    """One command: what to do, the form of its verb, and its words.
+
+    Attributes:
+        bundles: What to do.
+        form: Of the verb.
+        text: The words.
+        revokes: The words that take back what was said before them, if these are such words.
+    """
 
     bundles: tuple[Bundle, ...]
     form: Literal["base", "ing", "ed"]
     text: str = ""
+    revokes: str | None = None
 
 
 def draft(action: str, **slots: Any) -> Draft:

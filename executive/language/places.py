@@ -109,7 +109,8 @@ def _hand(parts: Parts) -> Hand | None:
     marks = words(parts, "PAUSE")
     if any(mark.meaning != "," for mark in marks):
         return None
-    named = words(parts, "HAND") or sides[0].end - sides[0].start > 1
+    yours = any(word.said == "your" for word in words(parts, "DET"))
+    named = words(parts, "HAND") or yours or sides[0].end - sides[0].start > 1
     return Hand(sides[0].meaning) if named else None
 
 

@@ -34,6 +34,7 @@ _TYPES: dict[str, Any] = {
 }
 _OPENED = ("container", "door")
 _PUTS_DOWN = ("place", "put_in", "hand_over")
+_MOVES = ("pick", *_PUTS_DOWN)
 
 
 class UnresolvedError(Exception):
@@ -57,6 +58,11 @@ class _Entity:
     of: Nominal
 
 
+def _is_movable(place: Any) -> bool:
+    """Whether something was put into or onto a thing that could be carried on with it."""
+    return isinstance(place, Nominal) and place.sort in ("thing", "any") and place.reference is None
+
+
 def _any(_entity: _Entity) -> bool:
     return True
 
@@ -73,6 +79,7 @@ class Resolver:
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []
         self._mentioned: list[Nominal] = []
+        self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
         self._clause = 0
 
@@ -142,6 +149,8 @@ class Resolver:
         elif isinstance(thing, ObjectOf):
             resolved = thing
         root = resolved.task if isinstance(resolved, ObjectOf) else index
+        if one.action == "pick" and root in self._held:
+            raise UnresolvedError(Trouble("what is named is in the hand already", None))
         slots: dict[str, Any] = {}
         for name, value in one.slots:
             if name == "object":
@@ -158,6 +167,8 @@ class Resolver:
                     self._walk(value) if one.action == "walk_to" else self._place(value, root, into=into)
                 )
                 self._name_place(value)
+                if one.action in ("place", "put_in") and _is_movable(value):
+                    self._put_to = (self._clause, value)
             elif name == "person":
                 slots["person"] = self._person(value)
             elif name == "text":
@@ -215,6 +226,9 @@ class Resolver:
         if len(recent) > 1:
             raise _ask("which of them does 'it' stand for?", [f"the {entity.of.kind}" for entity in recent])
         root = recent[0].task
+        if self._put_to is not None and self._put_to[0] == recent[0].clause and action in _MOVES:
+            names = [f"the {one.kind}" for one in (recent[0].of, self._put_to[1])]
+            raise _ask("which of them does 'it' stand for?", names)
         if action in _PUTS_DOWN and self._held and root not in self._held:
             raise _ask("which of them does 'it' stand for?")
         if recent[0].of.count != 1:

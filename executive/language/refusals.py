@@ -40,7 +40,7 @@ EXAMPLES = (
 _VERBS = frozenset({"PICK", "PUT", "OPEN", "WALK", "STOP"})
 _NOUNS = frozenset({"KIND", "THING"})
 _LINK = "LINK"
-_NEVER_USED = frozenset({"NEGATION", "CONDITION", "LIMITLESS", "DOUBT"})
+_NEVER_USED = frozenset({"NEGATION", "CONDITION", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"})
 """Word classes that decide a refusal wherever they stand before the place that broke the parse."""
 
 _SHOWN = 40
@@ -71,6 +71,11 @@ class Explainer:
             refusal, corrected = self._unknown(lattice, unknown)
             if corrected or unknown <= position or self._refused(lattice, chart) is None:
                 return refusal
+        verbless = lattice.pieces and not chart.has_beginning_of("command")
+        if verbless and self._refused(lattice, chart) is None:
+            shown = printable(lattice.pieces[0].text)
+            message = f"a command begins with what to do, not with {shown!r}"
+            return Refusal(message, shown, self.nearest_example(plain))
         if position >= len(lattice.pieces) or lattice.ends[position]:
             return self._incomplete(lattice, chart)
         found = self._refused(lattice, chart)

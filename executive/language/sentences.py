@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language import attention, going, handling, nominals, places
-from executive.language.phrases import Clause, Draft, Hand, Meaning, Where
+from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 
 Parts = tuple[Any, ...]
 
@@ -73,6 +73,29 @@ def _clause_with_hand(parts: Parts) -> Clause | None:
     return _clause((Hand(side.meaning), parts[-1]))
 
 
+def _fronted(parts: Parts) -> Clause | None:
+    """The thing before the command that names it "it": "the red cup, pick it up"."""
+    command: Clause = parts[-1]
+    topic = next(part for part in parts if isinstance(part, Item))
+    if any(mark.meaning != "," for mark in nominals.words(parts, "PAUSE")[-1:]) or len(command.bundles) != 1:
+        return None
+    first, *rest = command.bundles[0]
+    said = first.get("object")
+    pronoun = "them" if topic.of.count != 1 or topic.of.plural else "it"
+    if not isinstance(said, Nominal) or said.reference != pronoun or topic.of.reference or topic.details:
+        return None
+    if topic.of.sort not in ("thing", "container", "door") or (topic.of.plural and not topic.of.counted):
+        return None
+    changed = replace(
+        first, slots=tuple((name, topic.of if name == "object" else value) for name, value in first.slots)
+    )
+    if topic.of.count != 1:
+        if first.get("count") is not None:
+            return None
+        changed = changed.with_slot("count", topic.of.count)
+    return replace(command, bundles=((changed, *rest),))
+
+
 _TAKES = {
     "hand": frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"}),
     "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
@@ -121,7 +144,7 @@ def _ordered(*, subordinate: int, first_done: int) -> Meaning:
     return meaning
 
 
-def _sentence(parts: Parts) -> Sentence | None:
+def _sentence(parts: Parts) -> Sentence | Trouble | None:
     clauses: list[Clause] = []
     unseparated = 0
     for part in parts:
@@ -132,6 +155,9 @@ def _sentence(parts: Parts) -> Sentence | None:
         elif isinstance(part, _Unseparated):
             unseparated += 1
             clauses.extend(part.clauses)
+    revoked = next((one.revokes for one in clauses if one.revokes), None)
+    if revoked is not None and len(clauses) > 1:
+        return Trouble(f"{revoked!r} takes back what was said; nothing is done", revoked)
     forms = {clause.form for clause in clauses}
     if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
         return None
@@ -163,6 +189,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "list_number": _list_number,
         "clause": _clause,
         "clause_with_hand": _clause_with_hand,
+        "fronted": _fronted,
         "done_before": _done_before,
         "after_first": _ordered(subordinate=0, first_done=0),
         "after_last": _ordered(subordinate=1, first_done=1),

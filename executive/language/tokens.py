@@ -5,12 +5,13 @@ Everything is bounded: the length of the text, the number of its pieces, the cha
 
 from __future__ import annotations
 
+import difflib
 import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from executive.vocabulary import split_words
+from executive.vocabulary import BRIDGE_WORDS, split_words
 
 MAX_LENGTH = 500
 """Characters of one sentence: several times the longest that anybody says to a robot."""
@@ -26,6 +27,7 @@ _PLAIN = str.maketrans(
     }
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
+_BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
 _MARKS = frozenset(".,;:!?")
 
 
@@ -92,12 +94,21 @@ def pieces_of(plain: str) -> list[Piece]:
     Raises:
         MalformedTextError: It has too many pieces.
     """
+    for token in _BRIDGE_LIKE.findall(_QUOTATION.sub(" ", plain)):
+        _refuse_malformed_bridge_word(token.lower())
     pieces = list(_pieces(plain))
     while pieces and pieces[-1].is_mark and not pieces[-1].quoted:
         pieces.pop()
     if len(pieces) > MAX_PIECES:
         raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")
     return pieces
+
+
+def _refuse_malformed_bridge_word(token: str) -> None:
+    if token not in BRIDGE_WORDS:
+        close = difflib.get_close_matches(token, BRIDGE_WORDS, n=1, cutoff=0.8)
+        if close:
+            raise MalformedTextError(f"{token!r} is no bridge word; did you mean {close[0]!r}?", token)
 
 
 def _pieces(plain: str) -> Iterator[Piece]:

@@ -26,7 +26,7 @@ _CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
 _WORD = re.compile(
     r"&&|\|\||\d+(?:st|nd|rd|th)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
 )
-_JOINED = frozenset({"move_forward", "move_backward", "turn_left", "turn_right"})
+BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
 """Bridge words, which are matched whole; elsewhere an underscore is a space."""
 
 _KEYS = frozenset({"words", "same", "refusal", "meaning", "plural", "inflect", "proper", "irregular"})
@@ -220,7 +220,7 @@ def split_words(text: str) -> Iterator[tuple[str, int, int]]:
     for match in _WORD.finditer(text):
         whole, start = match.group(), match.start()
         lowered = whole.lower()
-        if "_" in whole and lowered not in _JOINED:
+        if "_" in whole and lowered not in BRIDGE_WORDS:
             for part in re.finditer(r"[^_]+", whole):
                 yield part.group().lower(), start + part.start(), start + part.end()
         elif whole in "-\u2013" and _inside_a_word(text, start):

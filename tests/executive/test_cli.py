@@ -231,9 +231,11 @@ def test_what_there_is_can_be_listed(executive, what, word):
 
 def test_every_skill_that_is_listed_has_a_valid_example():
     from executive.command_parser import parse
-    from executive.commands.list_ import _SKILLS
+    from executive.commands.list_ import _EXAMPLES
+    from trees.build import SKILLS
 
-    for action, example in _SKILLS:
+    assert set(_EXAMPLES) == {task.action for task in SKILLS} | {"stop"}
+    for action, example in _EXAMPLES.items():
         assert [command.action for command in parse(example).commands] == [action]
 
 

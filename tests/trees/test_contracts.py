@@ -43,7 +43,7 @@ def test_a_leaf_declares_its_promises(leaf):
 
 @pytest.mark.parametrize("leaf", LEAVES, ids=lambda leaf: leaf.__name__)
 def test_a_leaf_reads_and_writes_every_port_that_it_declares(leaf):
-    parts = [part for part in leaf.__mro__ if part.__module__.startswith("trees.leaves")]
+    parts = [part for part in leaf.__mro__ if part.__module__.startswith("trees.") and part is not Leaf]
     source = "".join(inspect.getsource(part) for part in parts)
 
     for port in leaf.INPUT_PORTS:

@@ -28,7 +28,8 @@ def test_everything_else_is_told_to_stay(stage):
 
     (move,) = [request for request in stage.fake.planning.requests if isinstance(request, MoveRequest)]
     assert move.keep_others
-    assert set(move.joints) == {"head_1_joint", "head_2_joint", "torso_2_joint"}
+    assert set(move.joints) == {"head_1_joint", "head_2_joint", "torso_1_joint", "torso_2_joint"}
+    assert move.joints["torso_1_joint"] == 0.0
 
 
 def test_a_gaze_beyond_the_limits_stops_at_them(stage):

@@ -1,0 +1,92 @@
+"""What takes back, orders or qualifies a command is honoured, asked about or refused: never passed over."""
+
+import pytest
+
+from executive.command_parser import parse
+
+pytestmark = pytest.mark.requirement("L2", "L5")
+
+
+@pytest.mark.parametrize(
+    ("sentence", "word"),
+    [
+        ("pick up the cup, never mind", "never mind"),
+        ("pick up the cup, abort", "abort"),
+        ("open the drawer, actually the fridge", "actually"),
+        ("pick up the cup, er, the bottle", "er"),
+        ("walk to the table, hmm, to the counter", "hmm"),
+        ("pick up the red cup, sorry, pick up the blue cup", "sorry"),
+        ("run to the kitchen", "run"),
+        ("whisper hello to Ana", "whisper"),
+        ("pick up the cup real quick", "real quick"),
+        ("throw the ball into the box", "throw"),
+        ("wave to Ana in the kitchen", "Ana"),
+        ("go under the table", "under"),
+        ("walk into the table", "into"),
+        ("fetch Robert his jacket", "his"),
+        ("bring me the two cups on the left", "leftmost"),
+        ("hand the knife to the child", "knife"),
+        ("move_forwards", "move_forwards"),
+    ],
+)
+def test_words_that_cannot_be_honoured_are_named_in_the_refusal(sentence, word):
+    parsed = parse(sentence)
+
+    assert parsed.commands == ()
+    assert word in parsed.refusal.word
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "pick up the cup, the red one",
+        "put the cup in the box and put it on the shelf",
+        "say pick up the cup and open the fridge",
+        "go back",
+    ],
+)
+def test_what_can_be_meant_in_two_ways_is_asked(sentence):
+    assert parse(sentence).question is not None
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "pick up the cup, first open the fridge",
+        "pick up the cup and hold it up",
+        "look under the table for the ball",
+        "how many cups are left",
+        "pick up the cup by yourself",
+        "can you reach the cup",
+        "give Ana her cup",
+    ],
+)
+def test_no_task_comes_of_a_sentence_with_a_word_to_spare(sentence):
+    assert parse(sentence).commands == ()
+
+
+@pytest.mark.parametrize(
+    ("sentence", "plain"),
+    [
+        ("actually, pick up the cup", "pick up the cup"),
+        ("umm, pick up the, uh, red cup", "pick up the red cup"),
+        ("first pick up the cup, then wave", "pick up the cup, then wave"),
+        ("the red cup, pick it up", "pick up the red cup"),
+        ("gimme the cup", "give me the cup"),
+        ("never mind", "stop"),
+        ("say 'pick up the cup'", 'say "pick up the cup"'),
+        ("take the can with your left hand and the cup with your right", None),
+    ],
+)
+def test_what_changes_nothing_is_passed_over(sentence, plain):
+    tasks = parse(sentence).to_json()["tasks"]
+
+    assert tasks
+    if plain is not None:
+        assert tasks == parse(plain).to_json()["tasks"]
+
+
+def test_there_is_the_place_that_was_named():
+    tasks = parse("walk to the table and pick up the cup there").to_json()["tasks"]
+
+    assert tasks[1] == {"action": "pick", "object": {"kind": "cup"}, "from": "table"}
