@@ -49,6 +49,8 @@ _ABOVE_HOME_M = 0.04
 """The pelvis rises no more than this above home: knees that are nearly straight must move too fast."""
 _BASE_ROOM = np.array([0.13, 0.15, 0.16])
 """The pelvis stays within this of where the motion began, m."""
+_LOWEST_SHARE = 0.73
+"""Of its height at home: arms that want to keep their posture would make the robot squat ever deeper."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +109,9 @@ class HandTracker:
         self._upper = np.concatenate([start + _BASE_ROOM, model.upper_rad[at] - room])
         self._preferred = self._x[self._columns].copy()
         self._rate = np.zeros(len(self._columns))
-        highest = self._space.from_q(model.home_over(stance))[2] + _ABOVE_HOME_M
+        home_m = float(self._space.from_q(model.home_over(stance))[2])
+        self._lower[2] = min(start[2], max(self._lower[2], _LOWEST_SHARE * home_m))
+        highest = home_m + _ABOVE_HOME_M
         self._upper[2] = max(start[2], min(self._upper[2], highest))
         self.standing = True
         self._locate(q)

@@ -28,6 +28,8 @@ FREE_SPIN, HELD_SPIN = 0.001, 0.3
 """Weights of the hand's turn about the bar: left open on a door, nearly kept on a drawer."""
 SPIN_FADES = 0.93
 """From one weight to the other, by this factor a tick: a jump of weights is a jump of speeds."""
+GATHERING = 2.0
+"""A hand gathers speed along its path by this share of it a second."""
 _SETTLE_TICKS = 60
 _OFF_M, _OFF_COSINE = 0.012, math.cos(math.radians(14.0))
 """A hand that stays behind by more has come to the end of its reach."""
@@ -111,10 +113,11 @@ def rehearse(
         q_grasp: Configuration with the handle in the hand at ``s_from``, shape (nq,).
         scene: What is around; the hand may touch what its ``allowed`` says.
         parts: What moves with the handle.
-        path: Of the handle.
+        path: Of the handle; the hand follows it from where it holds the bar.
         s_from, s_to: Openings.
     """
     tracker = HandTracker(model, stance, hand, q_grasp)
+    path = path.through(tracker.tcp_m, s_from)
     space = free_coordinates(model, stance)
     scene, times = guarded_scene(scene), np.array([TICK_S])
     rotation, height_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
@@ -126,7 +129,7 @@ def rehearse(
     for _ in range(_SETTLE_TICKS if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
-    step, every = speed * TICK_S, _JUDGED_SHARE * abs(s_to - s_from)
+    step, every = 0.0, _JUDGED_SHARE * abs(s_to - s_from)
     while True:
         if abs(s - judged_s) >= every or s in (s_from, s_to):
             judge = validity(model, stance, scene_at(scene, parts, path, s_from, s))
@@ -135,6 +138,7 @@ def rehearse(
             judged_s = s
         if s == s_to:
             return Rehearsal(s, "")
+        step = min(speed * TICK_S, step + GATHERING * speed * TICK_S**2)
         s = s_to if abs(s_to - s) <= step else s + way * step
         spin = max(spin_along(path), spin * SPIN_FADES)
         point = path.at(s)

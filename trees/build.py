@@ -6,11 +6,13 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
 
 from trees.extensions import extensions
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
+from trees.subtrees.leave_handle import leave_handle
 from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
@@ -91,4 +93,11 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
         raise NoSkillError(task)
     outside = extensions().for_task(task)
     tree = SKILLS[type(task)] if outside is None else outside.tree
-    return TaskTree(task, tree(toolbox), toolbox)
+    root = tree(toolbox)
+    if toolbox.world.at_handle is not None and not isinstance(task, _HANDS_STAY):
+        root = Sequence(root.name, memory=True, children=[leave_handle(toolbox), root])
+    return TaskTree(task, root, toolbox)
+
+
+_HANDS_STAY = (SayTask, WaitTask, CountTask, DescribeTask)
+"""What a robot does without letting go of a handle that a cancelled task left in its hand."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from trees.sight import Glimpse
 _SAME_PLACE_M = 0.8
 _MOST_GLIMPSES = 40
 
+if TYPE_CHECKING:
+    from trees.held_handle import HandAtHandle
+
 
 class WorldModel:
     """Holds the current planning scene.
@@ -24,6 +28,8 @@ class WorldModel:
         sightings: The newest estimate of each thing by its name, for those that are still believed.
         glimpses: From where it was looked at, the newest last; what no look shows is unknown.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
+        at_handle: A hand that is about the handle of a door or drawer; None once it has drawn back. A task
+            that was cancelled leaves it there, and the next one has to let go first.
     """
 
     def __init__(self, scene: PlanningScene | None = None) -> None:
@@ -31,6 +37,7 @@ class WorldModel:
         self.sightings: Mapping[str, ObjectEstimate] = {}
         self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
+        self.at_handle: HandAtHandle | None = None
 
     @property
     def scene(self) -> PlanningScene:

@@ -8,6 +8,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.opening_rehearsal import GATHERING
+
 Array = NDArray[np.float64]
 
 Outcome = Literal["running", "arrived", "stuck", "lost"]
@@ -48,7 +50,7 @@ class YieldSettings:
     deadband_n: float = 2.0
     stuck_speed_share: float = 0.05
     stuck_s: float = 0.7
-    acceleration: float = 2.0
+    acceleration: float = GATHERING
     deceleration: float = 6.0
     force_share: float = 0.3
     lean_s: float = 0.6

@@ -15,7 +15,7 @@ from robots.control.yielding_hand import YieldingHand
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import HandleTarget
-from trees.held_handle import scene_of_hand
+from trees.held_handle import HandAtHandle, scene_of_hand
 from trees.leaf import DONE
 from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
@@ -69,6 +69,7 @@ class ApproachHandle(MotionLeaf):
             holding=False,
             settings=GENTLE,
         )
+        toolbox.world.at_handle = HandAtHandle(target, grasp)
         return toolbox.motion.start(self._motion)
 
     def finish(self) -> Status | Failure:

@@ -42,7 +42,16 @@ class LeadHandle(MotionLeaf):
         moves="body",
         on_success="the hand holds the handle at the end of its way",
         on_failure="the hand holds where it came to; from something stuck it has gone back to the start",
+        on_cancel="hand and arm hold where they are, the handle in the hand; the next task lets go of it",
     )
+
+    _motion: YieldingHand | None = None
+    _told = False
+
+    def begin(self) -> None:
+        """Forget an earlier run."""
+        super().begin()
+        self._motion, self._told = None, False
 
     def start(self) -> MotionHandle | Failure:
         """Begin to lead."""
@@ -76,6 +85,8 @@ class LeadHandle(MotionLeaf):
 
     def finish(self) -> Status | Failure:
         """Judge how it ended."""
+        if self._motion is None:
+            raise RuntimeError(f"{self.name} has not begun")
         held: HeldHandle = self.get_input("held")
         target, report = held.target, self._motion.report
         opening = target.opening + moved_by(np.array(self._points), held.path)
@@ -98,8 +109,15 @@ class LeadHandle(MotionLeaf):
         self._set_output("opened", {**shown, **felt})
         return DONE
 
+    def release(self, reason: str) -> None:
+        """Brake and hold; whoever lets go later has to know where the handle is by then."""
+        super().release(reason)
+        if self._motion is not None and not self._told:
+            self._tell_world(self.get_input("held"), self._motion.report.s)
+
     def _tell_world(self, held: HeldHandle, opening: float) -> None:
         """Turn the door in the world model; the handle is where the hand has it."""
+        self._told = True
         world, target = self.toolbox.world, held.target
         parts = tuple(name for name in (target.part, target.handle) if name in world.scene.objects)
         if not parts or opening == target.opening:

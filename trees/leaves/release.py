@@ -19,6 +19,8 @@ _SAFE_DROP_M = 0.015
 class Release(MotionLeaf):
     """Open the hand of the last grasp, and forget what the scene says that it holds.
 
+    Without a grasp of this task it is the hand that an earlier one left at a handle.
+
     What the gripper measures to hold in the air is kept, and the leaf fails saying so.
     """
 
@@ -36,7 +38,7 @@ class Release(MotionLeaf):
 
     def start(self) -> MotionHandle | Failure | None:
         """Open, keep, or do nothing when no hand was used yet."""
-        grasp: Grasp | None = self.optional("grasp")
+        grasp = self._grasp()
         if grasp is None:
             return None
         gripper, attached = self.toolbox.grippers[grasp.hand], self._attached(grasp)
@@ -49,12 +51,17 @@ class Release(MotionLeaf):
 
     def finish(self) -> Status | Failure:
         """What was attached is no longer: the next look says where it is."""
-        world = self.toolbox.world
-        for name in self._attached(self.get_input("grasp")):
+        world, grasp = self.toolbox.world, self._grasp()
+        for name in [] if grasp is None else self._attached(grasp):
             body = world.scene.attached[name]
             scene = world.scene.with_detached(name, body.body.world_T_object)
             world.update(scene.without_object(name))
         return DONE
+
+    def _grasp(self) -> Grasp | None:
+        left = self.toolbox.world.at_handle
+        grasp: Grasp | None = self.optional("grasp")
+        return left.grasp if grasp is None and left is not None else grasp
 
     def _attached(self, grasp: Grasp) -> list[str]:
         frame = self.toolbox.model.description.grippers[grasp.hand].tcp_frame

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from py_trees.common import Status
 
 from kinematics.requests import Grasp, RetreatRequest
 from kinematics.scene import PlanningScene
 from trees.contract import Contract
+from trees.failures import Failure
 from trees.handles import HandleTarget
 from trees.held_handle import scene_of_hand, tcp_m
+from trees.leaf import DONE
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import optional, ports
 from trees.toolbox import Toolbox
@@ -23,7 +26,10 @@ _BESIDE_M = 0.25
 
 
 class StepBack(PlannedMotionLeaf):
-    """Move the hand straight back along its own approach, clear of the handle."""
+    """Move the hand straight back along its own approach, clear of the handle.
+
+    Without a handle of this task it is the one at which an earlier task left a hand.
+    """
 
     INPUT_PORTS = ports(handle=optional(HandleTarget), grasp=optional(Grasp))
     OUTPUT_PORTS = ports()
@@ -48,8 +54,11 @@ class StepBack(PlannedMotionLeaf):
 
     def goal(self) -> RetreatRequest | None:
         """A straight line against the TCP's x axis; None where the hand is not about the handle."""
-        toolbox, target = self.toolbox, self.optional("handle")
+        toolbox, left = self.toolbox, self.toolbox.world.at_handle
+        target: HandleTarget | None = self.optional("handle")
         grasp: Grasp | None = self.optional("grasp")
+        if left is not None and (grasp is None or target is None):
+            target, grasp = left.target, left.grasp
         if grasp is None or target is None or target.handle not in toolbox.world.scene.objects:
             return None
         frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
@@ -69,6 +78,13 @@ class StepBack(PlannedMotionLeaf):
             hand=grasp.hand,
             world_offset_m=(x, y, z),
         )
+
+    def step(self) -> Status | Failure:
+        """Draw back; from then on no hand is at the handle."""
+        outcome = super().step()
+        if outcome is DONE and not self._clear:
+            self.toolbox.world.at_handle = None
+        return outcome
 
 
 def _outward(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
