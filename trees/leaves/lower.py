@@ -43,6 +43,7 @@ class Lower(MotionLeaf):
         """Feel the hand anew."""
         super().begin()
         self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
+        self._placement: Placement = self.get_input("placement")
         self._strong = 0
         self._touched_s: float | None = None
         self._started_here = False
@@ -96,7 +97,7 @@ class Lower(MotionLeaf):
         return self.CONTRACT.deadline_s + step.checked.trajectory.duration_s
 
     def _judge_touch(self) -> Status | Failure:
-        placement, held = self.get_input("placement"), self.get_input("held")
+        placement, held = self._placement, self.get_input("held")
         model = self.toolbox.model
         q = self.toolbox.sensing.state().q
         tcp = model.frame_pose(q, model.description.tcp_frames[held.hand])

@@ -36,7 +36,7 @@ class VerifyPlaced(LookAround):
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Compare what was seen with what was meant."""
-        held, placement = self.get_input("held"), self.get_input("placement")
+        held, placement, stood = self.get_input("held"), self.get_input("placement"), self.get_input("stood")
         place = placement.odom_T_object[:3, 3]
         same = [
             item
@@ -54,7 +54,7 @@ class VerifyPlaced(LookAround):
         if nearest.lying or nearest.tilt_rad > _UPRIGHT_RAD:
             return Failure.postcondition(f"the {held.name} has fallen over", None, **numbers)
         policy, scene = self.toolbox.policy, self.toolbox.world.scene
-        harm = disturbed(self.get_input("stood"), scene, policy.undisturbed_m)
+        harm = disturbed(stood, scene, policy.undisturbed_m)
         if harm is not None:
             return harm
         on = placement.touches[0] if placement.touches else ""

@@ -50,6 +50,7 @@ class WalkTo(WalkingLeaf):
     def begin(self) -> None:
         """Nothing has moved yet."""
         super().begin()
+        self._place: Place = self.get_input("place")
         self._goal = PlanarPose()
         self._backing = False
 
@@ -80,7 +81,7 @@ class WalkTo(WalkingLeaf):
     def _plan(self, settings: WalkingSettings) -> Steering | Failure | None:
         toolbox = self.toolbox
         policy, scene = toolbox.policy, toolbox.world.scene
-        body, place = feet_pose(toolbox), self.get_input("place")
+        body, place = feet_pose(toolbox), self._place
         self._goal = standing_place(place, scene, body, policy.support_gap_m)
         self._set_output("goal", self._goal)
         left = body.to(self._goal)
