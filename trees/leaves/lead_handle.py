@@ -22,8 +22,11 @@ from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
 
 _MOST_S = 40.0
-_SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.15
-"""A hand that loses its hold at such a pull, with so little of the way made, slipped off what stood."""
+_SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.2
+"""A hand that loses its hold at such a pull, with so little of the way made, slipped off what stood.
+
+Off a locked drawer it went on for 5.3 cm of 30 until the fingers read empty.
+"""
 
 
 class LeadHandle(MotionLeaf):
