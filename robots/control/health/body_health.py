@@ -35,6 +35,7 @@ class BodyHealth:
         self._gyro_sum, self._periods = np.zeros(3), 0
         self._facing: Array | None = None
         self._excess: deque[Array] = deque(maxlen=round(_GYRO_WINDOW_S / _GYRO_STEP_S))
+        self._gyro_bias = 0.0
         self._unloaded_s = [0.0] * len(self._soles)
         self._late_share = 0.0
 
@@ -42,6 +43,7 @@ class BodyHealth:
         """Begin anew."""
         self._gyro_sum[:], self._periods, self._facing = 0.0, 0, None
         self._excess.clear()
+        self._gyro_bias = 0.0
 
     def note_late(self, late_s: float) -> None:
         """Tell by how much the present period began too late; 0 in lockstep."""
@@ -58,8 +60,7 @@ class BodyHealth:
         """
         state, limits, found = sensed.readings, self._limits, []
         if stepping:
-            self._gyro_sum[:], self._periods, self._facing = 0.0, 0, None
-            self._excess.clear()
+            self.forget()
         elif self._imu is not None:
             found += self._gyro(sensed, self._imu)
         if self._soles:
@@ -79,13 +80,13 @@ class BodyHealth:
                 passed_s = self._periods * self._period_s
                 turned = vector_from_rotation(self._facing.T @ facing) / passed_s
                 self._excess.append(self._gyro_sum / self._periods - turned)
+                if len(self._excess) == self._excess.maxlen:
+                    self._gyro_bias = float(np.linalg.norm(np.mean(self._excess, axis=0)))
             self._facing = facing
             self._gyro_sum, self._periods = np.zeros(3), 0
         bound = self._limits.gyro_bias_rad_s
-        if len(self._excess) == self._excess.maxlen:
-            bias = float(np.linalg.norm(np.mean(self._excess, axis=0)))
-            if bias > bound:
-                return [Finding(Ailment.GYRO_BIAS, "gyro", bias, bound)]
+        if self._gyro_bias > bound:
+            return [Finding(Ailment.GYRO_BIAS, "gyro", self._gyro_bias, bound)]
         return []
 
     def _feet(self, state: RobotState, standing: bool) -> list[Finding]:
