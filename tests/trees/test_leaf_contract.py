@@ -136,7 +136,7 @@ class Makers:
                     and "__init__" in vars(base)
                     and not hasattr(base.__init__, "noted")
                 ):
-                    patch.setattr(base, "__init__", self._noting(base.__init__))
+                    patch.setattr(base, "__init__", self._noting(own))
 
     def _noting(self, init):
         @functools.wraps(init)
