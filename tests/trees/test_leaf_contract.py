@@ -131,11 +131,8 @@ class Makers:
         self._made = {}
         for kind in LEAVES:
             for base in kind.__mro__:
-                if (
-                    issubclass(base, Leaf)
-                    and "__init__" in vars(base)
-                    and not hasattr(base.__init__, "noted")
-                ):
+                own = vars(base).get("__init__")
+                if own is not None and issubclass(base, Leaf) and not hasattr(own, "noted"):
                     patch.setattr(base, "__init__", self._noting(own))
 
     def _noting(self, init):
