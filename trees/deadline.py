@@ -15,6 +15,7 @@ class Deadline(Decorator):
     """Fails with a timeout when its child has not ended in time; the child is halted.
 
     Attributes:
+        deadline_s: The limit.
         failure: The timeout, or the child's failure; None otherwise.
         transparent: It structures, and is left out of places in the tree.
     """
@@ -24,7 +25,7 @@ class Deadline(Decorator):
     def __init__(self, name: str, child: Behaviour, deadline_s: float, clock: Clock) -> None:
         super().__init__(name=name, child=child)
         self.failure: Failure | None = None
-        self._deadline_s = deadline_s
+        self.deadline_s = deadline_s
         self._clock = clock
         self._started_s = 0.0
 
@@ -36,10 +37,10 @@ class Deadline(Decorator):
     def update(self) -> Status:
         """Pass the child's status on, unless the time is up."""
         elapsed_s = self._clock.now_s() - self._started_s
-        if self.decorated.status is Status.RUNNING and elapsed_s > self._deadline_s:
+        if self.decorated.status is Status.RUNNING and elapsed_s > self.deadline_s:
             timeout = Failure.timeout(
                 f"{self.decorated.name} took longer than its deadline",
-                deadline_s=self._deadline_s,
+                deadline_s=self.deadline_s,
                 elapsed_s=elapsed_s,
             )
             self.failure = timeout.at(place_of(self.decorated))

@@ -33,18 +33,18 @@ class LookAt(PlannedMotionLeaf):
 
     def __init__(self, name: str, toolbox: Toolbox, gaze: Gaze) -> None:
         super().__init__(name, toolbox)
-        self._gaze = gaze
+        self.gaze = gaze
 
     def joints(self) -> Mapping[str, float]:
         """Goal positions of the joints that aim the camera, rad, inside their limits."""
         description = self.toolbox.model.description
         camera, margin = description.camera, description.planning_margin_rad
-        wanted = {camera.tilt_joint: self._gaze.tilt_rad, camera.pan_joint: self._gaze.pan_rad}
+        wanted = {camera.tilt_joint: self.gaze.tilt_rad, camera.pan_joint: self.gaze.pan_rad}
         if camera.lean_joint is not None:
-            wanted[camera.lean_joint] = self._gaze.lean_rad
+            wanted[camera.lean_joint] = self.gaze.lean_rad
         turning = turning_joint(description)
         if turning is not None:
-            wanted[turning] = self._gaze.turn_rad
+            wanted[turning] = self.gaze.turn_rad
         inside = {}
         for joint, angle in wanted.items():
             lower, upper = description.limits[joint].position
