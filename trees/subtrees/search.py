@@ -36,7 +36,7 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
 
 
 def search_from_home_too(toolbox: Toolbox) -> Alternatives:
-    """The same from here, and once more from home where the arms are elsewhere: they may hide what is meant."""
+    """From here, and once more from home where the arms are elsewhere: they may hide what is meant."""
 
     def worth_trying(way: Behaviour, _failure: Failure | None) -> bool:
         return way is from_here or not _arms_at_home(toolbox)
