@@ -14,7 +14,7 @@ from robots.control.events import HealthChanged
 from tools.evaluate.ailing.body_fault import BODY_FAULTS, BodyFault, struck_joint
 from tools.evaluate.ailing.fault_record import FaultRecord
 from tools.evaluate.scenes import TARGET, episode_rng
-from tools.evaluate.stopping.courses import COURSES, CourseRun, phase_of
+from tools.evaluate.stopping.courses import PICK, CourseRun, phase_of
 from trees.events import NodeChanged
 
 WHEN_S = (0.5, 14.0)
@@ -51,7 +51,7 @@ class _Episode:
         self._order, self._standing = order, standing
         rng = episode_rng(order.seed, 4)
         self._fault: BodyFault = BODY_FAULTS[order.fault]
-        self._run = CourseRun(COURSES[0], order.seed, order.robot, self._take)
+        self._run = CourseRun(PICK, order.seed, order.robot, self._take)
         assembly = self._run.assembly
         description = assembly.model.description
         joint = struck_joint(description, rng)
