@@ -37,7 +37,7 @@ def pick(toolbox: Toolbox) -> CleanUp:
     )
     main = _sequence("pick up", search_from_home_too(toolbox), attempts)
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("pick", timed, _give_up(toolbox), worth_it=_tidying_helps)
 
 
