@@ -127,6 +127,14 @@ def test_a_fault_counts_as_unnoticed_only_when_the_joint_was_asked_for_something
     assert FaultSummary("joint_stuck", 0, [quiet, asked]).figures()["never asked for anything"] == 1.0
 
 
+def test_a_weak_motor_that_gave_what_was_asked_for_has_shown_nothing():
+    followed = FaultRecord(1, "joint_weak", part="knee", asked_rad=0.3, off_rad=0.001, of_a_motor=True)
+    lagged = FaultRecord(2, "joint_weak", part="knee", asked_rad=0.3, off_rad=0.02, of_a_motor=True)
+
+    assert followed.faults == ()
+    assert lagged.faults == ("not noticed",)
+
+
 def test_a_fall_is_excused_only_where_the_fault_fells_a_standing_robot_too():
     base = {"part": "knee", "noticed_s": 0.1, "typed": True, "refused": True, "fell": True}
 

@@ -20,8 +20,8 @@ _STEPPING_ROOM = 4.0
 _BENT_RAD = 0.010
 """Legs farther from their setpoints than this (healthy ones: 5 mrad) tip a sole, and say nothing true about
 how the trunk turns: a jammed ankle looked like 18 mrad/s of gyro bias before it was found to be stuck."""
-_STAYS = frozenset({Ailment.STUCK, Ailment.ENCODER_OFFSET})
-"""These show only while something moves, so they stay until a person has looked at the robot."""
+_STAYS = frozenset({Ailment.STUCK, Ailment.WEAK, Ailment.OFFLINE, Ailment.ENCODER_OFFSET})
+"""These show only while something moves or is carried: they stay until a person has looked at the robot."""
 
 
 class HealthMonitor:

@@ -106,7 +106,7 @@ class _Episode:
         tops = chain(ended.failure) if ended is not None else []
         expected = {ailment.value for ailment in self._fault.noticed_as}
         typed = noticed is not None and noticed.ailment in expected
-        typed = typed and self._part in ("", noticed.part if noticed is not None else "")
+        typed = typed and noticed is not None and self._is_blamed(noticed.part)
         fells_standing = None
         if self._fell and not self._standing:
             fells_standing = _Episode(self._order, standing=True).run().fell
@@ -131,7 +131,12 @@ class _Episode:
             fell=self._fell,
             fells_standing=fells_standing,
             typed=typed,
+            of_a_motor=self._fault.of_a_motor,
         )
+
+    def _is_blamed(self, part: str) -> bool:
+        legs = all(name.startswith("leg_") for name in (part, self._part))
+        return self._part in ("", part) or (self._order.fault == "joint_stuck" and legs)
 
     def _take(self, event: Event) -> None:
         if isinstance(event, HealthChanged) and event.present and self._noticed is None:
