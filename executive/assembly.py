@@ -134,5 +134,6 @@ def assemble(
         on_tick=on_tick,
         build=build,
         supervisor=supervisor,
+        pausing=loop,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)

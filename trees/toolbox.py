@@ -22,6 +22,7 @@ from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
 from robots.sensed_state import SensedState
 from trees.events import TreeSink
+from trees.pauses import Pauses
 from trees.policy import TreePolicy
 from trees.world_model import WorldModel
 
@@ -145,3 +146,4 @@ class Toolbox:
     policy: TreePolicy = field(default_factory=TreePolicy)
     walking: Walking | None = None
     ranging: RangeSensor | None = None
+    pauses: Pauses = field(default_factory=Pauses)

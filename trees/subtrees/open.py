@@ -47,7 +47,7 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, _hopeless)
     main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), attempts])
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=_tidying_helps)
 
 

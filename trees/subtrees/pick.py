@@ -27,7 +27,7 @@ from trees.leaves.verify_hold import VerifyHold
 from trees.leaves.verify_lift import VerifyLift
 from trees.retry import Retry
 from trees.subtrees.recover import recover
-from trees.subtrees.search import search
+from trees.subtrees.search import search_from_home_too
 from trees.toolbox import Toolbox
 from trees.unless_seen import UnlessSeen
 
@@ -37,9 +37,9 @@ def pick(toolbox: Toolbox) -> CleanUp:
     attempts = Retry(
         "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
     )
-    main = _sequence("pick up", search("search", toolbox), attempts)
+    main = _sequence("pick up", search_from_home_too(toolbox), attempts)
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("pick", timed, _give_up(toolbox), worth_it=_tidying_helps)
 
 

@@ -22,7 +22,7 @@ class _Main(Sequence):
 def tidily(name: str, children: list[Behaviour], toolbox: Toolbox) -> CleanUp:
     """One thing after the other, in time; after a failure that is no question, home."""
     main = _Main("do", memory=True, children=children)
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=_tidying_helps)
 
 
