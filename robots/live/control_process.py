@@ -33,6 +33,7 @@ from robots.live.pacer import Pacer
 from robots.live.robot_report import ReportLayout, RobotReport
 from robots.live.runtime_folder import RuntimeFolder
 from robots.live.state_slot import StateSlotWriter
+from robots.live.warming import warm_up
 from robots.perception.stub import PerceptionStub
 from robots.scene_file import load_scene
 from robots.simulated.world import SimulatedWorld, build_world
@@ -101,7 +102,8 @@ class ControlProcess:
         self._slot = StateSlotWriter(folder.state_slot, self._layout.count)
         self._scheduling = _real_time_scheduling() if options.realtime else "ordinary, as asked"
         self._defects, self._periods = 0, 0
-        self._terminated = False
+        self._terminated = self._told_moving = False
+        warm_up(description, model)
         for _ in range(_FIRST_PERIODS):  # compiled code is loaded when it is first called
             self._step()
         self._publish()
@@ -121,6 +123,7 @@ class ControlProcess:
             self._checker,
             about,
             self._health,
+            self._world.ranging,
         )
         self._evaluation = (
             EvaluationServer(folder.evaluation_socket, self._truth, self._pacer)
@@ -155,7 +158,7 @@ class ControlProcess:
                 if ending_s is None:
                     ending_s = self._clock.now_s()
                     self._loop.stop(1, "the robot is being shut down")
-                if self._loop.motion.resting or self._clock.now_s() > ending_s + _END_WITHIN_S:
+                if not self._moving or self._clock.now_s() > ending_s + _END_WITHIN_S:
                     server.poll()
                     break
 
@@ -177,14 +180,22 @@ class ControlProcess:
             _say(f"a defect of the control loop: {defect!r}")
         self._perception.tick()
         self._periods += 1
-        if self._periods % PUBLISH_EVERY == 0:
+        # what has come to its end is in the slot before anybody is told of it
+        if self._periods % PUBLISH_EVERY == 0 or self._moving != self._told_moving:
             self._publish()
+
+    @property
+    def _moving(self) -> bool:
+        """Whether the body is commanded to move."""
+        return not self._loop.motion.resting or self._loop.walking.active
 
     def _publish(self) -> None:
         motion, sensing = self._loop.motion, self._loop.sensing
+        self._told_moving = self._moving
         report = RobotReport(
             t_s=self._clock.now_s(),
-            resting=motion.resting,
+            resting=not self._told_moving,
+            walking=self._loop.walking.active,
             sensed=sensing.state(),
             reference=motion.reference(),
             stance=motion.stance(),

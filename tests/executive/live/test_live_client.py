@@ -8,7 +8,7 @@ import pytest
 
 from executive.live.control_link import AttachRefusedError, ControlLink, ControlLostError
 from executive.live.live_guard import LiveGuard
-from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps
+from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
 from executive.live.motion_client import GripperClient, MotionClient
 from executive.live.planning_client import LivePlanning, NotAdmittedError
 from executive.live.planning_service import Planned
@@ -46,7 +46,8 @@ class Far(LiveRig):
         loop = self.loop
         report = RobotReport(
             self.clock.now_s(),
-            loop.motion.resting,
+            loop.motion.resting and not loop.walking.active,
+            loop.walking.active,
             loop.sensing.state(),
             loop.motion.reference(),
             loop.motion.stance(),
@@ -79,7 +80,8 @@ class Executive:
         self.link.listen(self.events.append)
         self.motion = MotionClient(self.link)
         self.detector = DetectorClient(self.link)
-        self.steps = LiveSteps(self.link, self.detector, self.world)
+        self.ranging = RangingClient(self.link)
+        self.steps = LiveSteps(self.link, self.detector, self.ranging, self.world)
         self.worker = Worker()
         self.planning = LivePlanning(self.worker, self.link, self.motion, self.world, self.events.append)
 
