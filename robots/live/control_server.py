@@ -143,6 +143,12 @@ class ControlServer:
         self._show_frame()
         self._show_scan()
 
+    def silent_commander(self) -> tuple[int | None, float]:
+        """Process of the commander and the control time since it spoke; None when nobody has to speak."""
+        if self._commander is None or not self.under_way or self.ending or self._loop.emergency is not None:
+            return None, 0.0
+        return self._commander.peer.pid, self._clock.now_s() - self._heard_s
+
     def close(self) -> None:
         """Stop listening."""
         self._server.close()
