@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
+from executive.language.attention import UNQUOTED
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import Rule, load_rules
 from executive.language.lattice import Lattice
@@ -169,7 +170,11 @@ def _outcomes(
             key = repr([command_json(one) for one in commands])
             if key not in understood or rank < understood[key][0]:
                 understood[key] = (rank, commands)
-    if len({spoken for (_, spoken, _), _ in understood.values()}) > 1 and any(
+    rival = next((one for one in troubles if one.rivals), None)
+    if rival is not None and understood:
+        return [rival]
+    longer = any(one.message == UNQUOTED for one in troubles)
+    if (longer or len({spoken for (_, spoken, _), _ in understood.values()}) > 1) and any(
         isinstance(one, SayTask) and is_command(one.words)
         for _, commands in understood.values()
         for one in commands

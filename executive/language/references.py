@@ -111,7 +111,7 @@ class Resolver:
             return
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
         roots = list(dict.fromkeys(entity.task for entity in recent))
-        if not roots or (len(roots) == 1 and recent[0].of.count == 1 and not recent[0].of.plural):
+        if not roots or (len(roots) == 1 and recent[0].of.is_single):
             raise _ask("what does 'them' stand for?")
         for root in roots:
             first, *rest = bundle
@@ -152,7 +152,11 @@ class Resolver:
         if one.action == "pick" and root in self._held:
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         slots: dict[str, Any] = {}
+        if one.get("there_are") and one.get("source") is None and self._places:
+            raise _ask("only there, or in all that is in view?", [f"the {self._places[-1].kind}"])
         for name, value in one.slots:
+            if name == "there_are":
+                continue
             if name == "object":
                 slots["object"] = resolved
             elif name == "there":
