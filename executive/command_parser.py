@@ -9,7 +9,6 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
-from executive.language.attention import UNQUOTED
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import Rule, load_rules
 from executive.language.lattice import Lattice
@@ -20,6 +19,7 @@ from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
 from executive.language.sentences import MEANINGS as SENTENCES
 from executive.language.sentences import Sentence
+from executive.language.speech import UNQUOTED
 from executive.language.tokens import MalformedTextError, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary

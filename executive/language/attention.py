@@ -1,8 +1,7 @@
-"""People, looking, pointing, finding, counting, describing and speaking."""
+"""People, looking, pointing, finding, counting and describing."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
@@ -25,38 +24,6 @@ from executive.language.phrases import (
     draft,
 )
 from executive.vocabulary.inflection import plural
-
-_NO_SPEECH = """
-to for from with of by into at her his their its our not that your my what whatever how why who whom where
-when whether if which something anything nothing about it them so a an in the\\stime the\\sdate the\\sday
-the\\sweather the\\struth the\\snames? the\\snumber the\\scolou?r the\\slocation the\\sposition the\\sway
-the\\snews the\\sanswer the\\sresult yes\\sor\\sno
-"""
-_IS_NO_SPEECH = re.compile(rf"(?:{'|'.join(_NO_SPEECH.split())})\b")
-"""How free text begins that asks for something else than repeating these words."""
-
-_LANGUAGES = "english|german|french|spanish|italian|chinese|japanese"
-_SAID_HOW = re.compile(rf"\b(?:twice|again|\w+ times|loudly|softly|quietly|slowly|in (?:{_LANGUAGES}))$")
-_ATTACHED = re.compile(
-    r"\b(?:before|after|when|whenever|while|until|till|if|once|unless|then|but|except|without|instead|using)\b"
-)
-"""Words that may begin what is to be done around the saying, instead of belonging to what is said."""
-
-_PLACED = re.compile(
-    r"\b(?:in|on|at|with|from|for|by|near|beside|behind|under|into|as|during|about|towards?|next|every)\b"
-)
-"""Words that, where no verb was said, may tell where, how and for whom it is said."""
-
-_FINITE = re.compile(
-    r"\b(?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?|love|want"
-    r"|i|we|you|they|he|she|it|there)\b|'(?:s|re|m|ll|ve|d)\b"
-)
-UNQUOTED = "which words shall be said? put them in quotation marks"
-_VERB = re.compile(
-    r"\b(?:is|are|was|were|has|have|will|can|could|should|must|may|needs?|i|we|you|\w+s|hello|hi|goodbye|thanks?"
-    r"|welcome|please)\b"
-)
-"""What a message has that somebody is told without "that"."""
 
 
 def _side(parts: Parts) -> str | None:
@@ -242,52 +209,6 @@ def _describe_superlative(parts: Parts) -> Clause:
     return _describe(parts)
 
 
-def _words(parts: Parts) -> Word:
-    word: Word = parts[0]
-    return word
-
-
-def _speech(parts: Parts, *, told: bool) -> str:
-    word = words(parts, "QUOTED", "TEXT")[-1]
-    text = word.meaning.strip()
-    lowered = text.lower()
-    if not text:
-        raise unfit()
-    if word.word_class == "QUOTED":
-        return text
-    if not told and not words(parts, "THAT") and " to " in lowered:
-        raise unfit()
-    if lowered in ("something", "anything"):
-        raise trouble("what shall be said?", asks=True)
-    if _SAID_HOW.search(lowered) or '"' in text or text.startswith("'"):
-        raise unfit()
-    that = words(parts, "THAT") or any(one.said.endswith(" that") for one in words(parts, "SAY"))
-    if not that and (_IS_NO_SPEECH.match(lowered) or (told and not _VERB.search(lowered))):
-        raise unfit()
-    attached = _ATTACHED.search(lowered) or (not _FINITE.search(lowered) and _PLACED.search(lowered))
-    if word.said or attached:
-        raise trouble(UNQUOTED, asks=True)
-    if that:
-        if lowered.startswith("you"):
-            raise unfit()
-        return text
-    return text
-
-
-def _say(parts: Parts) -> Clause:
-    return clause(parts, [(draft("say", text=_speech(parts, told=False)),)])
-
-
-def _say_to(parts: Parts) -> Clause:
-    person = next(part for part in parts if isinstance(part, Nominal))
-    if not person.is_person or person.plural:
-        raise unfit()
-    told = bool(words(parts, "TELL"))
-    if told and person.sort == "me":
-        raise unfit()
-    return clause(parts, [(draft("say", text=_speech(parts, told=told), person=person),)])
-
-
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "wave": _wave,
     "wave_hand": _wave_hand,
@@ -302,9 +223,6 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "describe_scene": _describe_scene,
     "describe": _describe,
     "describe_superlative": _describe_superlative,
-    "words": _words,
-    "say": _say,
-    "say_to": _say_to,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

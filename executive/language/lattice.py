@@ -21,6 +21,8 @@ _COMPLETE = frozenset(
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
+_NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
+_DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
@@ -134,9 +136,12 @@ class Lattice:
             found.append(Word("NUM", piece.text, start, start + 1))
         at = self._words[start]
         fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
+        compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
         for word in found:
             for index in range(start, word.end):
                 self._covered[index] = True
+            if word.word_class in _DESCRIBING and word.end < compound:
+                continue  # "orange juice" is no juice that is orange
             if word not in fillers:
                 at.setdefault(word.word_class, []).append(word)
         self._own[start] = found

@@ -78,6 +78,7 @@ class Resolver:
         self._people: list[Nominal] = []
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []
+        self._given: set[int] = set()
         self._mentioned: list[Nominal] = []
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
@@ -193,8 +194,11 @@ class Resolver:
             self._again(resolved.task)
         if action == "pick":
             self._held.append(root)
+            self._given.discard(root)
         elif action in _PUTS_DOWN and root in self._held:
             self._held.remove(root)
+        if action == "hand_over":
+            self._given.add(root)
         return ObjectOf(root)
 
     def _again(self, root: int) -> None:
@@ -235,6 +239,8 @@ class Resolver:
             raise _ask("which of them does 'it' stand for?", names)
         if action in _PUTS_DOWN and self._held and root not in self._held:
             raise _ask("which of them does 'it' stand for?")
+        if action in _PUTS_DOWN and root in self._given:
+            raise _ask("it is given away by then: shall it be taken back first?")
         if recent[0].of.count != 1:
             raise _ask("which of them does 'it' stand for?")
         return ObjectOf(root)
