@@ -38,85 +38,18 @@ _ATTACHED = re.compile(
 """Words that may begin what is to be done around the saying, instead of belonging to what is said."""
 
 _STATED = re.compile(
-    r"\w[\w' ]*? (?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?|love"
-    r"|want|said)\b|(?:i|we|they|he|she|it|that|there|here|what|let)'(?:s|re|m|ll|ve|d)\b"
+    r"\w[\w' ]*? (?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?"
+    r"|love|want|said)\b|(?:i|we|they|he|she|it|that|there|here|what|let)'(?:s|re|m|ll|ve|d)\b"
 )
 """A subject and a verb: somebody is told something."""
 
-_GREETINGS = frozenset(
-    [
-        "hello",
-        "hi",
-        "hey",
-        "bye",
-        "goodbye",
-        "good",
-        "morning",
-        "afternoon",
-        "evening",
-        "night",
-        "day",
-        "thanks",
-        "thank",
-        "you",
-        "so",
-        "very",
-        "much",
-        "please",
-        "sorry",
-        "yes",
-        "no",
-        "ok",
-        "okay",
-        "welcome",
-        "home",
-        "back",
-        "happy",
-        "birthday",
-        "new",
-        "year",
-        "merry",
-        "christmas",
-        "congratulations",
-        "cheers",
-        "cheese",
-        "bravo",
-        "well",
-        "done",
-        "great",
-        "job",
-        "nice",
-        "see",
-        "soon",
-        "ready",
-        "steady",
-        "go",
-        "stop",
-        "help",
-        "wow",
-        "hooray",
-        "and",
-        "everyone",
-        "everybody",
-        "all",
-        "there",
-        "ladies",
-        "gentlemen",
-        "friends",
-        "robot",
-        "world",
-        "one",
-        "two",
-        "three",
-        "four",
-        "five",
-        "six",
-        "seven",
-        "eight",
-        "nine",
-        "ten",
-    ]
-)
+_GREETING_LINES = """
+hello hi hey bye goodbye good morning afternoon evening night day thanks thank you so very much please sorry
+yes no ok okay welcome home back happy birthday new year merry christmas congratulations cheers cheese bravo
+well done great job nice see soon ready steady go stop help wow hooray and everyone everybody all there ladies
+gentlemen friends robot world one two three four five six seven eight nine ten
+"""
+_GREETINGS = frozenset(_GREETING_LINES.split())
 """What is said as it stands, in any order."""
 
 
