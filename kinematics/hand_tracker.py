@@ -2,8 +2,7 @@
 
 The hand follows a goal that moves; the pelvis shifts so that the CoM stays where it is wanted, trunk and
 arm do the rest, the feet stay where they are. Each tick solves one damped least-squares problem for the
-rates of the pelvis's position, trunk and arm, in the box that limits leave (bounds that are reached are
-fixed, and the rest solved again). Legs follow in closed form.
+rates of the pelvis's position, trunk and arm, in the box that limits leave. Legs follow in closed form.
 """
 
 from __future__ import annotations
@@ -14,6 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.boxed_least_squares import boxed_least_squares
 from kinematics.free_coordinates import free_coordinates
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -196,7 +196,7 @@ class HandTracker:
         high = np.minimum(np.minimum(self._speed, np.sqrt(2.0 * share * room_up)), self._rate + most)
         low = np.maximum(np.maximum(-self._speed, -np.sqrt(2.0 * share * room_down)), self._rate - most)
         high, low = np.maximum(high, self._rate - most), np.minimum(low, self._rate + most)
-        return _boxed(normal, right, low, high)
+        return boxed_least_squares(normal, right, low, high)
 
     def _between(self, rate: Array, times_s: Array) -> list[MotionSample]:
         """The motion within the tick: rates change linearly; legs by their closed form."""
@@ -228,20 +228,3 @@ class HandTracker:
 
 _COM_OF_BASE = 0.8
 """How far the CoM goes with the pelvis while the feet stay: the legs lag behind."""
-
-
-def _boxed(normal: Array, right: Array, low: Array, high: Array) -> Array:
-    """Least squares within bounds: what leaves them is fixed there, and the rest is solved again."""
-    n = len(right)
-    fixed = np.zeros(n, dtype=np.bool_)
-    answer = np.zeros(n)
-    for _ in range(n):
-        free = ~fixed
-        reduced = right[free] - normal[np.ix_(free, fixed)] @ answer[fixed]
-        answer[free] = np.linalg.solve(normal[np.ix_(free, free)], reduced)
-        outside = free & ((answer < low) | (answer > high))
-        if not outside.any():
-            break
-        answer = np.clip(answer, low, high)
-        fixed |= outside
-    return np.clip(answer, low, high)
