@@ -54,7 +54,7 @@ def boxed_least_squares(normal: Array, right: Array, low: Array, high: Array) ->
         if inwards[k] <= _NOISE:
             break
         at_low[k] = at_high[k] = False
-    return np.minimum(np.maximum(x, low), high)
+    return np.asarray(np.minimum(np.maximum(x, low), high))
 
 
 def _first_bound(x: Array, step: Array, low: Array, high: Array) -> tuple[int, float] | None:

@@ -18,7 +18,8 @@ def test_nothing_within_the_bounds_is_better(seed):
 
     x = boxed_least_squares(normal, right, low, high)
 
-    assert np.all(x >= low) and np.all(x <= high)
+    assert np.all(x >= low)
+    assert np.all(x <= high)
     slope = normal @ x - right
     assert np.all(slope[x <= low] >= -1e-6), "something would rather leave its lower bound"
     assert np.all(slope[x >= high] <= 1e-6), "something would rather leave its upper bound"
