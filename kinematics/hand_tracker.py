@@ -73,7 +73,7 @@ class HandGoal:
 
 
 class HandTracker:
-    """Follows goals with one hand; ``tick`` goes on by ``TICK_S``.
+    """Follows goals with one hand; ``tick`` goes on by one tick.
 
     Attributes:
         q: Configuration now, shape (nq,).
@@ -82,8 +82,19 @@ class HandTracker:
         standing: Whether the legs reach the ground there.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, hand: Hand, q: Array) -> None:
-        """Begin at rest at a configuration with the feet at the stance."""
+    def __init__(
+        self, model: RobotModel, stance: Stance, hand: Hand, q: Array, tick_s: float = TICK_S
+    ) -> None:
+        """Begin at rest at a configuration with the feet at the stance.
+
+        Args:
+            model: The robot.
+            stance: Where its feet stand.
+            hand: The hand that follows.
+            q: Where to begin, shape (nq,).
+            tick_s: From one goal to the next; longer for a rehearsal, which is only looked at.
+        """
+        self._tick_s = tick_s
         self._model, description = model, model.description
         self._space = free_coordinates(model, stance)
         polygon = SupportPolygon(stance, description.soles)
@@ -133,20 +144,20 @@ class HandTracker:
 
         Args:
             goal: Where to; None to come to rest.
-            times_s: Instants within the tick, each in (0, ``TICK_S``], shape (k,).
+            times_s: Instants, each after the tick's beginning, no later than its end, shape (k,); none when only the end matters.
 
         Returns:
             The motion at those instants.
         """
-        most = self._acceleration * TICK_S
+        most = self._acceleration * self._tick_s
         x = self._x[self._columns]
         if goal is None:
             rate = self._rate - np.clip(self._rate, -most, most)
         else:
             self._approach(goal)
             rate = self._solve(goal, x, most)
-        samples = self._between(rate, times_s)
-        self._x[self._columns] += 0.5 * TICK_S * (self._rate + rate)
+        samples = self._between(rate, times_s) if len(times_s) else []
+        self._x[self._columns] += 0.5 * self._tick_s * (self._rate + rate)
         self._rate = rate
         q, reached = self._space.to_q(self._x[None, :])
         self.standing = bool(reached[0])
@@ -155,17 +166,18 @@ class HandTracker:
 
     def _approach(self, goal: HandGoal) -> None:
         """Bring what is followed nearer to what is asked."""
+        ticks = self._tick_s / TICK_S
         step = goal.position_m - self.followed_m
         self.followed_m = self.followed_m + step * min(
-            1.0, TARGET_STEP_M / max(float(np.linalg.norm(step)), 1e-12)
+            1.0, ticks * TARGET_STEP_M / max(float(np.linalg.norm(step)), 1e-12)
         )
         turn = pin.log3(self._followed.T @ goal.rotation)
         self._followed = self._followed @ pin.exp3(
-            turn * min(1.0, TARGET_STEP_RAD / max(float(np.linalg.norm(turn)), 1e-12))
+            turn * min(1.0, ticks * TARGET_STEP_RAD / max(float(np.linalg.norm(turn)), 1e-12))
         )
         shift = self._middle + goal.com_shift_m - self._com_wanted
         self._com_wanted = self._com_wanted + shift * min(
-            1.0, _COM_RATE_M / max(float(np.linalg.norm(shift)), 1e-12)
+            1.0, ticks * _COM_RATE_M / max(float(np.linalg.norm(shift)), 1e-12)
         )
 
     def _solve(self, goal: HandGoal, x: Array, most: Array) -> Array:
@@ -200,7 +212,7 @@ class HandTracker:
 
     def _between(self, rate: Array, times_s: Array) -> list[MotionSample]:
         """The motion within the tick: rates change linearly; legs by their closed form."""
-        bend = (rate - self._rate) / TICK_S
+        bend = (rate - self._rate) / self._tick_s
         around = np.stack([times_s - _PROBE_S, times_s, times_s + _PROBE_S], axis=1).ravel()
         rows = np.repeat(self._x[None, :], len(around), axis=0)
         rows[:, self._columns] += around[:, None] * self._rate + 0.5 * around[:, None] ** 2 * bend
