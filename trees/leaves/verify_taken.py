@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from py_trees.common import Status
 
+from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.destination import Place
@@ -23,9 +24,9 @@ _IN_REACH_M = 0.9
 
 
 class VerifyTaken(LookAround):
-    """What was given is seen in the person's reach and in the air, or is out of sight; never on the floor."""
+    """What was given is seen in the person's reach and in the air, or is out of sight; nowhere else."""
 
-    INPUT_PORTS = ports(held=HeldObject, place=Place)
+    INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand was opened while the person pulled",
@@ -36,14 +37,19 @@ class VerifyTaken(LookAround):
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Where is it?"""
         held, person = self.get_input("held"), self.get_input("place").odom_T_place[:2, 3]
+        policy, scene, stood = self.toolbox.policy, self.toolbox.world.scene, self.get_input("stood")
         if self.toolbox.grippers[held.hand].reading().holding:
             return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
-        for item in seen.values():
+        for name, item in seen.items():
             if item.category != "object" or (item.kind, item.color) != (held.kind, held.color):
                 continue
+            if name in stood:
+                continue  # another one, that was there all the time
             far_m = float(np.linalg.norm(item.odom_T_object[:2, 3] - person))
             height_m = float(item.odom_T_object[2, 3])
             self.measured(height_m=height_m, from_person_m=far_m)
-            if height_m < _DROPPED_BELOW_M or far_m > _IN_REACH_M:
-                return Failure.postcondition(f"the {held.name} was dropped", height_m=height_m)
+            stands_on = support_of(scene.objects[name], scene, policy.support_gap_m)
+            if stands_on is not None or height_m < _DROPPED_BELOW_M or far_m > _IN_REACH_M:
+                where = "" if stands_on is None else f" onto the {stands_on.name}"
+                return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
         return DONE
