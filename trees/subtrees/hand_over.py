@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
 
+from trees.best_effort import BestEffort
 from trees.leaves.await_pull import AwaitPull
+from trees.leaves.draw_back import DrawBack
 from trees.leaves.give import Give
 from trees.leaves.go_home import GoHome
 from trees.leaves.look_at_placement import LookAtPlacement
@@ -30,9 +32,9 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
         AwaitPull("wait for the pull", toolbox),
         Give("give", toolbox),
         Hold("let it go", toolbox, policy.after_giving_s),
-        VerifyTaken("verify taken", toolbox),
+        BestEffort(DrawBack("draw back", toolbox)),
         GoHome("go home", toolbox),
         LookAtPlacement("look below", toolbox),
-        VerifyTaken("verify not dropped", toolbox),
+        VerifyTaken("verify taken", toolbox),
     ]
     return tidily("hand over", children, toolbox)
