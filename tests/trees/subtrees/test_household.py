@@ -259,6 +259,16 @@ def test_what_nobody_takes_is_taken_back(stage_with, force):
     assert stage.fake.world.carried_by("red cup") == "right"
 
 
+def test_what_slips_out_of_an_offering_hand_was_not_taken(stage_with):
+    stage = stage_with(table(), cup(), ANA)
+    stage.when("wait for the pull", lambda: stage.fake.world.remove("red cup"), 10)
+
+    tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
+
+    assert tree.status == "failure"
+    assert "left the right hand without a pull" in tree.failure.message
+
+
 def test_a_dropped_gift_is_not_claimed(stage_with):
     stage = stage_with(table(), cup(), ANA)
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
