@@ -48,7 +48,7 @@ def test_under_a_robots_finger_it_pinches_from_both_sides(hand, finger):
 
 def test_there_is_no_room_where_a_robots_finger_is(hand, finger):
     assert hand.room_m(finger, 0.0, 0.0) < 0.0
-    assert hand.room_m(finger + [0.6, 0.0, 0.0], 0.0, 0.05) == pytest.approx(0.05)
+    assert hand.room_m(finger + np.array([0.6, 0.0, 0.0]), 0.0, 0.05) == pytest.approx(0.05)
 
 
 def test_fingers_close_at_a_hands_pace(hand, world):
