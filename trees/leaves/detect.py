@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics import poses
+from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.believed_thing import surroundings
@@ -19,7 +20,7 @@ from trees.grounding import Ambiguous, Found, Missing, compares, ground
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
-from trees.scene_update import kind_of, support_of, updated_scene, words_for
+from trees.scene_update import kind_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
 from trees.tasks import ObjectOf
