@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
-from kinematics.walking.path_planning import Footprint, clearance_m, footprints, plan_path
+from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
@@ -15,24 +17,31 @@ from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
-from trees.odometry import feet_pose
+from trees.odometry import body_pose, feet_pose
 from trees.ports import ports
+from trees.seen_points import SeenPoints, apart_from
 from trees.standing_place import standing_place
 from trees.walking_leaf import WalkingLeaf
+
+Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
 _TURN_ROOM_M = 0.62
 """Hands and elbows of the home posture reach so far when the robot turns on the spot."""
 _BACK_M_S = 0.25
-_PATH_CLEARANCE_M = 0.55
+_PATH_CLEARANCE_M = 0.60
+_IN_THE_WAY_M = 0.48
+"""Something new nearer than this to the path makes it plan anew: elbows reach so far to the sides."""
+_SCAN_EVERY_S = 0.4
 
 
 class WalkTo(WalkingLeaf):
     """Walk around what is known to stand about, and stand square in front of the place.
 
-    Where the robot is too near to something to turn, it steps straight back first. Its own odometry leads;
-    who wants to know how well it arrived looks again.
+    Where the robot is too near to something to turn, it steps straight back first. What its range sensor
+    sees on the way, and nobody knew of, it walks around too. Its own odometry leads; who wants to know how
+    well it arrived looks again.
     """
 
     INPUT_PORTS = ports(place=Place)
@@ -53,6 +62,9 @@ class WalkTo(WalkingLeaf):
         self._place: Place = self.get_input("place")
         self._goal = PlanarPose()
         self._backing = False
+        self._seen = SeenPoints(self.toolbox.ranging)
+        self._path: tuple[PlanarPose, ...] = ()
+        self._scanned_s = -math.inf
 
     def step(self) -> Status | Failure:
         """Choose the goal, walk, and measure."""
@@ -70,9 +82,9 @@ class WalkTo(WalkingLeaf):
         if (ended := motion_failure(self._handle)) is not None:
             return ended
         if not self._handle.finished:
-            left_m = feet_pose(toolbox).distance_m(self._goal)
+            left_m = body_pose(toolbox).distance_m(self._goal)
             self.feedback_message = f"{left_m:.2f} m to go"
-            return RUNNING
+            return self._look_out(settings) or RUNNING
         if self._backing:
             self._handle = None
             return RUNNING
@@ -90,6 +102,7 @@ class WalkTo(WalkingLeaf):
         if math.hypot(left.x_m, left.y_m) < 0.3 and abs(left.yaw_rad) < 0.3:
             return PathSteering(settings, (body, self._goal))
         obstacles = footprints(scene)
+        self._look(obstacles)
         near_m = clearance_m(obstacles, body)
         if near_m < _TURN_ROOM_M and not self._backing:
             back = body @ PlanarPose(-(_TURN_ROOM_M - near_m + 0.1))
@@ -103,12 +116,35 @@ class WalkTo(WalkingLeaf):
         self, settings: WalkingSettings, body: PlanarPose, obstacles: tuple[Footprint, ...]
     ) -> Steering | Failure:
         before = self._goal @ PlanarPose(-_APPROACH_M)
-        path = plan_path(body, before, obstacles, _PATH_CLEARANCE_M)
+        path = plan_path(body, before, obstacles, _PATH_CLEARANCE_M, self._seen.beside(obstacles))
         if path is None:
             return Failure.infeasible(
                 "no way leads there around what is known", clearance_m=_PATH_CLEARANCE_M
             )
+        self._path = path
         return PathSteering(settings, (*path, self._goal))
+
+    def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
+        """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""
+        self._scanned_s = self.elapsed_s
+        return apart_from(self._seen.look(body_pose(self.toolbox)), obstacles)
+
+    def _look_out(self, settings: WalkingSettings) -> Failure | None:
+        """Walk around what comes into sight."""
+        toolbox = self.toolbox
+        due = self.elapsed_s - self._scanned_s >= _SCAN_EVERY_S
+        if self._handle is None or toolbox.walking is None or not self._path or not due:
+            return None
+        obstacles = footprints(toolbox.world.scene)
+        new = self._look(obstacles)
+        if not blocked(self._path, new, _IN_THE_WAY_M):
+            return None
+        steering = self._way(settings, body_pose(toolbox), obstacles)
+        if isinstance(steering, Failure):
+            return steering
+        self.measured(new_points=len(new))
+        toolbox.walking.steer(self._handle, steering)
+        return None
 
     def _arrived(self) -> Status | Failure:
         left = feet_pose(self.toolbox).to(self._goal)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tools.evaluate.skills import gestures, handing_over, placing, putting_in, talk, telling, walking
+from tools.evaluate.skills import gestures, goals, handing_over, placing, putting_in, talk, telling, walking
 from tools.evaluate.skills.suite import SkillSuite
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
@@ -23,5 +23,6 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "describe": telling.DESCRIBE,
         "walk": walking.WALK,
         "walk_stop": walking.WALK_STOP,
+        "walk_to": goals.WALK_TO,
     }
 )
