@@ -20,6 +20,7 @@ from robots.control.motion_handle import MotionHandle
 from robots.gripper_reading import GripperReading
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
+from robots.scene_description import Region
 from robots.sensed_state import SensedState
 from trees.events import TreeSink
 from trees.policy import TreePolicy
@@ -145,3 +146,4 @@ class Toolbox:
     policy: TreePolicy = field(default_factory=TreePolicy)
     walking: Walking | None = None
     ranging: RangeSensor | None = None
+    places: Mapping[str, Region] = field(default_factory=dict)

@@ -6,6 +6,7 @@ import heapq
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,8 +119,8 @@ def plan_path(
     way = _search(free, first, last)
     if way is None:
         return None
-    points = [start, *(PlanarPose(float(xs[i]), float(ys[j])) for i, j in way[1:-1]), goal]
-    return tuple(_cut(points, free, low))
+    corners = [start, *(PlanarPose(float(xs[i]), float(ys[j])) for i, j in way[1:-1]), goal]
+    return tuple(_cut(corners, free, low))
 
 
 def _apart(points: Array, end: PlanarPose) -> Array:
@@ -174,7 +175,7 @@ def _search(
 
 def blocked(path: Sequence[PlanarPose], points: Array, within_m: float) -> bool:
     """Whether one of some points, shape (n, 2), is nearer to a path than a distance."""
-    for a, b in zip(path, path[1:], strict=False):
+    for a, b in pairwise(path):
         dx, dy = b.x_m - a.x_m, b.y_m - a.y_m
         length = max(dx * dx + dy * dy, 1e-12)
         share = np.clip(((points[:, 0] - a.x_m) * dx + (points[:, 1] - a.y_m) * dy) / length, 0.0, 1.0)

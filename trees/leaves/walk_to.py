@@ -30,9 +30,11 @@ _APPROACH_M = 0.45
 _TURN_ROOM_M = 0.62
 """Hands and elbows of the home posture reach so far when the robot turns on the spot."""
 _BACK_M_S = 0.25
-_PATH_CLEARANCE_M = 0.60
-_IN_THE_WAY_M = 0.48
-"""Something new nearer than this to the path makes it plan anew: elbows reach so far to the sides."""
+_CLEARANCES_M = (0.75, 0.62)
+"""Of the path, the first one that leaves a way: hands of the home posture are 0.55 m to the sides, and a
+corner is cut by some centimetres."""
+_IN_THE_WAY_M = 0.06
+"""Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
 
 
@@ -59,12 +61,23 @@ class WalkTo(WalkingLeaf):
     def begin(self) -> None:
         """Nothing has moved yet."""
         super().begin()
-        self._place: Place = self.get_input("place")
+        self.aim()
         self._goal = PlanarPose()
         self._backing = False
         self._seen = SeenPoints(self.toolbox.ranging)
         self._path: tuple[PlanarPose, ...] = ()
+        self._clearance_m = 0.0
         self._scanned_s = -math.inf
+
+    def aim(self) -> None:
+        """Take in what to walk to."""
+        self._place: Place = self.get_input("place")
+        self._straight_m = 0.0 if self._place.category == "region" else _APPROACH_M
+
+    def place(self, body: PlanarPose) -> PlanarPose:
+        """Where to stand, for a body that is here now."""
+        toolbox = self.toolbox
+        return standing_place(self._place, toolbox.world.scene, body, toolbox.policy.support_gap_m)
 
     def step(self) -> Status | Failure:
         """Choose the goal, walk, and measure."""
@@ -93,8 +106,8 @@ class WalkTo(WalkingLeaf):
     def _plan(self, settings: WalkingSettings) -> Steering | Failure | None:
         toolbox = self.toolbox
         policy, scene = toolbox.policy, toolbox.world.scene
-        body, place = feet_pose(toolbox), self._place
-        self._goal = standing_place(place, scene, body, policy.support_gap_m)
+        body = feet_pose(toolbox)
+        self._goal = self.place(body)
         self._set_output("goal", self._goal)
         left = body.to(self._goal)
         if math.hypot(left.x_m, left.y_m) < policy.stand_m and abs(left.yaw_rad) < policy.stand_rad:
@@ -115,13 +128,17 @@ class WalkTo(WalkingLeaf):
     def _way(
         self, settings: WalkingSettings, body: PlanarPose, obstacles: tuple[Footprint, ...]
     ) -> Steering | Failure:
-        before = self._goal @ PlanarPose(-_APPROACH_M)
-        path = plan_path(body, before, obstacles, _PATH_CLEARANCE_M, self._seen.beside(obstacles))
-        if path is None:
+        before = self._goal @ PlanarPose(-self._straight_m)
+        points = self._seen.beside(obstacles)
+        for room_m in _CLEARANCES_M:
+            path = plan_path(body, before, obstacles, room_m, points)
+            if path is not None:
+                break
+        else:
             return Failure.infeasible(
-                "no way leads there around what is known", clearance_m=_PATH_CLEARANCE_M
+                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1]
             )
-        self._path = path
+        self._path, self._clearance_m = path, room_m
         return PathSteering(settings, (*path, self._goal))
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
@@ -137,7 +154,7 @@ class WalkTo(WalkingLeaf):
             return None
         obstacles = footprints(toolbox.world.scene)
         new = self._look(obstacles)
-        if not blocked(self._path, new, _IN_THE_WAY_M):
+        if not blocked(self._path, new, self._clearance_m - _IN_THE_WAY_M):
             return None
         steering = self._way(settings, body_pose(toolbox), obstacles)
         if isinstance(steering, Failure):

@@ -19,9 +19,7 @@ class _Main(Sequence):
     transparent = True
 
 
-def tidily(
-    name: str, children: list[Behaviour], toolbox: Toolbox, timeout_s: float | None = None
-) -> CleanUp:
+def tidily(name: str, children: list[Behaviour], toolbox: Toolbox, timeout_s: float | None = None) -> CleanUp:
     """One thing after the other, in time; after a failure that is no question, home.
 
     Args:

@@ -11,6 +11,7 @@ from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint
 from trees.leaves.go_home import GoHome
+from trees.leaves.know_place import KnowPlace
 from trees.leaves.squared_up import SquaredUp
 from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
@@ -31,7 +32,13 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
         children=[
             GoHome("stand upright", toolbox),
             WalkTo("walk", toolbox),
-            search_place("look again", toolbox, everywhere(toolbox)),
+            Alternatives(
+                "find again",
+                [
+                    KnowPlace("know the place", toolbox),
+                    search_place("look again", toolbox, everywhere(toolbox)),
+                ],
+            ),
             SquaredUp("stand square", toolbox),
         ],
     )
@@ -44,7 +51,10 @@ def _find(toolbox: Toolbox) -> Behaviour:
     """Look from here, then from elsewhere: the camera does not see all that one can walk to."""
     policy = toolbox.policy
     far = (*policy.search_gazes[:1], *policy.level_gazes)
-    ways: list[Behaviour] = [search_place("look around", toolbox, (*far, *policy.search_gazes[1:2]))]
+    ways: list[Behaviour] = [
+        KnowPlace("know the place", toolbox),
+        search_place("look around", toolbox, (*far, *policy.search_gazes[1:2])),
+    ]
     for k, way in enumerate(_VIEWPOINTS, start=1):
         name = "go on" if way == "ahead" else "turn around"
         ways.append(

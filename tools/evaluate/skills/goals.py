@@ -19,7 +19,7 @@ from robots.scene_description import Furniture, MovingPart, Person, RobotStart, 
 from robots.scene_file import dump, read_scene
 from robots.scene_solids import planning_scene
 from tools.evaluate.skills import rooms
-from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
+from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from trees.standing_place import EDGE_M, PERSON_M
 from trees.tasks import ObjectDescription, WalkToTask
 
@@ -79,7 +79,7 @@ class GoalJudge:
         left = min(off, key=lambda one: math.hypot(one.x_m, one.y_m))
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(wrapped(left.yaw_rad))
         done = off_m <= OFF_M and off_rad <= OFF_RAD
-        numbers = {
+        numbers: dict[str, Figure] = {
             "aim": self._aim,
             "off_m": off_m,
             "off_deg": math.degrees(off_rad),
@@ -91,7 +91,7 @@ class GoalJudge:
         return Verdict(done, numbers, why)
 
     def _places(self, feet: PlanarPose) -> list[PlanarPose]:
-        """Where one may stand: at the middle of each side of furniture, level with a thing, before a person."""
+        """Where one may stand: at the middle of each side, level with a thing, or before a person."""
         scene = self._scene
         for person in scene.people:
             if person.name == self._aim:
@@ -125,11 +125,14 @@ def goal_trial(rng: np.random.Generator) -> Trial:
 
 
 def _trial(rng: np.random.Generator, count: int) -> Trial | None:
-    start = PlanarPose(*(float(v) for v in rng.uniform(-1.0, 1.0, 2)), float(rng.uniform(-math.pi, math.pi)))
+    x, y, yaw = (float(value) for value in rng.uniform((-1.0, -1.0, -math.pi), (1.0, 1.0, math.pi)))
+    start = PlanarPose(x, y, yaw)
     bearing, far = float(rng.uniform(-BEARING_RAD, BEARING_RAD)), float(rng.uniform(*FAR_M))
     turn = float(rng.uniform(-0.9, 0.9))
     goal = start @ PlanarPose(yaw_rad=bearing) @ PlanarPose(far, 0.0, turn)
-    kind = ("table", "thing", "person", "fridge", "drawers")[int(rng.choice(5, p=(0.3, 0.2, 0.2, 0.15, 0.15)))]
+    kind = ("table", "thing", "person", "fridge", "drawers")[
+        int(rng.choice(5, p=(0.3, 0.2, 0.2, 0.15, 0.15)))
+    ]
     furniture: list[Furniture] = []
     people: list[Person] = []
     objects: list[SceneItem] = []
@@ -149,11 +152,14 @@ def _trial(rng: np.random.Generator, count: int) -> Trial | None:
             cup = Cylinder(0.03, 0.11)
             objects.append(rooms.item(aim, "cup", "red", cup, piece, (spot.x_m, spot.y_m), rng))
     others = [one for one in _SIZES if all(one != piece.kind for piece in furniture)]
-    for name in rooms.NAMES[1:]:
-        others.append(name)
+    others += rooms.NAMES[1:]
     for one in (others[int(k)] for k in rng.permutation(len(others))[:count]):
         along, aside = float(rng.uniform(0.1, 1.2)), float(rng.normal(0.0, 0.8))
-        at = start @ PlanarPose(yaw_rad=bearing) @ PlanarPose(along * far, aside, float(rng.uniform(-3.1, 3.1)))
+        at = (
+            start
+            @ PlanarPose(yaw_rad=bearing)
+            @ PlanarPose(along * far, aside, float(rng.uniform(-3.1, 3.1)))
+        )
         if one in _SIZES:
             furniture.append(_piece(one, at, rng))
         else:
