@@ -122,6 +122,7 @@ def assemble(
         policy=policy or TreePolicy(),
         walking=loop.walking,
         ranging=world.ranging,
+        yielding=loop.yielding,
     )
     supervisor = Supervisor(loop, clock, sink)
     session = Session(

@@ -8,6 +8,7 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Box
 from robots.articulated import ARTICULATED_KINDS, fixed_boxes
+from robots.boards import BOARD_KINDS, board_boxes
 from robots.scene_description import Furniture
 
 TABLE_TOP_M = 0.04
@@ -15,7 +16,7 @@ TABLE_TOP_M = 0.04
 TABLE_LEG_M = 0.05
 """Edge of a table's square legs, flush with the corners of the top."""
 
-FURNITURE_KINDS = ("table", *ARTICULATED_KINDS)
+FURNITURE_KINDS = ("table", *BOARD_KINDS, *ARTICULATED_KINDS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,17 +33,13 @@ def floor_pose(item: Furniture) -> Transform:
     return poses.transform(poses.rotation_z(item.yaw_rad), (*item.position_m, 0.0))
 
 
-def top_pose(item: Furniture) -> Transform:
-    """``world_T_top``: the centre of its top surface, x along its depth, z up."""
-    return poses.transform(poses.rotation_z(item.yaw_rad), (*item.position_m, item.size_m[2]))
-
-
 def solids(item: Furniture) -> tuple[FurnitureSolid, ...]:
     """The solids of a piece of furniture that do not move, the one that carries things first."""
-    if item.kind in ARTICULATED_KINDS:
+    if item.kind != "table":
+        boxes = fixed_boxes(item) if item.kind in ARTICULATED_KINDS else board_boxes(item)
         return tuple(
             FurnitureSolid(f"{item.name}/{part}", Box(size), floor_pose(item) @ poses.translation(*place))
-            for part, size, place in fixed_boxes(item)
+            for part, size, place in boxes
         )
     depth, width, height = item.size_m
     world_T_furniture = floor_pose(item)

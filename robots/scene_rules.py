@@ -29,6 +29,8 @@ GAP_TOLERANCE_M = 0.002
 START_HALF_WIDTH_M = 0.30
 START_REACH_M = (-0.15, 0.215)
 """Floor that a standing humanoid covers around the middle of its feet: behind, ahead to the knees."""
+_SMALLEST_TABLE_M = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
+_SMALLEST_M = {"counter": (0.2, 0.2, 0.3), "shelf": (0.1, 0.2, 0.2)}
 PERSON_RADIUS_M = 0.22
 PERSON_HEIGHT_M = 1.75
 
@@ -96,7 +98,7 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     if piece.kind not in furniture.FURNITURE_KINDS:
         near = nearest_word(piece.kind, furniture.FURNITURE_KINDS)
         raise SceneError(source, f"{key}.kind", f"unknown kind {piece.kind!r}; the nearest is {near!r}")
-    smallest = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
+    smallest = _SMALLEST_M.get(piece.kind, _SMALLEST_TABLE_M)
     for axis, value, least in zip(("depth", "width", "height"), piece.size_m, smallest, strict=True):
         ok = math.isfinite(value) and value >= least
         reason = f"{piece.name!r}: {axis} must be at least {least:g} m, not {value:g}"

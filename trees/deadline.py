@@ -16,6 +16,7 @@ class Deadline(Decorator):
     """Fails with a timeout when its child has not ended in time, pauses left out; the child is halted.
 
     Attributes:
+        deadline_s: The limit.
         failure: The timeout, or the child's failure; None otherwise.
         transparent: It structures, and is left out of places in the tree.
     """
@@ -29,7 +30,7 @@ class Deadline(Decorator):
         self._pauses = pauses or Pauses()
         self._paused_before_s = 0.0
         self.failure: Failure | None = None
-        self._deadline_s = deadline_s
+        self.deadline_s = deadline_s
         self._clock = clock
         self._started_s = 0.0
 
@@ -43,10 +44,10 @@ class Deadline(Decorator):
         """Pass the child's status on, unless the time is up."""
         paused_s = self._pauses.total_s - self._paused_before_s
         elapsed_s = self._clock.now_s() - self._started_s - paused_s
-        if self.decorated.status is Status.RUNNING and elapsed_s > self._deadline_s:
+        if self.decorated.status is Status.RUNNING and elapsed_s > self.deadline_s:
             timeout = Failure.timeout(
                 f"{self.decorated.name} took longer than its deadline",
-                deadline_s=self._deadline_s,
+                deadline_s=self.deadline_s,
                 elapsed_s=elapsed_s,
             )
             self.failure = timeout.at(place_of(self.decorated))

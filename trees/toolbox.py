@@ -17,6 +17,8 @@ from kinematics.walking.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle
+from robots.control.yield_order import YieldOrder
+from robots.control.yield_settings import YieldReport
 from robots.gripper_reading import GripperReading
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
@@ -69,6 +71,32 @@ class Walking(Protocol):
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
         """The same, but the handle is cancelled at once."""
+        ...
+
+
+class YieldingMotion(Protocol):
+    """A hand that leads and yields, under way."""
+
+    @property
+    def handle(self) -> MotionHandle:
+        """The motion's; the streamer cancels it."""
+        ...
+
+    @property
+    def report(self) -> YieldReport:
+        """What was felt so far."""
+        ...
+
+    def finish(self) -> None:
+        """Come to rest where the hand is."""
+        ...
+
+
+class Yielding(Protocol):
+    """The way to a hand that yields to what it holds."""
+
+    def start(self, order: YieldOrder) -> YieldingMotion:
+        """Begin where the robot is commanded to be now; the handle is refused when it may not."""
         ...
 
 
@@ -147,3 +175,4 @@ class Toolbox:
     walking: Walking | None = None
     ranging: RangeSensor | None = None
     pauses: Pauses = field(default_factory=Pauses)
+    yielding: Yielding | None = None

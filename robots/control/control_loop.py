@@ -39,6 +39,7 @@ from robots.control.resting_start import resting_start
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
 from robots.control.walking.walker import Walker
+from robots.control.yielding import YieldingControl
 from robots.interface import JointSetpoint, Robot, RobotState
 from robots.sensed_state import SensedState
 
@@ -53,8 +54,10 @@ class ControlLoop:
     """The control loop; ``step`` is its unit, whoever calls it.
 
     Attributes:
+        model: The robot's.
         motion: Starts and cancels motions.
         walking: Starts and cancels walks.
+        yielding: Starts hands that yield to what they hold.
         sensing: What the robot knows about itself.
         grippers: One control for each hand.
     """
@@ -106,8 +109,10 @@ class ControlLoop:
         self._latch = EmergencyLatch()
         self._forgiven = 0
         self._health = HealthMonitor(model, period_s)
+        self.model = model
         self.motion = self._streamer
         self.walking = self._walker
+        self.yielding = YieldingControl(model, self._streamer)
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
             {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}

@@ -6,7 +6,7 @@ import math
 import shutil
 import subprocess
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
 from typing import Literal
@@ -20,6 +20,8 @@ from kinematics.robot_description import HANDS, Hand
 from robots.errors import RenderingUnavailableError
 from robots.simulated.geom_roles import DRAWN_GROUP, FINGER_DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.opengl import make_context, require_opengl
+from robots.simulated.person_model import draw_forearms
+from robots.simulated.point_of_view import clearest_view
 from robots.simulated.world import SimulatedWorld
 
 Camera = Literal["overview", "grasp"]
@@ -86,6 +88,7 @@ class Renderer:
         self._scene = mujoco.MjvScene(model, maxgeom=2000)
         self._drawing = mujoco.MjrContext(model, int(mujoco.mjtFontScale.mjFONTSCALE_100))
         mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._drawing)
+        self._clearest: tuple[float, float] | None = None
         self._option = mujoco.MjvOption()
         self._option.geomgroup[:] = 0
         self._option.geomgroup[[WORLD_GROUP, FINGER_DRAWN_GROUP, DRAWN_GROUP]] = 1
@@ -104,6 +107,7 @@ class Renderer:
             int(mujoco.mjtCatBit.mjCAT_ALL),
             self._scene,
         )
+        draw_forearms(self._scene, physics.model, physics.data, physics.scene.people)
         flags = self._scene.flags
         flags[mujoco.mjtRndFlag.mjRND_SHADOW] = self._fine
         flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = False
@@ -144,6 +148,10 @@ class Renderer:
             view, side = _OVERVIEW, 1.0
             ahead = np.array([0.25 * math.cos(heading), 0.25 * math.sin(heading), 0.0])
             camera.lookat = world_T_base[:3, 3] * (1.0, 1.0, 0.0) + ahead + (0.0, 0.0, 0.88)
+            if self._clearest is None:  # a film keeps the view that it began with
+                aspect = self._width / self._height
+                self._clearest = clearest_view(self._world, camera.lookat, view.elevation_rad, aspect)
+            view = replace(view, azimuth_rad=self._clearest[0], distance_m=self._clearest[1])
         else:
             hand = self._busy_hand()
             view, side = _GRASP, 1.0 if hand == "left" else -1.0

@@ -102,7 +102,7 @@ class _Episode:
         self._wall = WallClock()
         live = folder / "live"
         request = ServiceRequest(
-            live, robot, os.fspath(scene), seed, folder / "runs", pace, realtime=False, evaluation=True
+            live, robot, os.fspath(scene), seed, folder / "runs", pace, evaluation=True
         )
         self._service = Service(request, lambda _line: None)
         self._folder = self._service.folder

@@ -27,12 +27,15 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     gazes, survey = toolbox.policy.search_gazes, toolbox.policy.survey_gazes
     looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
     looks += [_look(gaze, toolbox, surveyed=gaze is survey[-1]) for gaze in survey]
-    surveying = frozenset(looks[len(gazes) :])
+    return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
-    def worth_trying(look: Behaviour, failure: Failure | None) -> bool:
-        return (look in surveying) == (failure is not None and wants_survey(failure))
 
-    return Alternatives(name, looks, looking_elsewhere_is_useless, worth_trying)
+def as_needed(look: Behaviour, failure: Failure | None) -> bool:
+    """The looks to both sides when they are asked for, the others when not."""
+    surveys = any(
+        isinstance(leaf, LookAt) and leaf.gaze in leaf.toolbox.policy.survey_gazes for leaf in look.children
+    )
+    return surveys == (failure is not None and wants_survey(failure))
 
 
 def search_from_home_too(toolbox: Toolbox) -> Alternatives:
