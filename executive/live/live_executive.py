@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO, Any, cast
 
@@ -31,7 +31,9 @@ from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
 from executive.understanding import understand
 from kinematics.robot_model import RobotModel
+from robots.live.connection import Connection
 from robots.live.runtime_folder import RuntimeFolder
+from robots.live.unix_socket import UnixSocket
 from trees.build import TaskTree
 from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
@@ -49,17 +51,24 @@ class LiveExecutive:
         planning: The planning process.
         world: What is believed of the world; outlives an attachment.
         record: Folder of the recorded runs.
+        connection: Kind of the connection; a faulty one for evaluations.
     """
 
     def __init__(
-        self, folder: RuntimeFolder, model: RobotModel, planning: Worker, world: WorldModel, record: Path
+        self,
+        folder: RuntimeFolder,
+        model: RobotModel,
+        planning: Worker,
+        world: WorldModel,
+        record: Path,
+        connection: Callable[[UnixSocket], Connection] = Connection,
     ) -> None:
         """Attach.
 
         Raises:
             LiveError: The control process does not take this process as its commander.
         """
-        self._link = link = ControlLink(folder, model)
+        self._link = link = ControlLink(folder, model, connection)
         self._record = record
         self._order: Order | None = None
         self._log: RunLog | None = None

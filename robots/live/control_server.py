@@ -292,7 +292,9 @@ class ControlServer:
     def _in_order(self, connection: Connection, number: int) -> bool:
         before = self._number
         if not self._next_in_order(connection, number):
-            connection.send(_refused(number, f"number {number} after {before}"))
+            # the one that came before it may have been obeyed: this says nothing of that one
+            told = {"number": number, "reason": f"number {number} after {before}"}
+            connection.send(write_message("ignored", **told))
             return False
         self._hear_of_it()
         return True
