@@ -22,8 +22,10 @@ from robots.control.yield_settings import YieldReport
 from robots.gripper_reading import GripperReading
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
+from robots.scene_description import Region
 from robots.sensed_state import SensedState
 from trees.events import TreeSink
+from trees.pauses import Pauses
 from trees.policy import TreePolicy
 from trees.world_model import WorldModel
 
@@ -173,4 +175,6 @@ class Toolbox:
     policy: TreePolicy = field(default_factory=TreePolicy)
     walking: Walking | None = None
     ranging: RangeSensor | None = None
+    pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
+    places: Mapping[str, Region] = field(default_factory=dict)

@@ -24,6 +24,8 @@ from robots.control.events import (
     EmergencyReset,
     EmergencyStopped,
     HealthChanged,
+    MotionPaused,
+    MotionResumed,
     ResetRefused,
     SetpointRefused,
     StopStarted,
@@ -211,6 +213,32 @@ class ControlLoop:
             self._walker.abandon()
             self._streamer.latch(f"the power was taken away: {reason}")
 
+    def pause(self, reason: str) -> None:
+        """Brake, and hold until ``resume``; what is under way stays under way, and balance goes on.
+
+        Arms brake along their path, a walk makes its last steps, fingers finish their way. A stop ends the
+        pause, and with it what was paused.
+
+        Args:
+            reason: For people.
+        """
+        if not self.paused:
+            self._sink(MotionPaused(self._clock.now_s(), reason))
+            self._streamer.pause()
+            self._walker.pause()
+
+    def resume(self) -> None:
+        """Go on with what was paused."""
+        if self.paused:
+            self._sink(MotionResumed(self._clock.now_s()))
+            self._streamer.resume()
+            self._walker.resume()
+
+    @property
+    def paused(self) -> bool:
+        """Whether motions wait for ``resume``."""
+        return self._streamer.paused
+
     @property
     def emergency(self) -> EmergencyStop | None:
         """The emergency stop that is engaged, or None."""
@@ -289,6 +317,7 @@ class ControlLoop:
         if contact is not None:
             self._note_stop(2, str(contact))
             self._streamer.interrupt(str(contact))
+        self._walker.go_on()
         if self._walker.active:
             self._command_walk(state)
             return
