@@ -30,6 +30,8 @@ from robots.live.messages import (
     Heartbeat,
     Hello,
     Lead,
+    Pause,
+    Resume,
     Start,
     Steer,
     Stop,
@@ -207,6 +209,18 @@ class ControlLink:
             message = CancelMotion(self._next(), number, reason[:500])
             self._when_refused(message.number, lambda _reason: self.cancel(handle, reason))
             self._say(message)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        message = Pause(self._next(), reason[:500])
+        self._when_refused(message.number, lambda _reason: self.pause(reason))
+        self._say(message)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        message = Resume(self._next(), self.now_s)
+        self._when_refused(message.number, lambda _reason: self.resume())
+        self._say(message)
 
     def stop(self, category: int, reason: str) -> None:
         """Engage the emergency stop."""

@@ -77,7 +77,7 @@ class LiveExecutive:
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
-        self._desk = Desk(folder.executive_socket, self._cancel, self.status, _is_stop)
+        self._desk = Desk(folder.executive_socket, self, _is_stop)
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
@@ -106,6 +106,7 @@ class LiveExecutive:
             self._note,
             on_tick=self._show,
             supervisor=self._supervisor,
+            pausing=link,
         )
 
     def run(self) -> None:
@@ -140,7 +141,8 @@ class LiveExecutive:
         """How things stand, as JSON values."""
         current = self._order.said.text if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
-        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state}
+        paused = self._session.paused
+        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state, "paused": paused}
 
     # ---------------------------------------------------------------- an order
 
@@ -195,9 +197,18 @@ class LiveExecutive:
             self._supervisor.reset("a person")
         self._engaged = engaged
 
-    def _cancel(self, reason: str) -> None:
+    def cancel(self, reason: str) -> None:
+        """Halt what is under way, and hold."""
         self._cancelled = True
         self._session.cancel(reason)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        self._session.pause(reason)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        self._session.resume()
 
     def _note(self, event: Event) -> None:
         if self._log is not None:
