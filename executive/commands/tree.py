@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.config_option import ConfigOption
+from executive.config import use_config
 from executive.exit_codes import ExitCode
 
 
@@ -21,12 +23,14 @@ class TreeFormat(StrEnum):
 
 def tree(
     text: Annotated[str, typer.Argument(metavar="SENTENCE", help="What would be done.")],
+    config: ConfigOption = None,
     form: Annotated[TreeFormat, typer.Option("--format", help="How to print it.")] = TreeFormat.TEXT,
 ) -> None:
     """Print the tree that would run."""
     from executive.command_parser import parse
     from executive.meaning import StopCommand
 
+    use_config(config)
     parsed = parse(text)
     if parsed.refusal is not None:
         typer.echo(f"refused: {parsed.refusal}", err=True)
