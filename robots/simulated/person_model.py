@@ -6,7 +6,10 @@ with two pads; its weight is carried. Forces move it: see ``person_hand``.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import mujoco
+import numpy as np
 
 from kinematics.poses import quaternion_from_rotation, rotation_z, transform
 from robots.scene_description import Person
@@ -33,6 +36,9 @@ _CAPSULES = (
     (0.05, (0.0, 0.19, 1.40), (0.0, 0.17, 0.85)),
     (0.05, (0.0, -0.19, 1.40), (0.0, -0.21, 1.08)),
 )
+_ELBOW_M = _CAPSULES[-1][2]
+_FOREARM_RADIUS_M = 0.04
+_PALM_BEHIND_M = 0.08
 
 
 def hand_body(person: str) -> str:
@@ -78,6 +84,25 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
     _add_hand(spec, person)
 
 
+def draw_forearms(
+    scene: mujoco.MjvScene, model: mujoco.MjModel, data: mujoco.MjData, people: Iterable[Person]
+) -> None:
+    """Draw what joins each person's elbow and hand; it is in the picture alone."""
+    for person in people:
+        if scene.ngeom >= scene.maxgeom:
+            return
+        elbow = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0)) @ [*_ELBOW_M, 1.0]
+        body = model.body(hand_body(person.name)).id
+        palm = data.xpos[body] - _PALM_BEHIND_M * data.xmat[body].reshape(3, 3)[:, 0]
+        geom = scene.geoms[scene.ngeom]
+        capsule = mujoco.mjtGeom.mjGEOM_CAPSULE
+        mujoco.mjv_initGeom(
+            geom, capsule, np.zeros(3), np.zeros(3), np.zeros(9), np.array(_CLOTH, np.float32)
+        )
+        mujoco.mjv_connector(geom, capsule, _FOREARM_RADIUS_M, elbow[:3], palm)
+        scene.ngeom += 1
+
+
 def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
     pose = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0))
     x, y, z, w = quaternion_from_rotation(pose[:3, :3])
@@ -102,7 +127,7 @@ def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
         name=f"{person.name}/palm",
         type=mujoco.mjtGeom.mjGEOM_SPHERE,
         size=[0.035, 0.0, 0.0],
-        pos=[-0.08, 0.0, 0.0],
+        pos=[-_PALM_BEHIND_M, 0.0, 0.0],
         mass=0.5,
         rgba=_SKIN,
         group=WORLD_GROUP,

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from tools.evaluate.skills import (
+    errands,
     gestures,
+    goals,
     handing_over,
     placing,
     putting_in,
@@ -33,5 +35,8 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "sequence": sequences.SEQUENCE,
         "walk": walking.WALK,
         "walk_stop": walking.WALK_STOP,
+        "walk_to": goals.WALK_TO,
+        "flat_fridge": errands.FLAT_FRIDGE,
+        "flat_pick": errands.FLAT_PICK,
     }
 )
