@@ -17,6 +17,7 @@ from robots.errors import RobotsError
 from robots.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
+from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.fuzz import run_fuzz
@@ -46,6 +47,7 @@ SUITES = (
     "soak",
     *OPENING_SUITES,
     *SKILL_SUITES,
+    *DISTURBED_SUITES,
 )
 
 _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
@@ -76,6 +78,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_soak(options, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
+    if options.suite in DISTURBED_SUITES:
+        return run_disturbed_suite(options, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
     if options.fault is not None and options.fault not in FAULTS:
