@@ -21,7 +21,7 @@ from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
 
-_VIEWPOINTS: tuple[Literal["ahead", "around"], ...] = ("ahead", "ahead", "around", "around", "ahead")
+_VIEWPOINTS: tuple[Literal["ahead", "around"], ...] = ("around", "around", "ahead", "around", "ahead")
 
 
 def walk_to(toolbox: Toolbox) -> Behaviour:
