@@ -124,6 +124,7 @@ def assemble(
         walking=loop.walking,
         ranging=world.ranging,
         places=place_map(scene, for_map),
+        yielding=loop.yielding,
     )
     supervisor = Supervisor(loop, clock, sink)
     session = Session(
@@ -136,5 +137,6 @@ def assemble(
         on_tick=on_tick,
         build=build,
         supervisor=supervisor,
+        pausing=loop,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)

@@ -56,6 +56,11 @@ class Extensions:
     skills: Mapping[str, SkillExtension]
     complaints: tuple[str, ...] = ()
 
+    @property
+    def packages(self) -> frozenset[str]:
+        """Names of the top-level packages that skills come from."""
+        return frozenset(skill.tree.__module__.partition(".")[0] for skill in self.skills.values())
+
     def for_task(self, task: object) -> SkillExtension | None:
         """The skill that carries a task out, or None."""
         return next((skill for skill in self.skills.values() if type(task) is skill.task), None)
@@ -97,3 +102,8 @@ def load(points: Any) -> Extensions:
         else:
             skills[action] = found
     return Extensions(MappingProxyType(skills), tuple(complaints))
+
+
+def outside_leaves() -> tuple[type, ...]:
+    """Leaves of other packages."""
+    return ()

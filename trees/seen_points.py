@@ -33,9 +33,9 @@ class SeenPoints:
         Args:
             body: Where the base is.
         """
-        if self._sensor is None:
+        scan = None if self._sensor is None else self._sensor.scan()
+        if scan is None:
             return np.zeros((0, 2))
-        scan = self._sensor.scan()
         c, s = math.cos(body.yaw_rad), math.sin(body.yaw_rad)
         x = body.x_m + c * scan[:, 0] - s * scan[:, 1]
         y = body.y_m + s * scan[:, 0] + c * scan[:, 1]

@@ -9,10 +9,10 @@ import numpy as np
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
+from kinematics.support import support_of
 from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from trees.destination import Place
-from trees.scene_update import support_of
 
 EDGE_M = 0.34
 """From the middle between the feet to a table's edge: picks reach best from 0.29 to 0.36, and the

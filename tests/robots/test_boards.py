@@ -66,7 +66,7 @@ def test_no_two_boards_and_sides_share_room():
             assert np.any(apart >= room - 1e-9), (one.name, other.name)
 
 
-@pytest.mark.parametrize("board, foot_m", [(None, 1.22), (3, 1.22), (2, 0.82), (0, 0.02)])
+@pytest.mark.parametrize(("board", "foot_m"), [(None, 1.22), (3, 1.22), (2, 0.82), (0, 0.02)])
 def test_an_object_stands_on_the_board_that_is_named_or_on_the_top(board, foot_m):
     text = FILE if board is None else FILE.replace('on = "shelf"', f'on = "shelf"\nboard = {board}')
     item = read_scene(text, "a.toml", "a").objects[0]

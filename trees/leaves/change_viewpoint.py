@@ -57,7 +57,10 @@ class ChangeViewpoint(WalkingLeaf):
         if settings is None or toolbox.walking is None or toolbox.ranging is None:
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         if self._handle is None:
-            steering = self._steering(settings, toolbox.ranging.scan())
+            scan = toolbox.ranging.scan()
+            if scan is None:
+                return RUNNING
+            steering = self._steering(settings, scan)
             if isinstance(steering, Failure):
                 return steering
             self._handle = toolbox.walking.walk(steering, "walk")

@@ -9,16 +9,18 @@ from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics import poses
+from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.glimpse_of import glimpse_of
 from trees.grounding import Ambiguous, Found, Missing, compares, ground
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
-from trees.scene_update import kind_of, support_of, updated_scene, words_for
+from trees.scene_update import kind_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
 from trees.tasks import ObjectOf
@@ -78,6 +80,7 @@ class Detect(LookLeaf):
         )
         world.update(update.scene)
         world.note_sightings(update.seen)
+        world.note_glimpse(glimpse_of(self.toolbox, views[-1]))
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         chosen = self._choose(update.seen)
         if isinstance(chosen, Failure):

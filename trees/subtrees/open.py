@@ -49,7 +49,7 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     come = come_to_handle(toolbox, _search("look again", toolbox))
     main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), come, attempts])
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=_tidying_helps)
 
 

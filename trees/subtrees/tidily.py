@@ -30,7 +30,7 @@ def tidily(name: str, children: list[Behaviour], toolbox: Toolbox, timeout_s: fl
     """
     main = _Main("do", memory=True, children=children)
     limit_s = toolbox.policy.task_timeout_s if timeout_s is None else timeout_s
-    timed = Deadline("in time", main, limit_s, toolbox.clock)
+    timed = Deadline("in time", main, limit_s, toolbox.clock, toolbox.pauses)
     return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=_tidying_helps)
 
 
