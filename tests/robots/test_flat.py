@@ -26,15 +26,11 @@ def test_the_way_to_the_kitchen_leads_through_the_doorway():
     path = plan_path(PlanarPose(), PlanarPose(4.3, 0.0), obstacles, 0.62)
 
     assert path is not None
-    closed = dataclasses.replace(
-        flat,
-        furniture=tuple(
-            dataclasses.replace(piece, size_m=(0.1, 4.5, 1.6))
-            if piece.name == "wall beside the table"
-            else piece
-            for piece in flat.furniture
-        ),
-    )
+    furniture = [
+        dataclasses.replace(piece, size_m=(0.1, 4.5, 1.6)) if piece.name == "wall beside the table" else piece
+        for piece in flat.furniture
+    ]
+    closed = dataclasses.replace(flat, furniture=tuple(furniture))
     assert plan_path(PlanarPose(), PlanarPose(4.3, 0.0), footprints(planning_scene(closed)), 0.62) is None
 
 
