@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from typing import Any, cast
 
 import numpy as np
 
@@ -24,14 +25,15 @@ _STANDS_WITHIN_S = 4.0
 
 
 class DelayedRobot:
-    """A robot whose readings come some control periods late; satisfies ``Robot``."""
+    """A robot whose readings come some control periods late; all else of it is the robot's own."""
 
     def __init__(self, robot: Robot, periods: int) -> None:
         self._robot = robot
         self._readings: deque[RobotState] = deque(maxlen=periods + 1)
         self._fresh = True
-        self.description = robot.description
-        self.command = robot.command  # the gate's setpoints are not late
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._robot, name)
 
     def read(self) -> RobotState:
         """The readings of some periods ago."""
@@ -78,7 +80,7 @@ class BareWalk:
         self.world: SimulatedWorld = build_world(description, scene, np.random.default_rng(seed))
         body: Robot = self.world.robot
         if delay_periods:
-            body = DelayedRobot(body, delay_periods)
+            body = cast(Robot, DelayedRobot(body, delay_periods))
         self.events: list[object] = []
         self.loop = ControlLoop(body, RobotModel(description), ManualClock(), self.events.append, PERIOD_S)
 
