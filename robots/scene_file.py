@@ -21,10 +21,12 @@ from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import furniture
 from robots.boards import board_tops_m
 from robots.errors import SceneError
+from robots.outside import SCENES, outside_files
 from robots.scene_description import (
     Furniture,
     PerceptionModel,
     Person,
+    Region,
     RobotStart,
     SceneDescription,
     SceneItem,
@@ -37,16 +39,19 @@ __all__ = ["dump", "known_scenes", "load_scene", "read_scene", "validate"]
 
 Table = Mapping[str, Any]
 
-_TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object")
+_TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object", "place")
 _LARGEST_FILE = 1_000_000
 """Bytes; a scene that somebody writes by hand is a thousand times smaller."""
 
 
 def known_scenes() -> list[str]:
-    """Names of the scenes that come with the product."""
-    return sorted(
-        item.name.removesuffix(".toml") for item in _scene_folder().iterdir() if item.name.endswith(".toml")
-    )
+    """Names of the scenes that come with the product and with other packages."""
+    return sorted({*outside_files(SCENES), *_own_scenes()})
+
+
+def _own_scenes() -> list[str]:
+    names = (item.name for item in _scene_folder().iterdir())
+    return [name.removesuffix(".toml") for name in names if name.endswith(".toml")]
 
 
 def load_scene(name_or_path: str) -> SceneDescription:
@@ -59,7 +64,9 @@ def load_scene(name_or_path: str) -> SceneDescription:
         SceneError: There is no such scene, or it cannot be a world: file, key and reason.
     """
     if name_or_path in known_scenes():
-        text = (_scene_folder() / f"{name_or_path}.toml").read_text("utf-8")
+        own = name_or_path in _own_scenes()
+        file = _scene_folder() / f"{name_or_path}.toml" if own else outside_files(SCENES)[name_or_path]
+        text = file.read_text("utf-8")
         return read_scene(text, f"{name_or_path}.toml", name_or_path)
     path = Path(name_or_path)
     is_path = name_or_path.endswith(".toml") or "/" in name_or_path or _is_file(path)
@@ -104,6 +111,7 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         furniture=pieces,
         objects=tuple(_item(reader, pieces) for reader in root.tables("object")),
         people=tuple(_person(reader) for reader in root.tables("person")),
+        places=tuple(_region(reader) for reader in root.tables("place")),
     )
     validate(scene, source)
     return scene
@@ -129,6 +137,9 @@ def dump(scene: SceneDescription) -> str:
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad)
+    for region in scene.places:
+        lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
+        lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
     for item in scene.objects:
         if item.world_T_object[2, 2] < 1.0 - 1e-12:
             raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
@@ -290,6 +301,13 @@ def _person(reader: _Reader) -> Person:
     reader.only(("name", "position_m", "yaw_rad"))
     x, y = reader.numbers("position_m", 2)
     return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0))
+
+
+def _region(reader: _Reader) -> Region:
+    reader.only(("name", "position_m", "size_m", "yaw_rad"))
+    x, y = reader.numbers("position_m", 2)
+    along, across = reader.numbers("size_m", 2)
+    return Region(reader.text("name"), (x, y), (along, across), reader.number("yaw_rad", 0.0))
 
 
 def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:

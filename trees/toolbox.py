@@ -22,6 +22,7 @@ from robots.control.yield_settings import YieldReport
 from robots.gripper_reading import GripperReading
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
+from robots.scene_description import Region
 from robots.sensed_state import SensedState
 from trees.events import TreeSink
 from trees.pauses import Pauses
@@ -176,3 +177,4 @@ class Toolbox:
     ranging: RangeSensor | None = None
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
+    places: Mapping[str, Region] = field(default_factory=dict)

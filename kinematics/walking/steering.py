@@ -123,7 +123,7 @@ class PathSteering:
         if distance_m < _ARRIVED_M and abs(left.yaw_rad) < _ARRIVED_RAD:
             return None
         carrot, to_go_m = self._carrot(body)
-        if to_go_m < _NEAR_M:
+        if min(to_go_m, distance_m) < _NEAR_M:  # a path may come by its end earlier on
             return self._straight_to(left)
         s = self._settings
         seen = body.to(carrot)

@@ -6,7 +6,10 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from tools.evaluate.skills import (
+    carrying,
+    errands,
     gestures,
+    goals,
     handing_over,
     placing,
     putting_in,
@@ -33,5 +36,9 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "sequence": sequences.SEQUENCE,
         "walk": walking.WALK,
         "walk_stop": walking.WALK_STOP,
+        "walk_to": goals.WALK_TO,
+        "flat_fridge": errands.FLAT_FRIDGE,
+        "carry": carrying.CARRY,
+        "flat_pick": errands.FLAT_PICK,
     }
 )
