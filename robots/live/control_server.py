@@ -152,7 +152,8 @@ class ControlServer:
         return self._commander.peer.pid, self._clock.now_s() - self._heard_s
 
     def close(self) -> None:
-        """Stop listening."""
+        """Stop listening; everyone is told why."""
+        self._server.broadcast(write_message("error", reason="the robot was shut down"))
         self._server.close()
 
     # ---------------------------------------------------------------- connections
