@@ -239,6 +239,8 @@ def _mutated(rng: np.random.Generator) -> bytes:
     message = _SEEDS[int(rng.integers(len(_SEEDS)))]
     data = bytearray(encode_frame(FrameKind.MESSAGE, write_control_message(message)))
     for _ in range(int(rng.integers(1, 4))):
+        if not data:
+            break
         at = int(rng.integers(len(data)))
         kind = rng.integers(4)
         if kind == 0:
