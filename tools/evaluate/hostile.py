@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from rich.console import Console
@@ -158,7 +159,15 @@ def _bomb(rng: np.random.Generator, material: Material) -> str:
 
 
 def _scalar(rng: np.random.Generator, material: Material) -> str:
-    values = (_one(rng, material.words), 10.0 ** float(rng.integers(-5, 300)), None, [], {}, True, -1)
+    values: tuple[Any, ...] = (
+        _one(rng, material.words),
+        10.0 ** float(rng.integers(-5, 300)),
+        None,
+        [],
+        {},
+        True,
+        -1,
+    )
     return json.dumps(values[int(rng.integers(len(values)))])
 
 
@@ -202,7 +211,7 @@ def run_hostile(episodes: int, seed: int, file: Path | None, messages: Console) 
         if (i + 1) % 10_000 == 0:
             messages.print(f"{i + 1} of {total}: {len(wrong)} wrong", markup=False)
     every = np.concatenate([np.array(times) for times in spent_ms.values()])
-    document = {
+    document: dict[str, Any] = {
         "suite": "hostile",
         "episodes": episodes,
         "texts": total,
