@@ -205,6 +205,12 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
         if where.relation is not None and where.of.is_place and result.source and result.source.is_place:
             result = replace(result, source=checked(result.source.placed(Relative(where.relation, where.of))))
         elif where.relation is not None:
+            if result.source is not None and result.source.kind is not None and not result.source.is_place:
+                other = where.of.kind or "that"
+                beside = f"{where.relation.replace('_', ' ')} the {other}"
+                raise trouble(
+                    f"which is {beside}, the {result.object.kind} or the {result.source.kind}?", asks=True
+                )
             result = replace(result, object=checked(result.object.placed(Relative(where.relation, where.of))))
         elif not has_source:
             if where.role == "from":

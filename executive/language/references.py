@@ -389,6 +389,8 @@ class Resolver:
             known = [place for place in dict.fromkeys(self._places) if place != self._sources.get(root)]
             place = known[0] if len(known) == 1 else None
         value = self._there_place(where.of, root)
+        if place is not None and place.sort in ("thing", "any"):
+            raise _ask(f"into the {place.kind}, or on it?")
         if place is not None and place.sort == "container":
             return {"action": "put_in", "to": value}
         return {"to": value} if place is not None and place.sort == "room" else {"on": value}
