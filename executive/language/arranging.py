@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,8 +20,10 @@ from executive.language.phrases import (
     Trouble,
     Where,
 )
+from trees.tasks import RelationKind
 
 Parts = tuple[Any, ...]
+_PLACES: Mapping[str, RelationKind] = {"on": "on", "in": "in"}
 ME = Nominal("me", "me", determined=True)
 
 
@@ -189,9 +191,9 @@ def _told(goal: Where, where: Where) -> Where:
     return replace(goal, of=checked(of.placed(Relative(_kind(where), where.of))))
 
 
-def _kind(where: Where) -> str:
+def _kind(where: Where) -> RelationKind:
     """A place as a relation."""
-    return where.relation or {"on": "on", "in": "in"}.get(where.preposition or "", "next_to")
+    return where.relation or _PLACES.get(where.preposition or "", "next_to")
 
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
@@ -228,7 +230,7 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     return result
 
 
-def _told_apart(result: Arranged, kind: str, of: Nominal) -> Arranged:
+def _told_apart(result: Arranged, kind: RelationKind, of: Nominal) -> Arranged:
     relation = result.object.relation
     if relation is not None and of.sort == "room" and relation.to.is_place:
         inner = checked(relation.to.placed(Relative(kind, of)))

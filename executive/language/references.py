@@ -300,7 +300,7 @@ class Resolver:
         if relation is not None:
             if nominal.kind is not None and not nominal.is_place:
                 self._kind = nominal
-            resolved = tasks.Relation(relation.kind, self._related(relation.to))  # type: ignore[arg-type]
+            resolved = tasks.Relation(relation.kind, self._related(relation.to))
         return ObjectDescription(
             kind=nominal.kind,
             color=nominal.color,
@@ -350,7 +350,7 @@ class Resolver:
 
     def _place(self, value: Any, root: int, *, into: bool = False) -> Any:
         if isinstance(value, Relative):
-            relation = tasks.Relation(value.kind, self._beside(value.to, root))  # type: ignore[arg-type]
+            relation = tasks.Relation(value.kind, self._beside(value.to, root))
             return ObjectDescription(relation=relation)
         if value.reference == "him":
             return self._person(value)
