@@ -15,6 +15,7 @@ from kinematics import poses
 from kinematics.arm_posture import arm_posture
 from kinematics.curves import RoundedPolyline
 from kinematics.gesture_requests import (
+    CarryRequest,
     GestureRequest,
     OfferRequest,
     PointRequest,
@@ -43,6 +44,11 @@ OFFER_ROOM_M = 0.55
 BESIDE_FINGERS = 0.12
 # Of the whole arm, how far a pointing hand is stretched.
 STRETCHED = 0.85
+# Where a carried object is, from the shoulder: ahead, inwards, down.
+CARRY_M = (0.36, 0.05, 0.26)
+CARRY_TILT_RAD = 0.02
+# Where a robot that carries something looks, from the middle of its feet: ahead, aside, and height.
+CARRY_LOOK_M = np.array([2.0, 0.0, 0.6])
 # A pointing hand stays this far from what it points at.
 POINT_ROOM_M = 0.15
 # Ways to point, tried with each hand in turn: the hand so far above the line from the shoulder, and the
@@ -67,6 +73,8 @@ class GesturePlanner:
             return self._swing(request)
         if isinstance(request, PointRequest):
             return self._point(request)
+        if isinstance(request, CarryRequest):
+            return self._carry(request)
         return self._offer(request)
 
     def _raise(self, request: RaiseHandRequest) -> MovePlan | NoPlan:
@@ -188,6 +196,35 @@ class GesturePlanner:
             if isinstance(answer, MovePlan):
                 break
         return answer
+
+    def _carry(self, request: CarryRequest) -> MovePlan | NoPlan:
+        body = request.scene.attached[request.held]
+        frames = self._model.description.tcp_frames
+        hand = next(hand for hand, frame in frames.items() if frame == body.frame)
+        task = _Gesture(self._model, request.q_start, request, hand, request.seed)
+        home = self._model.home_over(request.stance)
+        facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
+        ahead, inwards, down = CARRY_M
+        watched = home[:3] + facing @ CARRY_LOOK_M
+        watched[2] = CARRY_LOOK_M[2]
+
+        def residual(q: Array) -> Array:
+            place = task.shoulder(q) + facing @ (ahead, -task.outwards * inwards, -down)
+            tcp = task.tcp(q)
+            item = tcp @ body.frame_T_object
+            return np.concatenate(
+                [
+                    0.2 * (item[:3, 3] - place),
+                    _unlike(item[:3, 2], _UP),
+                    0.02 * _unlike(tcp[:3, 0], facing[:, 0]),
+                    [0.5 * task.turned_past(q, watched)],
+                ]
+            )
+
+        def upright(q: Array) -> bool:
+            return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(CARRY_TILT_RAD))
+
+        return task.reach("carry", residual, watched, upright, "upright", enough=0.08)
 
 
 def _unlike(a: Array, b: Array) -> Array:

@@ -401,3 +401,25 @@ def test_a_hand_that_holds_something_does_not_wave(stage_with):
 
     assert tree.status == "failure"
     assert "no hand is free" in tree.failure.message
+
+
+@pytest.mark.requirement("L1", "M3")
+@pytest.mark.parametrize(
+    "task",
+    [
+        PlaceTask("put the cup from the shelf on the table", RED_CUP, on="table", source="shelf"),
+        PutInTask(
+            "put the cup from the shelf in the bowl", RED_CUP, ObjectDescription("bowl"), source="shelf"
+        ),
+        HandOverTask("give Ana the cup from the shelf", RED_CUP, "Ana", source="shelf"),
+    ],
+    ids=lambda task: task.action,
+)
+def test_a_thing_that_is_said_to_be_elsewhere_is_left_where_it_stands(stage_with, task):
+    stage = stage_with(table(), cup(), bowl(), ANA)
+
+    tree = run(stage, task)
+
+    assert tree.status == "failure"
+    assert "on the shelf" in str(tree.failure)
+    assert not stage.toolbox.world.scene.attached
