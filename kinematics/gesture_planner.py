@@ -201,7 +201,7 @@ class GesturePlanner:
         body = request.scene.attached[request.held]
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
-        task = _Gesture(self._model, request.q_start, request, hand, request.seed)
+        task = GestureTask(self._model, request.q_start, request, hand, request.seed)
         home = self._model.home_over(request.stance)
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
         ahead, inwards, down = CARRY_M
