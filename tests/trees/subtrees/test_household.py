@@ -254,6 +254,26 @@ def test_a_neighbour_that_was_pushed_while_putting_in_is_told(stage_with):
     assert "the blue cup was moved" in tree.failure.message
 
 
+def test_a_cup_that_is_nowhere_to_be_seen_is_not_claimed_to_be_in_the_bowl(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.hidden.add("red cup"))
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "failure"
+    assert "is not seen in the white bowl" in tree.failure.message
+
+
+def test_what_a_wall_hides_is_seen_from_above(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.hidden.add("red cup"))
+    stage.when("lean over it", stage.fake.world.hidden.clear)
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "success"
+
+
 def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):
     stage = stage_with(table(), cup(), bowl())
     stage.when("clear the view", lambda: stage.fake.world.move("red cup", (0.0, -0.25, 0.0)))
