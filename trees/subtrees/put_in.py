@@ -25,6 +25,7 @@ from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
 from trees.subtrees.place import set_down
+from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -53,12 +54,15 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         toolbox.policy.place_attempts,
         _nothing_else_helps,
     )
-    children: list[Behaviour] = [
-        look_over(toolbox),
+    carry: list[Behaviour] = [
         have_it(toolbox),
         _find_container(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
+    ]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),
