@@ -26,6 +26,7 @@ from robots.scene_description import (
     Furniture,
     PerceptionModel,
     Person,
+    Region,
     RobotStart,
     SceneDescription,
     SceneItem,
@@ -38,7 +39,7 @@ __all__ = ["dump", "known_scenes", "load_scene", "read_scene", "validate"]
 
 Table = Mapping[str, Any]
 
-_TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object")
+_TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object", "place")
 _LARGEST_FILE = 1_000_000
 """Bytes; a scene that somebody writes by hand is a thousand times smaller."""
 
@@ -110,6 +111,7 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         furniture=pieces,
         objects=tuple(_item(reader, pieces) for reader in root.tables("object")),
         people=tuple(_person(reader) for reader in root.tables("person")),
+        places=tuple(_region(reader) for reader in root.tables("place")),
     )
     validate(scene, source)
     return scene
@@ -135,6 +137,9 @@ def dump(scene: SceneDescription) -> str:
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad)
+    for region in scene.places:
+        lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
+        lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
     for item in scene.objects:
         if item.world_T_object[2, 2] < 1.0 - 1e-12:
             raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
@@ -296,6 +301,13 @@ def _person(reader: _Reader) -> Person:
     reader.only(("name", "position_m", "yaw_rad"))
     x, y = reader.numbers("position_m", 2)
     return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0))
+
+
+def _region(reader: _Reader) -> Region:
+    reader.only(("name", "position_m", "size_m", "yaw_rad"))
+    x, y = reader.numbers("position_m", 2)
+    along, across = reader.numbers("size_m", 2)
+    return Region(reader.text("name"), (x, y), (along, across), reader.number("yaw_rad", 0.0))
 
 
 def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:

@@ -53,7 +53,7 @@ class Leaf(BehaviourWithPorts):
         self.wiring = dict(wiring or {})
         self.failure: Failure | None = None
         self.halt_reason = "halted"
-        self._started_s = 0.0
+        self._started_s = self._paused_before_s = 0.0
         self._start_error: Exception | None = None
 
     # what a leaf fills in
@@ -81,8 +81,9 @@ class Leaf(BehaviourWithPorts):
 
     @property
     def elapsed_s(self) -> float:
-        """Seconds on the injected clock since this run began."""
-        return self.toolbox.clock.now_s() - self._started_s
+        """Seconds on the injected clock since this run began, pauses left out."""
+        paused_s = self.toolbox.pauses.total_s - self._paused_before_s
+        return self.toolbox.clock.now_s() - self._started_s - paused_s
 
     @property
     def where(self) -> str:
@@ -112,6 +113,7 @@ class Leaf(BehaviourWithPorts):
         self.failure = None
         self._start_error = None
         self._started_s = self.toolbox.clock.now_s()
+        self._paused_before_s = self.toolbox.pauses.total_s
         self.feedback_message = ""
         try:
             self.begin()

@@ -91,6 +91,7 @@ class TreePolicy:
         pull_s: It has to last so long.
         take_within_s: Nobody has taken it by then: it is taken back.
         after_giving_s: Between letting go and looking where it went.
+        walk_timeout_s: Longest walk to something, looking for it and corrections included.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -176,4 +177,5 @@ class TreePolicy:
     pull_s: float = 0.15
     take_within_s: float = 15.0
     after_giving_s: float = 0.8
+    walk_timeout_s: float = 165.0
     task_timeout_s: float = 120.0

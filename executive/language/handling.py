@@ -9,7 +9,7 @@ from typing import Any
 
 from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
 from executive.language.lattice import Word
-from executive.language.nominals import words
+from executive.language.nominals import shared_adjective, words
 from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Pair, Relative, Where, draft
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
@@ -162,6 +162,10 @@ def _more(parts: Parts) -> list[Arranged]:
     loose = tuple(part for part in parts if isinstance(part, Item))
     if not loose:
         return []
+    paired = [part.item for part in parts if isinstance(part, Pair)]
+    unclear = shared_adjective((*paired, *loose))
+    if unclear is not None:
+        raise trouble(unclear.message, asks=True)
     each = arranged(loose)
     if any(one.goal is not None or one.person is not None for one in each):
         raise unfit()

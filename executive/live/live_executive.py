@@ -15,9 +15,11 @@ from executive.live.control_link import ControlLink, ControlLostError
 from executive.live.desk import Desk, Order, Say
 from executive.live.live_attendant import LiveAttendant
 from executive.live.live_guard import LiveGuard
-from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps
+from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
 from executive.live.motion_client import GripperClient, MotionClient
 from executive.live.planning_client import LivePlanning, Worker
+from executive.live.walking_client import WalkingClient
+from executive.live.yielding_client import YieldingClient
 from executive.meaning import Parsed, StopCommand
 from executive.outputs.display import PlainDisplay
 from executive.outputs.report import Report, SafetyCounts
@@ -67,7 +69,8 @@ class LiveExecutive:
         motion = MotionClient(link)
         detector = DetectorClient(link)
         self._desk = Desk(folder.executive_socket, self._cancel, self.status, _is_stop)
-        self._steps = LiveSteps(link, detector, world, self._meanwhile)
+        ranging = RangingClient(link)
+        self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
         rng = np.random.default_rng(np.random.SeedSequence(int(link.about["seed"])).spawn(3)[2])
         toolbox = Toolbox(
@@ -81,6 +84,9 @@ class LiveExecutive:
             world=world,
             events=self._note,
             rng=rng,
+            walking=WalkingClient(link, motion),
+            ranging=ranging,
+            yielding=YieldingClient(link, motion, model, world),
         )
         self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
         self._engaged = self._cancelled = False

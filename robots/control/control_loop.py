@@ -24,6 +24,8 @@ from robots.control.events import (
     EmergencyReset,
     EmergencyStopped,
     HealthChanged,
+    MotionPaused,
+    MotionResumed,
     ResetRefused,
     SetpointRefused,
     StopStarted,
@@ -39,6 +41,7 @@ from robots.control.refusal import Refusal
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
 from robots.control.walking.walker import Walker
+from robots.control.yielding import YieldingControl
 from robots.interface import JointSetpoint, Robot, RobotState
 from robots.sensed_state import SensedState
 
@@ -73,8 +76,10 @@ class ControlLoop:
     """The control loop; ``step`` is its unit, whoever calls it.
 
     Attributes:
+        model: The robot's.
         motion: Starts and cancels motions.
         walking: Starts and cancels walks.
+        yielding: Starts hands that yield to what they hold.
         sensing: What the robot knows about itself.
         grippers: One control for each hand.
     """
@@ -127,8 +132,10 @@ class ControlLoop:
         self._latch = EmergencyLatch()
         self._forgiven = 0
         self._health = HealthMonitor(model, period_s)
+        self.model = model
         self.motion = self._streamer
         self.walking = self._walker
+        self.yielding = YieldingControl(model, self._streamer)
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
             {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}
@@ -205,6 +212,32 @@ class ControlLoop:
             self._limp = True
             self._walker.abandon()
             self._streamer.latch(f"the power was taken away: {reason}")
+
+    def pause(self, reason: str) -> None:
+        """Brake, and hold until ``resume``; what is under way stays under way, and balance goes on.
+
+        Arms brake along their path, a walk makes its last steps, fingers finish their way. A stop ends the
+        pause, and with it what was paused.
+
+        Args:
+            reason: For people.
+        """
+        if not self.paused:
+            self._sink(MotionPaused(self._clock.now_s(), reason))
+            self._streamer.pause()
+            self._walker.pause()
+
+    def resume(self) -> None:
+        """Go on with what was paused."""
+        if self.paused:
+            self._sink(MotionResumed(self._clock.now_s()))
+            self._streamer.resume()
+            self._walker.resume()
+
+    @property
+    def paused(self) -> bool:
+        """Whether motions wait for ``resume``."""
+        return self._streamer.paused
 
     @property
     def emergency(self) -> EmergencyStop | None:
@@ -284,6 +317,7 @@ class ControlLoop:
         if contact is not None:
             self._note_stop(2, str(contact))
             self._streamer.interrupt(str(contact))
+        self._walker.go_on()
         if self._walker.active:
             self._command_walk(state)
             return

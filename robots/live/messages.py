@@ -29,12 +29,16 @@ class Hello:
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
-    """A tick of the commander. ``busy``: a task is under way; ``looking``: it wants pictures."""
+    """A tick of the commander.
+
+    ``busy``: a task is under way; ``looking``: it wants pictures; ``ranging``: it wants range scans.
+    """
 
     number: int
     stamp_s: float
     busy: bool
     looking: bool
+    ranging: bool
     world_version: int
 
 
@@ -67,6 +71,42 @@ class Guarded:
     motion: int
     name: str
     hand: str
+
+
+@dataclass(frozen=True, slots=True)
+class Lead:
+    """Begin a yielding hand; the head of a document frame, its order follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+    world_version: int
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """Set out; the head of a document frame, where to follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+
+
+@dataclass(frozen=True, slots=True)
+class Steer:
+    """Go somewhere else with a walk; the head of a document frame, where to follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+
+
+@dataclass(frozen=True, slots=True)
+class FinishMotion:
+    """Bring a walk or a yielding hand to its end; never too late."""
+
+    number: int
+    motion: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,8 +143,21 @@ class Shutdown:
     """End it, once the robot is at rest."""
 
 
+Headed = Admit | Lead | Walk | Steer
+"""What comes with a document; as a message of its own it is none."""
+
 ControlMessage = (
-    Hello | Heartbeat | Admit | Start | Guarded | CancelMotion | Stop | Reset | GetStatus | Shutdown
+    Hello
+    | Heartbeat
+    | Headed
+    | Start
+    | Guarded
+    | FinishMotion
+    | CancelMotion
+    | Stop
+    | Reset
+    | GetStatus
+    | Shutdown
 )
 _CONTROL: Mapping[str, type] = {
     "hello": Hello,
@@ -112,6 +165,10 @@ _CONTROL: Mapping[str, type] = {
     "admit": Admit,
     "start": Start,
     "guarded": Guarded,
+    "lead": Lead,
+    "walk": Walk,
+    "steer": Steer,
+    "finish": FinishMotion,
     "cancel": CancelMotion,
     "stop": Stop,
     "reset": Reset,

@@ -6,6 +6,7 @@ import math
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
@@ -21,11 +22,13 @@ from robots.errors import RenderingUnavailableError
 from robots.simulated.geom_roles import DRAWN_GROUP, FINGER_DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.opengl import make_context, require_opengl
 from robots.simulated.person_model import draw_forearms
+from robots.simulated.plan_view import Point, draw_path, plan_camera
 from robots.simulated.point_of_view import clearest_view
 from robots.simulated.world import SimulatedWorld
 
-Camera = Literal["overview", "grasp"]
-"""The whole robot with what is in front of it; or the hand that holds something, else the higher one."""
+Camera = Literal["overview", "grasp", "plan"]
+"""The whole robot with what is in front of it; the hand that holds something, else the higher one; or the
+whole scene from above."""
 
 Picture = NDArray[np.uint8]
 
@@ -93,8 +96,13 @@ class Renderer:
         self._option.geomgroup[:] = 0
         self._option.geomgroup[[WORLD_GROUP, FINGER_DRAWN_GROUP, DRAWN_GROUP]] = 1
 
-    def draw(self, camera: Camera = "overview") -> Picture:
-        """Draw the world as it is now, shape (height, width, 3)."""
+    def draw(self, camera: Camera = "overview", path: Sequence[Point] = ()) -> Picture:
+        """Draw the world as it is now, shape (height, width, 3).
+
+        Args:
+            camera: From where.
+            path: A line on the floor, in the world: where the robot went.
+        """
         physics = self._world.physics
         physics.refresh()
         self._context.make_current()
@@ -103,10 +111,11 @@ class Renderer:
             physics.data,
             self._option,
             None,
-            self._camera(camera),
+            self._camera(camera, path),
             int(mujoco.mjtCatBit.mjCAT_ALL),
             self._scene,
         )
+        draw_path(self._scene, path)
         draw_forearms(self._scene, physics.model, physics.data, physics.scene.people)
         flags = self._scene.flags
         flags[mujoco.mjtRndFlag.mjRND_SHADOW] = self._fine
@@ -138,7 +147,11 @@ class Renderer:
         """Close it."""
         self.close()
 
-    def _camera(self, name: Camera) -> mujoco.MjvCamera:
+    def _camera(self, name: Camera, path: Sequence[Point]) -> mujoco.MjvCamera:
+        if name == "plan":
+            physics = self._world.physics
+            fovy_deg = float(physics.model.vis.global_.fovy)
+            return plan_camera(physics.scene, path, self._width, self._height, fovy_deg)
         truth = self._world.truth
         world_T_base = truth.world_T_base()
         heading = math.atan2(world_T_base[1, 0], world_T_base[0, 0])
@@ -176,6 +189,7 @@ def snapshot(
     path: Path | str,
     size: tuple[int, int] = SNAPSHOT_SIZE,
     camera: Camera = "overview",
+    walked: Sequence[Point] = (),
 ) -> None:
     """Write a picture of a world as it is now, as PNG.
 
@@ -184,13 +198,14 @@ def snapshot(
         path: Where to.
         size: Width and height in pixels.
         camera: From where.
+        walked: A line on the floor, in the world: where the robot went.
 
     Raises:
         RenderingUnavailableError: No OpenGL library works here.
         OSError: The file cannot be written.
     """
     with Renderer(world, size) as renderer:
-        Image.fromarray(renderer.draw(camera)).save(path, format="PNG")
+        Image.fromarray(renderer.draw(camera, walked)).save(path, format="PNG")
 
 
 class VideoRecorder:

@@ -45,7 +45,7 @@ from robots.live.unix_socket import connect_to
 
 _SEEDS: tuple[ControlMessage, ...] = (
     Hello("observer"),
-    Heartbeat(1, 0.0, True, True, 1),
+    Heartbeat(1, 0.0, True, True, True, 1),
     Admit(2, 0.0, 1, 1),
     Start(3, 0.0, 1, 1),
     Guarded(4, 0.0, 2, "close gripper", "left"),

@@ -101,9 +101,7 @@ class _Episode:
         scene.write_text(pick_scene(seed, None), "utf-8")
         self._wall = WallClock()
         live = folder / "live"
-        request = ServiceRequest(
-            live, robot, os.fspath(scene), seed, folder / "runs", pace, realtime=False, evaluation=True
-        )
+        request = ServiceRequest(live, robot, os.fspath(scene), seed, folder / "runs", pace, evaluation=True)
         self._service = Service(request, lambda _line: None)
         self._folder = self._service.folder
         self._observer = Caller(self._folder.control_socket)

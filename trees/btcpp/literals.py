@@ -59,6 +59,10 @@ def from_text(text: str, hint: Any) -> Any:
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin in (typing.Union, types.UnionType):
         return from_text(text, next(one for one in arguments if one is not types.NoneType))
+    if origin is typing.Literal:
+        if text not in map(str, arguments):
+            raise ValueError(f"must be one of {', '.join(map(str, arguments))}, not {text!r}")
+        return next(one for one in arguments if str(one) == text)
     if hint is bool:
         if text not in ("true", "false"):
             raise ValueError(f"must be true or false, not {text!r}")
@@ -91,6 +95,8 @@ def type_name(hint: Any) -> str:
     """A type as the model of a node names it."""
     if typing.get_origin(hint) is typing.get_origin(Callable[[], None]):
         return "judgement"
+    if typing.get_origin(hint) is typing.Literal:
+        return " or ".join(map(str, typing.get_args(hint)))
     plain = (
         "list" if typing.get_origin(hint) in (frozenset, tuple, Sequence) else getattr(hint, "__name__", None)
     )

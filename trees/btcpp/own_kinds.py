@@ -18,6 +18,7 @@ from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
+from trees.unless_seen import UnlessSeen
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]
@@ -96,6 +97,16 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
         "BestEffort",
         "Decorator",
         lambda parts: BestEffort(parts.children[0]),
+        children=(1, 1),
+        transparent=True,
+    ),
+    UnlessSeen: NodeKind(
+        "UnlessSeen",
+        "Decorator",
+        lambda parts: UnlessSeen(parts.children[0], parts.toolbox),
+        ports=tuple(
+            Port(name, "input", type_name(port.data_type)) for name, port in UnlessSeen.INPUT_PORTS.items()
+        ),
         children=(1, 1),
         transparent=True,
     ),
