@@ -20,11 +20,16 @@ _KNOWN_M = 0.12
 
 
 class SeenPoints:
-    """Points of obstacles on a grid over the floor, in the odometry frame."""
+    """Points of obstacles on a grid over the floor, in the odometry frame.
+
+    Attributes:
+        silent: Whether the sensor had nothing to say when it was asked last.
+    """
 
     def __init__(self, sensor: RangeSensor | None) -> None:
         """Nothing was seen yet; without a sensor nothing ever is."""
         self._sensor = sensor
+        self.silent = False
         self._cells: dict[tuple[int, int], None] = {}
 
     def look(self, body: PlanarPose) -> Array:
@@ -33,9 +38,8 @@ class SeenPoints:
         Args:
             body: Where the base is.
         """
-        if self._sensor is None:
-            return np.zeros((0, 2))
-        scan = self._sensor.scan()
+        scan = None if self._sensor is None else self._sensor.scan()
+        self.silent = self._sensor is not None and scan is None
         if scan is None:
             return np.zeros((0, 2))
         c, s = math.cos(body.yaw_rad), math.sin(body.yaw_rad)

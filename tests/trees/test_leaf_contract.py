@@ -185,9 +185,9 @@ class Makers:
 
 @pytest.fixture(scope="module")
 def contexts(new_stage, request):
-    kinds = skills_with(leaves_asked_for(request.session.items), new_stage)
     with pytest.MonkeyPatch.context() as patch:
-        return _contexts(new_stage, Makers(patch), kinds)
+        makers = Makers(patch)
+        return _contexts(new_stage, makers, skills_with(leaves_asked_for(request.session.items), new_stage))
 
 
 def _contexts(new_stage, makers, kinds):

@@ -76,6 +76,10 @@ def from_text(text: str, hint: Any) -> Any:
         return number
     if hint is str:
         return text
+    if origin is typing.Literal:
+        if text not in arguments:
+            raise ValueError(f"must be one of {', '.join(map(str, arguments))}, not {text!r}")
+        return text
     if isinstance(hint, type) and issubclass(hint, Enum):
         if text not in hint.__members__:
             raise ValueError(f"must be one of {', '.join(hint.__members__)}, not {text!r}")

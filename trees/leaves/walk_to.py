@@ -36,6 +36,8 @@ corner is cut by some centimetres."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
+_SCAN_WITHIN_S = 1.0
+_SILENT = "the range sensor says nothing"
 
 
 class WalkTo(WalkingLeaf):
@@ -87,6 +89,9 @@ class WalkTo(WalkingLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         if self._handle is None:
             steering = self._plan(settings)
+            if self._seen.silent:
+                silent_s = self.elapsed_s
+                return RUNNING if silent_s < _SCAN_WITHIN_S else Failure.execution(_SILENT, silent_s=silent_s)
             if isinstance(steering, Failure):
                 return steering
             if steering is None:
@@ -154,6 +159,8 @@ class WalkTo(WalkingLeaf):
             return None
         obstacles = footprints(toolbox.world.scene)
         new = self._look(obstacles)
+        if self._seen.silent:
+            return Failure.execution(_SILENT)
         if not blocked(self._path, new, self._clearance_m - _IN_THE_WAY_M):
             return None
         steering = self._way(settings, body_pose(toolbox), obstacles)

@@ -43,15 +43,13 @@ def search_from_home_too(toolbox: Toolbox) -> Alternatives:
     from_here = search("search", toolbox)
     again: list[Behaviour] = [GoHome("go home", toolbox), search("search", toolbox)]
     from_home = Sequence("look from home", memory=True, children=again)
-    ways = Alternatives(
-        "look", [from_here, from_home], looking_elsewhere_is_useless, from_home_where_arms_are_away
-    )
+    ways = Alternatives("look", [from_here, from_home], looking_elsewhere_is_useless, unless_at_home)
     ways.transparent = True
     return ways
 
 
-def from_home_where_arms_are_away(way: Behaviour, _failure: Failure | None) -> bool:
-    """A way that begins by going home is worth it only where the arms are elsewhere."""
+def unless_at_home(way: Behaviour, _failure: Failure | None) -> bool:
+    """A way that begins by going home, only where the arms are elsewhere; any other always."""
     home = next((leaf for leaf in way.children if isinstance(leaf, GoHome)), None)
     return home is None or not _arms_at_home(home.toolbox)
 
