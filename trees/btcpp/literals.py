@@ -59,10 +59,6 @@ def from_text(text: str, hint: Any) -> Any:
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin in (typing.Union, types.UnionType):
         return from_text(text, next(one for one in arguments if one is not types.NoneType))
-    if origin is typing.Literal:
-        if text not in map(str, arguments):
-            raise ValueError(f"must be one of {', '.join(map(str, arguments))}, not {text!r}")
-        return next(one for one in arguments if str(one) == text)
     if hint is bool:
         if text not in ("true", "false"):
             raise ValueError(f"must be true or false, not {text!r}")

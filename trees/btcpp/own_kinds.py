@@ -104,16 +104,6 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
         children=(1, 1),
         transparent=True,
     ),
-    UnlessSeen: NodeKind(
-        "UnlessSeen",
-        "Decorator",
-        lambda parts: UnlessSeen(parts.children[0], parts.toolbox),
-        ports=tuple(
-            Port(name, "input", type_name(port.data_type)) for name, port in UnlessSeen.INPUT_PORTS.items()
-        ),
-        children=(1, 1),
-        transparent=True,
-    ),
     OnlyAfter: NodeKind(
         "OnlyAfter",
         "Decorator",
