@@ -9,6 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.extensions import extensions
+from trees.subtrees.close import close
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
@@ -57,7 +58,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         DescribeTask: describe,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
-        CloseTask: open_or_close,
+        CloseTask: close,
         WaveTask: wave,
         PointAtTask: point_at,
         LookAtTask: look_at,

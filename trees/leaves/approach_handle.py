@@ -19,6 +19,7 @@ from trees.held_handle import HandAtHandle, scene_of_hand
 from trees.leaf import DONE
 from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
+from trees.pushed_front import outwards
 
 GENTLE = replace(USUAL, stop_force_n=20.0, eased_n=6.0, stuck_s=0.1, slow_share=0.5, ease_m=0.014)
 """Fingers that meet a door behind its bar press no harder than a hand that knocks, and leave room for
@@ -50,7 +51,7 @@ class ApproachHandle(MotionLeaf):
         q = toolbox.motion.reference()
         frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
         here = toolbox.model.frame_pose(q, frame)
-        ahead = here[:3, 0]
+        ahead = -outwards(toolbox.world.scene, target) if target.pushed else here[:3, 0]
         left_m = float((grasp.world_T_tcp[:3, 3] - here[:3, 3]) @ ahead)
         if left_m <= 0.0:
             return Failure.execution("the hand is beyond the handle already", left_m=left_m)
