@@ -22,6 +22,7 @@ from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.touch_front import TouchFront
 from trees.leaves.verify_opening import VerifyOpening
 from trees.retry import Retry
+from trees.subtrees.come_to_handle import come_to_handle
 from trees.subtrees.open import (
     ATTEMPTS,
     GAZES,
@@ -30,6 +31,7 @@ from trees.subtrees.open import (
     looking_elsewhere_is_useless,
     open_or_close,
     sequence,
+    tidying_helps,
     verify,
 )
 from trees.toolbox import Toolbox
@@ -42,9 +44,10 @@ def close(toolbox: Toolbox) -> Behaviour:
 
 def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
-    main = sequence("push the front", _search("search", toolbox), attempts)
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
-    tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=lambda failure: not defect(failure))
+    come = come_to_handle(toolbox, _search("look again", toolbox))
+    main = sequence("push the front", _search("search", toolbox), come, attempts)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
+    tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
     return sequence("push", NamesDoor("names a door", toolbox), tidy)
 
 
