@@ -230,7 +230,9 @@ def test_words_of_ones_own_are_taken_from_the_given_file(executive, tmp_path, mo
 
 
 @pytest.mark.parametrize("command", ["run", "serve", "check", "tree"])
-def test_a_file_of_words_with_a_mistake_is_one_line_and_exit_code_2(executive, tmp_path, monkeypatch, command):
+def test_a_file_of_words_with_a_mistake_is_one_line_and_exit_code_2(
+    executive, tmp_path, monkeypatch, command
+):
     monkeypatch.setenv(CONFIG_VARIABLE, "")
     words = tmp_path / "words.toml"
     words.write_text("vocabulary = [")

@@ -408,7 +408,9 @@ def test_a_hand_that_holds_something_does_not_wave(stage_with):
     "task",
     [
         PlaceTask("put the cup from the shelf on the table", RED_CUP, on="table", source="shelf"),
-        PutInTask("put the cup from the shelf in the bowl", RED_CUP, ObjectDescription("bowl"), source="shelf"),
+        PutInTask(
+            "put the cup from the shelf in the bowl", RED_CUP, ObjectDescription("bowl"), source="shelf"
+        ),
         HandOverTask("give Ana the cup from the shelf", RED_CUP, "Ana", source="shelf"),
     ],
     ids=lambda task: task.action,
