@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +21,8 @@ from trees.scene_update import kind_of
 PUSH_TO_RAD = -0.12
 """Where a pushing hand is led: the frame stops the door before; which part of the hand will touch it there
 is not known to some centimetres."""
-_OPENS_RAD = (-0.1, 2.3)
-"""What a door's angle can be; beyond, the panel was seen the wrong way round."""
+_TOLD_RAD, _MOST_RAD = 0.12, 2.3
+"""From which angle on a panel alone tells its hinge; beyond the other it was seen the wrong way round."""
 
 
 def fronts_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
@@ -30,12 +31,12 @@ def fronts_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
     Args:
         seen: What a look saw, by name in the planning scene.
     """
-    bars = {target.part: target.handle for target in handles_in(seen)}
+    known = {target.part: replace(target, pushed=True) for target in handles_in(seen)}
     bodies = [item for item in seen.values() if item.kind == BODY_OF[DOOR]]
     found = []
     for name, panel in seen.items():
         if kind_of(name) == DOOR and bodies:
-            target = _front(name, bars.get(name, name), panel, bodies)
+            target = known.get(name) or _front(name, panel, bodies)
             if target is not None:
                 found.append(target)
     return found
@@ -54,8 +55,11 @@ def outwards(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
     return np.asarray(normal if (bar_m - pose[:3, 3]) @ normal > 0.0 else -normal)
 
 
-def _front(name: str, bar: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget | None:
-    """The hinge is where an edge of the panel meets a front corner of the body; x of both points inwards."""
+def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget | None:
+    """The hinge is where an edge of the panel meets a front corner of the body; x of both points inwards.
+
+    None for a door that is nearly closed, and might hang on either side.
+    """
     body = max(bodies, key=lambda item: float(item.odom_T_object[2, 3]))  # its top
     if not (isinstance(body.shape, Box) and isinstance(panel.shape, Box)):
         return None
@@ -79,10 +83,10 @@ def _front(name: str, bar: str, panel: ObjectEstimate, bodies: list[ObjectEstima
     turned = yaw - poses.yaw_of(panel.odom_T_object[:3, :3])
     for opening in (side * turned, side * turned + math.pi):
         opening = (opening + math.pi) % (2.0 * math.pi) - math.pi
-        if _OPENS_RAD[0] <= opening <= _OPENS_RAD[1]:
+        if _TOLD_RAD <= opening <= _MOST_RAD:
             arc = DoorArc(
                 hinge, yaw, side, 0.5 * panel.shape.size_m[1], 0.0, float(panel.odom_T_object[2, 3])
             )
             hand: Hand = "left" if side > 0.0 else "right"
-            return HandleTarget(DOOR, bar, name, arc, max(opening, 0.0), (hand,), pushed=True)
+            return HandleTarget(DOOR, name, name, arc, opening, (hand,), pushed=True)
     return None

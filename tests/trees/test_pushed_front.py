@@ -30,7 +30,7 @@ def seen(opening, without=()):
     return found
 
 
-@pytest.mark.parametrize("opening", [0.0, 0.4, 0.9, 1.25])
+@pytest.mark.parametrize("opening", [0.2, 0.4, 0.9, 1.25])
 def test_a_door_is_known_by_its_front_as_by_its_handle(opening):
     (by_handle,) = handles_in(seen(opening))
     (by_front,) = fronts_in(seen(opening, without=("handle",)))
@@ -59,6 +59,14 @@ def test_a_panel_that_is_seen_the_wrong_way_round_is_the_same_door():
 
     assert target.opening == pytest.approx(0.9, abs=1e-9)
     assert target.hands == ("left",)
+
+
+def test_a_door_that_is_nearly_closed_tells_its_side_by_its_handle_alone():
+    (target,) = fronts_in(seen(0.05))
+
+    assert target.pushed
+    assert target.hands == ("left",)
+    assert fronts_in(seen(0.05, without=("handle",))) == []
 
 
 def test_without_its_body_a_door_tells_no_angle():

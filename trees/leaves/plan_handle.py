@@ -48,7 +48,7 @@ class PlanHandle(JobLeaf):
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
             handle=target.handle,
-            parts=(target.part, target.handle),
+            parts=tuple(dict.fromkeys((target.part, target.handle))),
             path=target.path,
             s_from=target.opening,
             s_to=self._lead_to,
