@@ -9,6 +9,7 @@ from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.handles import MEANT_BY, PART_KINDS, HandleTarget, handles_in
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.scene_update import kind_of, updated_scene
 from trees.sight import in_view
@@ -45,7 +46,8 @@ class DetectHandle(LookLeaf):
         kind = MEANT_BY.get(noun) if noun is not None else None
         if noun is not None and kind is None:
             return Failure.infeasible(f"a {noun} is nothing that I can open or close")
-        fitting = [item for item in handles_in(update.seen) if kind in (None, item.kind)]
+        body = feet_pose(self.toolbox)
+        fitting = [item for item in handles_in(update.seen, body) if kind in (None, item.kind)]
         if not fitting:
             return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
         if len(fitting) > 1:
