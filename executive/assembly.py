@@ -123,8 +123,8 @@ def assemble(
         policy=policy or TreePolicy(),
         walking=loop.walking,
         ranging=world.ranging,
-        places=place_map(scene, for_map),
         yielding=loop.yielding,
+        places=place_map(scene, for_map),
     )
     supervisor = Supervisor(loop, clock, sink)
     session = Session(

@@ -50,6 +50,9 @@ WAVING_M = (0.24, 0.20, 0.27)
 OFFER_M = (0.50, 0.06, 0.22)
 # Between an offered object and the person's axis, at least: an arm's length of room.
 OFFER_ROOM_M = 0.55
+# Cosine of the angle between the fingers' closing and the way to the person, at most: what is pulled
+# straight at a finger does not come out of the open hand.
+BESIDE_FINGERS = 0.5
 # Of the whole arm, how far a pointing hand is stretched.
 STRETCHED = 0.85
 # Where a carried object is, from the shoulder: ahead, inwards, down.
@@ -177,13 +180,26 @@ class GesturePlanner:
             tcp = task.tcp(q)
             item = tcp @ body.frame_T_object
             return np.concatenate(
-                [item[:3, 3] - place, 0.5 * _unlike(item[:3, 2], _UP), 0.03 * _unlike(tcp[:3, 0], turn[:, 0])]
+                [
+                    item[:3, 3] - place,
+                    0.5 * _unlike(item[:3, 2], _UP),
+                    0.03 * _unlike(tcp[:3, 0], turn[:, 0]),
+                    [0.06 * float(tcp[:3, 1] @ turn[:, 0])],
+                ]
             )
 
         def upright(q: Array) -> bool:
             return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(0.05))
 
-        return task.reach("offer", residual, person, upright, "upright", enough=0.12)
+        def out_of_the_way(q: Array) -> bool:
+            towards = poses.rotation_z(task.bearing(q, person))[:, 0]
+            return upright(q) and abs(float(task.tcp(q)[:3, 1] @ towards)) <= BESIDE_FINGERS
+
+        for good, goodness in ((out_of_the_way, "with the fingers out of the way"), (upright, "upright")):
+            answer = task.reach("offer", residual, person, good, goodness, enough=0.12)
+            if isinstance(answer, MovePlan):
+                break
+        return answer
 
     def _carry(self, request: CarryRequest) -> MovePlan | NoPlan:
         body = request.scene.attached[request.held]

@@ -144,7 +144,8 @@ class HandTracker:
 
         Args:
             goal: Where to; None to come to rest.
-            times_s: Instants, each after the tick's beginning, no later than its end, shape (k,); none when only the end matters.
+            times_s: Instants, each after the tick's beginning, no later than its end, shape (k,); none when
+                only the end matters.
 
         Returns:
             The motion at those instants.

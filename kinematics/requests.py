@@ -18,6 +18,7 @@ from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance, Trajectory
+from kinematics.view_request import ViewRequest
 
 Array = NDArray[np.float64]
 
@@ -239,5 +240,12 @@ class NoPlan:
 
 
 PlanRequest = (
-    PickRequest | MoveRequest | RetreatRequest | HandleRequest | PlaceRequest | GestureRequest | CheckRequest
+    PickRequest
+    | MoveRequest
+    | RetreatRequest
+    | HandleRequest
+    | PlaceRequest
+    | GestureRequest
+    | ViewRequest
+    | CheckRequest
 )

@@ -23,6 +23,9 @@ def objects_in_open_grasp(toolbox: Toolbox) -> tuple[HeldObject, ...]:
         toolbox: Knows the commanded posture and what stands where.
     """
     scene, model = toolbox.world.scene, toolbox.model
+    things = [item for item in scene.objects.values() if item.movable]
+    if not things:
+        return ()
     q = toolbox.motion.reference()
     holding = {body.frame for body in scene.attached.values()}
     found = []
@@ -35,8 +38,8 @@ def objects_in_open_grasp(toolbox: Toolbox) -> tuple[HeldObject, ...]:
         tcp = model.frame_pose(q, frame)
         near = [
             (outside_m, item.name)
-            for item in scene.objects.values()
-            if item.movable and (outside_m := _outside_m(item, tcp[:3, 3])) <= _ABOUT_M
+            for item in things
+            if (outside_m := _outside_m(item, tcp[:3, 3])) <= _ABOUT_M
         ]
         if near:
             item = scene.objects[min(near)[1]]

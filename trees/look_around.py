@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import ClassVar
 
-import numpy as np
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
@@ -13,6 +12,7 @@ from robots.perception.standing import standing_on_tops
 from trees.believed_thing import Surroundings, surroundings
 from trees.failures import Failure
 from trees.glimpse_of import glimpse_of
+from trees.in_hand import not_in_hand
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.scene_update import updated_scene
 
@@ -44,7 +44,7 @@ class LookAround(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then judge what was seen."""
         world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
+        estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
         glimpse = glimpse_of(self.toolbox, views[-1])
         camera, near_m = self.toolbox.model.description.camera, policy.hidden_by_hand_m
         update = updated_scene(
@@ -58,16 +58,3 @@ class LookAround(LookLeaf):
         world.note_glimpse(glimpse)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         return self.found(update.seen)
-
-    def _not_in_hand(self, estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
-        scene, q = self.toolbox.world.scene, self.toolbox.sensing.state().q
-        held = [
-            (self.toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
-            for body in scene.attached.values()
-        ]
-        near = self.toolbox.policy.same_object_m
-        return [
-            estimate
-            for estimate in estimates
-            if all(float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place)) > near for place in held)
-        ]

@@ -175,6 +175,6 @@ class Toolbox:
     policy: TreePolicy = field(default_factory=TreePolicy)
     walking: Walking | None = None
     ranging: RangeSensor | None = None
-    places: Mapping[str, Region] = field(default_factory=dict)
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
+    places: Mapping[str, Region] = field(default_factory=dict)

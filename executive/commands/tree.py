@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.config_option import ConfigOption
+from executive.config import use_config
 from executive.exit_codes import ExitCode
 
 
@@ -25,6 +27,7 @@ def tree(
     text: Annotated[
         str, typer.Argument(metavar="SENTENCE|FILE.xml", help="What would be done, or a tree of Groot2.")
     ],
+    config: ConfigOption = None,
     form: Annotated[TreeFormat, typer.Option("--format", help="How to print it.")] = TreeFormat.TEXT,
 ) -> None:
     """Print the tree that would run, or the one that a file of BehaviorTree.CPP 4 describes."""
@@ -34,6 +37,7 @@ def tree(
     from executive.command_parser import parse
     from executive.meaning import StopCommand
 
+    use_config(config)
     parsed = parse(text)
     if parsed.refusal is not None:
         typer.echo(f"refused: {parsed.refusal}", err=True)

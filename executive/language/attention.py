@@ -113,6 +113,8 @@ def _asked(
             and action == "find"
         ):
             raise trouble("which object is meant?", asks=True)
+        if nominal.count == "some" and action != "find":
+            raise unfit()
         if nominal.counted and not (action in ("count", "describe") and nominal.count == "all"):
             raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
         if (

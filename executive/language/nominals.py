@@ -85,8 +85,10 @@ def _filled(parts: Parts) -> Nominal | None:
     return Nominal("thing", vessel.meaning, name=name, plural=vessel.word_class == "KINDS")
 
 
-def _door_of(parts: Parts) -> Nominal:
+def _door_of(parts: Parts) -> Nominal | None:
     of, door = parts
+    if of.word_class == "CONTAINER" and door.meaning != "door":
+        return None
     if of.word_class == "CONTAINER":
         return Nominal("container", of.meaning)
     return Nominal("door", door.meaning, name=f"{of.meaning} {door.meaning}")

@@ -37,6 +37,7 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import AttachedBody, PlanningScene
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
+from kinematics.view_request import ViewRequest
 from robots.clock import Clock
 from robots.fake.scripted_world import diameter_m
 
@@ -143,6 +144,8 @@ class FakePlanning:
             goal = self._reach(request.q_start, request.hand, place)
         elif isinstance(request, MoveRequest):
             goal = self._posture(request)
+        elif isinstance(request, ViewRequest):
+            goal = self._looking_at(request.q_start, request.points_m[int(np.argmax(request.worth))])
         else:
             return NoPlan(f"a fake planner has no answer to {type(request).__name__}", {"fake": 1})
         return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))

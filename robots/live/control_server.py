@@ -35,7 +35,9 @@ from robots.live.messages import (
     Heartbeat,
     Hello,
     Lead,
+    Pause,
     Reset,
+    Resume,
     Shutdown,
     Start,
     Steer,
@@ -160,7 +162,7 @@ class ControlServer:
             self._listeners.remove(connection)
         if connection is not self._commander:
             return
-        if self._moves:
+        if self._moves or self._loop.paused:
             self._loop.stop(1, "the connection to the executive ended")
         else:
             self._motions.cancel_all("the connection to the executive ended")
@@ -242,6 +244,13 @@ class ControlServer:
                 self._require_commander(connection)
                 if self._in_order(connection, number):
                     self._motions.finish(motion)
+            case Pause(number, reason):
+                self._require_commander(connection)
+                if self._in_order(connection, number):
+                    self._loop.pause(reason)
+            case Resume(number, stamp_s):
+                if self._may_command(connection, number, stamp_s):
+                    self._loop.resume()
             case Start() | Guarded():
                 self._start(connection, message)
             case Admit() | Lead() | Walk() | Steer():
@@ -292,7 +301,9 @@ class ControlServer:
     def _in_order(self, connection: Connection, number: int) -> bool:
         before = self._number
         if not self._next_in_order(connection, number):
-            connection.send(_refused(number, f"number {number} after {before}"))
+            # the one that came before it may have been obeyed: this says nothing of that one
+            told = {"number": number, "reason": f"number {number} after {before}"}
+            connection.send(write_message("ignored", **told))
             return False
         self._hear_of_it()
         return True

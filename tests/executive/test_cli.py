@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 
 from executive import cli
 from executive.commands import runs as runs_command
+from executive.config import CONFIG_VARIABLE
 from executive.exit_codes import ExitCode
 
 ROOT = Path(__file__).parents[2]
@@ -216,6 +217,31 @@ def test_the_tree_of_a_sentence_is_printed_without_a_robot(executive, form):
 
     assert result.exit_code == 0
     assert "plan pick" in result.stdout
+
+
+@pytest.mark.parametrize("command", ["tree", "check"])
+def test_words_of_ones_own_are_taken_from_the_given_file(executive, tmp_path, monkeypatch, command):
+    monkeypatch.setenv(CONFIG_VARIABLE, "")  # what the command sets is taken back after the test
+    words = tmp_path / "words.toml"
+    words.write_text('[vocabulary.KIND]\nwords.cup = ["zorbl"]\n')
+
+    assert executive(command, "pick up the zorbl").exit_code == 2
+    assert "zorbl" not in executive(command, "look at the zorbl", "--config", str(words)).output
+
+
+@pytest.mark.parametrize("command", ["run", "serve", "check", "tree"])
+def test_a_file_of_words_with_a_mistake_is_one_line_and_exit_code_2(
+    executive, tmp_path, monkeypatch, command
+):
+    monkeypatch.setenv(CONFIG_VARIABLE, "")
+    words = tmp_path / "words.toml"
+    words.write_text("vocabulary = [")
+
+    said = [] if command == "serve" else ["pick up the cup"]
+    result = executive(command, *said, "--config", str(words))
+
+    assert result.exit_code == 2
+    assert "words.toml: is no TOML" in one_line(result)
 
 
 def test_a_tree_that_was_printed_as_xml_is_read_back_from_its_file(executive, tmp_path):

@@ -59,6 +59,7 @@ class ChangeViewpoint(WalkingLeaf):
         if self._handle is None:
             scan = toolbox.ranging.scan()
             if scan is None:
+                self.feedback_message = "waiting for the range sensor"
                 return RUNNING
             steering = self._steering(settings, scan)
             if isinstance(steering, Failure):
