@@ -49,7 +49,8 @@ def picture(records: Sequence[Mapping[str, Any]]) -> str:
 
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH:g} {_HEIGHT:g}" '
-        f'font-family="sans-serif" font-size="12"><rect width="{_WIDTH:g}" height="{_HEIGHT:g}" fill="white"/>'
+        'font-family="sans-serif" font-size="12">'
+        f'<rect width="{_WIDTH:g}" height="{_HEIGHT:g}" fill="white"/>'
     ]
     for share in (0.0, 0.25, 0.5, 0.75, 1.0):
         (x, y), (end, _) = at(0.0, share), at(most_n, share)
