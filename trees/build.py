@@ -12,7 +12,6 @@ from trees.best_effort import BestEffort
 from trees.extensions import extensions
 from trees.hand_about import objects_in_open_grasp
 from trees.leaves.lift_clear import LiftClear, held_near_support
-
 from trees.subtrees.close import close
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
