@@ -29,6 +29,8 @@ WARM_SHARE = 0.2
 """Memory is compared with what it was after this share of the time: caches fill first."""
 LONGEST_S = 200.0
 """A command that takes longer, simulated, hangs: the session gives tasks up before."""
+_HOME = "go home"
+"""What a standing robot can always do, unless something is done to it meanwhile."""
 _AT_A_TABLE = (
     SENTENCE,
     SENTENCE,
@@ -41,8 +43,6 @@ _ON_A_FLOOR = ("move forward", "move backward", "turn left", "turn right", _HOME
 _DISTURBANCES = ("none", "none", "none", "cancel", "stop 1", "stop 2", "pause", "gyro", "battery", "encoder")
 _LATEST_S = 12.0
 _PAUSED_S = 1.5
-_HOME = "go home"
-"""What a standing robot can always do, unless something is done to it meanwhile."""
 _BIASED_RAD_S = 0.03
 _SLIPPED_RAD = 0.05
 _LOW = 0.1
