@@ -50,6 +50,7 @@ _ANSWER_WITHIN_S = 10.0
 """Wall time in which a greeting is answered; the machine may be busy."""
 
 _KEPT_VERDICTS = 64
+_TRIES = 3
 _REMEMBERED = 256
 """Commands that may still be refused: those of the last seconds."""
 
@@ -160,10 +161,20 @@ class ControlLink:
         """Send the heartbeat of one tick."""
         self._say(Heartbeat(self._next(), self.now_s, busy, looking, ranging, world_version))
 
-    def admit(self, trajectory: int, world_version: int, document: str) -> None:
-        """Ask for a trajectory to be checked by the other side; the verdict comes later."""
+    def admit(self, trajectory: int, world_version: int, document: str, tries: int = _TRIES) -> None:
+        """Ask for a trajectory to be checked by the other side; the verdict comes later.
+
+        One that was lost, or came too late to be looked at, is sent again; nothing moves because of it.
+        """
         message = Admit(self._next(), self.now_s, trajectory, world_version)
-        self._when_refused(message.number, lambda reason: self._rejected(trajectory, reason))
+
+        def refused(reason: str) -> None:
+            if tries > 1:
+                self.admit(trajectory, world_version, document, tries - 1)
+            else:
+                self._note_verdict({"type": "rejected", "trajectory": trajectory, "reason": reason})
+
+        self._when_refused(message.number, refused)
         self._say(message, document)
 
     def start(self, handle: MotionHandle, motion: int, trajectory: int) -> None:
@@ -263,9 +274,6 @@ class ControlLink:
             self.lost = self.lost or reason
         elif (call := self._refusals.pop(number, None)) is not None:
             call(reason)
-
-    def _rejected(self, trajectory: int, reason: str) -> None:
-        self._note_verdict({"type": "rejected", "trajectory": trajectory, "reason": reason})
 
     def _await_welcome(self) -> None:
         until_s = self._wall.now_s() + _ANSWER_WITHIN_S
