@@ -7,11 +7,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
-import numpy as np
-
-import robots.control.events as control_events
+from executive.live.heard import emergency_of, event_of, finding_of, report_of
 from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Finding, FindingKind, Unsafe
+from kinematics.trajectory import Unsafe
 from robots.clock import WallClock
 from robots.control.emergency_stop import EmergencyStop
 from robots.control.events import ControlEvent
@@ -297,12 +295,12 @@ class ControlLink:
     def _take(self, message: Mapping[str, Any]) -> None:
         match message["type"]:
             case "welcome":
-                self.about, self.emergency = message, _emergency(message["emergency"])
+                self.about, self.emergency = message, emergency_of(message["emergency"])
                 self._note_health(message["health"])
             case "health":
                 self._note_health(message)
             case "emergency":
-                self.emergency = _emergency(message)
+                self.emergency = emergency_of(message)
             case "motion":
                 self._follow(message)
             case "frame":
@@ -312,7 +310,7 @@ class ControlLink:
             case "felt":
                 self._feel(message)
             case "event":
-                event = _event(message)
+                event = event_of(message)
                 if event is not None:
                     self._listen(event)
             case "admitted" | "unsafe" | "rejected":
@@ -331,7 +329,7 @@ class ControlLink:
     def _note_verdict(self, message: Mapping[str, Any]) -> None:
         verdict: Verdict = True
         if message["type"] == "unsafe":
-            verdict = Unsafe(tuple(map(_finding, message["findings"])))
+            verdict = Unsafe(tuple(map(finding_of, message["findings"])))
         elif message["type"] == "rejected":
             verdict = str(message["reason"])
         self.verdicts[message["trajectory"]] = verdict
@@ -341,15 +339,7 @@ class ControlLink:
     def _feel(self, message: Mapping[str, Any]) -> None:
         tell = self._felt.get(message["motion"])
         if tell is not None:
-            tell(
-                YieldReport(
-                    outcome=message["outcome"],
-                    s=float(message["s"]),
-                    peak_force_n=float(message["peak_force_n"]),
-                    peak_pull_n=float(message["peak_pull_n"]),
-                    bias=np.array(message["bias"], dtype=np.float64),
-                )
-            )
+            tell(report_of(message))
 
     def _follow(self, message: Mapping[str, Any]) -> None:
         handle = self._motions.get(message["motion"])
@@ -370,25 +360,3 @@ class ControlLink:
             handle.status, handle.reason = MotionStatus.CANCELED, self.lost
         self._motions.clear()
         raise ControlLostError(self.lost)
-
-
-def _emergency(values: Mapping[str, Any]) -> EmergencyStop | None:
-    if not values["engaged"]:
-        return None
-    return EmergencyStop(float(values["t_s"]), int(values["category"]), str(values["engaged"]))
-
-
-def _event(message: Mapping[str, Any]) -> ControlEvent | None:
-    """The control layer's event of a message; None for one that this side does not know."""
-    kind = getattr(control_events, str(message["event"]), None)
-    values = {key: value for key, value in message.items() if key not in ("type", "event")}
-    try:
-        event: ControlEvent | None = None if kind is None else kind(**values)
-    except TypeError:
-        return None
-    return event
-
-
-def _finding(values: list[Any]) -> Finding:
-    kind, t_s, subject, value, limit = values
-    return Finding(FindingKind(kind), float(t_s), tuple(map(str, subject)), float(value), float(limit))
