@@ -154,3 +154,20 @@ def test_a_place_beside_a_person_is_no_hand_over():
     tasks = parse("take the cup and bring it to behind the chair").to_json()["tasks"]
 
     assert [task["action"] for task in tasks] == ["pick", "place"]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "manners"),
+    [
+        ("gently put the cup on the table", ("gently",)),
+        ("very carefully, pick up the cup", ("very carefully",)),
+        ("pick up the cup carefully and put it gently on the table", ("carefully", "gently")),
+        ("pick up the cup", ()),
+        ('say "drive carefully"', ()),
+    ],
+)
+def test_manners_that_change_nothing_are_noted_to_be_told(sentence, manners):
+    parsed = parse(sentence)
+
+    assert parsed.commands
+    assert parsed.manners == manners
