@@ -37,6 +37,8 @@ from kinematics.start_state import relaxed_at
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
+from kinematics.view_planner import ViewPlanner
+from kinematics.view_request import ViewRequest
 
 Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
 
@@ -50,6 +52,7 @@ class MotionPlanner:
         self._gestures = GesturePlanner(model)
         self._place = PlacePlanner(model)
         self._handle = HandlePlanner(model)
+        self._view = ViewPlanner(model)
         self._checker = TrajectoryChecker(model)
 
     def answer(self, request: PlanRequest) -> Answer:
@@ -64,6 +67,8 @@ class MotionPlanner:
             return self._handle.plan(request)
         if isinstance(request, PlaceRequest):
             return self._place.plan(request)
+        if isinstance(request, ViewRequest):
+            return self._view.plan(request)
         if isinstance(request, CheckRequest):
             return self._checker.check(request.trajectory, request.scene)
         return self._gestures.plan(request)

@@ -18,6 +18,7 @@ from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance, Trajectory
+from kinematics.view_request import ViewRequest
 
 Array = NDArray[np.float64]
 
@@ -128,6 +129,7 @@ class HandleRequest:
         hands: Hands that may be used, the better one first.
         excluded: Labels of grasps, as "hand label", that were tried in vain.
         seed: Of everything random in the plan.
+        pushed: The name of the front, when the hand shall push against that instead of holding the bar.
     """
 
     q_start: Array
@@ -141,6 +143,7 @@ class HandleRequest:
     hands: tuple[Hand, ...] = HANDS
     excluded: frozenset[str] = frozenset()
     seed: int = 0
+    pushed: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,5 +242,12 @@ class NoPlan:
 
 
 PlanRequest = (
-    PickRequest | MoveRequest | RetreatRequest | HandleRequest | PlaceRequest | GestureRequest | CheckRequest
+    PickRequest
+    | MoveRequest
+    | RetreatRequest
+    | HandleRequest
+    | PlaceRequest
+    | GestureRequest
+    | ViewRequest
+    | CheckRequest
 )

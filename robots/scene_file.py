@@ -21,6 +21,7 @@ from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import furniture
 from robots.boards import board_tops_m
 from robots.errors import SceneError
+from robots.outside import SCENES, outside_files
 from robots.scene_description import (
     Furniture,
     PerceptionModel,
@@ -44,10 +45,13 @@ _LARGEST_FILE = 1_000_000
 
 
 def known_scenes() -> list[str]:
-    """Names of the scenes that come with the product."""
-    return sorted(
-        item.name.removesuffix(".toml") for item in _scene_folder().iterdir() if item.name.endswith(".toml")
-    )
+    """Names of the scenes that come with the product and with other packages."""
+    return sorted({*outside_files(SCENES), *_own_scenes()})
+
+
+def _own_scenes() -> list[str]:
+    names = (item.name for item in _scene_folder().iterdir())
+    return [name.removesuffix(".toml") for name in names if name.endswith(".toml")]
 
 
 def load_scene(name_or_path: str) -> SceneDescription:
@@ -60,7 +64,9 @@ def load_scene(name_or_path: str) -> SceneDescription:
         SceneError: There is no such scene, or it cannot be a world: file, key and reason.
     """
     if name_or_path in known_scenes():
-        text = (_scene_folder() / f"{name_or_path}.toml").read_text("utf-8")
+        own = name_or_path in _own_scenes()
+        file = _scene_folder() / f"{name_or_path}.toml" if own else outside_files(SCENES)[name_or_path]
+        text = file.read_text("utf-8")
         return read_scene(text, f"{name_or_path}.toml", name_or_path)
     path = Path(name_or_path)
     is_path = name_or_path.endswith(".toml") or "/" in name_or_path or _is_file(path)

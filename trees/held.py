@@ -12,6 +12,9 @@ from trees.failures import Failure
 from trees.tasks import ObjectDescription, Thing
 from trees.toolbox import Toolbox
 
+LOST = "lost"
+"""Among the numbers of a failure: a hand lost what it carried."""
+
 
 @dataclass(frozen=True, slots=True)
 class HeldObject:
@@ -65,6 +68,25 @@ def held_object(toolbox: Toolbox, wanted: Thing | None, hand: Hand | None) -> He
             opening_m=toolbox.grippers[held.hand].reading().opening_m,
         )
     return held
+
+
+def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
+    """Forget that a hand holds something, and say that it lost it.
+
+    Args:
+        toolbox: Its world model forgets.
+        held: What the hand held; where it is now is not known.
+    """
+    world = toolbox.world
+    body = world.scene.attached.get(held.name)
+    if body is not None:
+        detached = world.scene.with_detached(held.name, body.body.world_T_object)
+        world.update(detached.without_object(held.name))
+    return Failure.postcondition(
+        f"the {held.name} slipped out of the {held.hand} hand, or was taken out of it",
+        opening_m=toolbox.grippers[held.hand].reading().opening_m,
+        lost=True,
+    )
 
 
 def _is_meant(name: str, wanted: Thing | None) -> bool:

@@ -30,6 +30,8 @@ from robots.live.messages import (
     Heartbeat,
     Hello,
     Lead,
+    Pause,
+    Resume,
     Start,
     Steer,
     Stop,
@@ -41,7 +43,7 @@ from robots.live.robot_report import ReportLayout, RobotReport
 from robots.live.runtime_folder import RuntimeFolder
 from robots.live.scan_message import RangeScan, read_scan
 from robots.live.state_slot import StateSlotReader
-from robots.live.unix_socket import connect_to
+from robots.live.unix_socket import UnixSocket, connect_to
 from robots.perception.detector import PerceptionFrame
 
 _ANSWER_WITHIN_S = 10.0
@@ -80,8 +82,13 @@ class ControlLink:
         lost: Why the connection ended, or empty.
     """
 
-    def __init__(self, folder: RuntimeFolder, model: RobotModel) -> None:
-        """Attach as the commander.
+    def __init__(
+        self,
+        folder: RuntimeFolder,
+        model: RobotModel,
+        connection: Callable[[UnixSocket], Connection] = Connection,
+    ) -> None:
+        """Attach as the commander, through a connection of this kind.
 
         Raises:
             NotServedError: No control process listens there.
@@ -89,7 +96,7 @@ class ControlLink:
             ProtocolError: It serves another robot.
         """
         self._wall = WallClock()
-        self._connection = Connection(connect_to(folder.control_socket))
+        self._connection = connection(connect_to(folder.control_socket))
         self._number = 0
         self._motions: dict[int, MotionHandle] = {}
         self._felt: dict[int, Callable[[YieldReport], None]] = {}
@@ -202,6 +209,18 @@ class ControlLink:
             message = CancelMotion(self._next(), number, reason[:500])
             self._when_refused(message.number, lambda _reason: self.cancel(handle, reason))
             self._say(message)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        message = Pause(self._next(), reason[:500])
+        self._when_refused(message.number, lambda _reason: self.pause(reason))
+        self._say(message)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        message = Resume(self._next(), self.now_s)
+        self._when_refused(message.number, lambda _reason: self.resume())
+        self._say(message)
 
     def stop(self, category: int, reason: str) -> None:
         """Engage the emergency stop."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO, Any, cast
 
@@ -31,7 +31,13 @@ from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
 from executive.understanding import understand
 from kinematics.robot_model import RobotModel
+from robots.errors import SceneError
+from robots.live.connection import Connection
 from robots.live.runtime_folder import RuntimeFolder
+from robots.live.unix_socket import UnixSocket
+from robots.perception.place_map import place_map
+from robots.scene_description import Region
+from robots.scene_file import load_scene
 from trees.build import TaskTree
 from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
@@ -49,17 +55,24 @@ class LiveExecutive:
         planning: The planning process.
         world: What is believed of the world; outlives an attachment.
         record: Folder of the recorded runs.
+        connection: Kind of the connection; a faulty one for evaluations.
     """
 
     def __init__(
-        self, folder: RuntimeFolder, model: RobotModel, planning: Worker, world: WorldModel, record: Path
+        self,
+        folder: RuntimeFolder,
+        model: RobotModel,
+        planning: Worker,
+        world: WorldModel,
+        record: Path,
+        connection: Callable[[UnixSocket], Connection] = Connection,
     ) -> None:
         """Attach.
 
         Raises:
             LiveError: The control process does not take this process as its commander.
         """
-        self._link = link = ControlLink(folder, model)
+        self._link = link = ControlLink(folder, model, connection)
         self._record = record
         self._order: Order | None = None
         self._log: RunLog | None = None
@@ -68,11 +81,11 @@ class LiveExecutive:
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
-        self._desk = Desk(folder.executive_socket, self._cancel, self.status, _is_stop)
+        self._desk = Desk(folder.executive_socket, self, _is_stop)
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
-        rng = np.random.default_rng(np.random.SeedSequence(int(link.about["seed"])).spawn(3)[2])
+        *_, for_trees, for_map = np.random.SeedSequence(int(link.about["seed"])).spawn(4)
         toolbox = Toolbox(
             clock=LiveClock(link),
             model=model,
@@ -83,9 +96,10 @@ class LiveExecutive:
             planning=self._planning,
             world=world,
             events=self._note,
-            rng=rng,
+            rng=np.random.default_rng(for_trees),
             walking=WalkingClient(link, motion),
             ranging=ranging,
+            places=_places(str(link.about["scene"]), np.random.default_rng(for_map)),
             yielding=YieldingClient(link, motion, model, world),
         )
         self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
@@ -97,6 +111,7 @@ class LiveExecutive:
             self._note,
             on_tick=self._show,
             supervisor=self._supervisor,
+            pausing=link,
         )
 
     def run(self) -> None:
@@ -131,7 +146,8 @@ class LiveExecutive:
         """How things stand, as JSON values."""
         current = self._order.said.text if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
-        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state}
+        paused = self._session.paused
+        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state, "paused": paused}
 
     # ---------------------------------------------------------------- an order
 
@@ -186,9 +202,18 @@ class LiveExecutive:
             self._supervisor.reset("a person")
         self._engaged = engaged
 
-    def _cancel(self, reason: str) -> None:
+    def cancel(self, reason: str) -> None:
+        """Halt what is under way, and hold."""
         self._cancelled = True
         self._session.cancel(reason)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        self._session.pause(reason)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        self._session.resume()
 
     def _note(self, event: Event) -> None:
         if self._log is not None:
@@ -230,3 +255,11 @@ def _statement(said: Say) -> Statement:
 def _is_stop(text: str) -> bool:
     commands = parse(text).commands
     return len(commands) == 1 and isinstance(commands[0], StopCommand)
+
+
+def _places(scene: str, rng: np.random.Generator) -> Mapping[str, Region]:
+    """The map of the rooms; empty where the scene's file is not there for this process."""
+    try:
+        return place_map(load_scene(scene), rng)
+    except SceneError:
+        return {}

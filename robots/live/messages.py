@@ -119,6 +119,22 @@ class CancelMotion:
 
 
 @dataclass(frozen=True, slots=True)
+class Pause:
+    """Hold what is under way where it is, until ``Resume``; never too late."""
+
+    number: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Resume:
+    """Go on with what was paused."""
+
+    number: int
+    stamp_s: float
+
+
+@dataclass(frozen=True, slots=True)
 class Stop:
     """The emergency stop, from anybody, at any time; it latches."""
 
@@ -154,6 +170,8 @@ ControlMessage = (
     | Guarded
     | FinishMotion
     | CancelMotion
+    | Pause
+    | Resume
     | Stop
     | Reset
     | GetStatus
@@ -170,6 +188,8 @@ _CONTROL: Mapping[str, type] = {
     "steer": Steer,
     "finish": FinishMotion,
     "cancel": CancelMotion,
+    "pause": Pause,
+    "resume": Resume,
     "stop": Stop,
     "reset": Reset,
     "status": GetStatus,

@@ -10,6 +10,7 @@ import functools
 import importlib
 import inspect
 import pkgutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ import trees.leaves
 from kinematics.requests import NoPlan
 from robots.fake.fake_world import bowl, cup, person, table
 from trees.build import SKILLS, build_tree
+from trees.extensions import extensions, outside_leaves
 from trees.failures import FailureKind
 from trees.leaf import Leaf
 from trees.tasks import (
@@ -72,6 +74,12 @@ LEAVES = [
     for _, item in inspect.getmembers(importlib.import_module(f"trees.leaves.{module.name}"), inspect.isclass)
     if issubclass(item, Leaf) and item.__module__ == f"trees.leaves.{module.name}"
 ]
+# Skills of other packages that are installed here are held to the same contract.
+OUTSIDE = tuple(extensions().skills.values())
+TASKS |= {skill.task: (skill.make or skill.task)(skill.example) for skill in OUTSIDE}
+TREES = {**SKILLS, **{skill.task: skill.tree for skill in OUTSIDE}}
+LEAVES += [leaf for leaf in outside_leaves() if leaf not in LEAVES]
+
 LONGEST = 400
 AFTERWARDS = 5
 LONG_PERIOD_S = 0.25  # while something hangs, nothing happens but that time passes
@@ -117,6 +125,22 @@ def around_the_robot():
     return table(), cup(), bowl(), person()
 
 
+def leaves_asked_for(items):
+    """The leaves that this session's tests are about; None when one of the tests is about all of them."""
+    mine = [item for item in items if item.path == Path(__file__)]
+    if not all(hasattr(item, "callspec") for item in mine):
+        return None
+    return {item.callspec.params.get("kind") for item in mine}
+
+
+def skills_with(leaves, new_stage):
+    """The skills that have one of these leaves; running all of them takes seconds."""
+    if leaves is None:
+        return list(TREES)
+    toolbox = new_stage(*around_the_robot()).toolbox
+    return [kind for kind, tree in TREES.items() if leaves & {type(node) for node in tree(toolbox).iterate()}]
+
+
 class Context:
     """What a leaf found when it began: how it was made, its task, inputs, posture and world."""
 
@@ -160,15 +184,16 @@ class Makers:
 
 
 @pytest.fixture(scope="module")
-def contexts(new_stage):
+def contexts(new_stage, request):
     with pytest.MonkeyPatch.context() as patch:
-        return _contexts(new_stage, Makers(patch))
+        makers = Makers(patch)
+        return _contexts(new_stage, makers, skills_with(leaves_asked_for(request.session.items), new_stage))
 
 
-def _contexts(new_stage, makers):
+def _contexts(new_stage, makers, kinds):
     """For each leaf class the context of its first beginning in any run; a richer posture wins."""
     found = {}
-    for kind in SKILLS:
+    for kind in kinds:
         task = TASKS.get(kind)
         assert task is not None, f"the contract test needs a {kind.__name__}: add one to TASKS"
         for upset in UPSETS.get(kind, (lambda stage: None,)):

@@ -14,14 +14,18 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from robots.description import known_robots, load_description
 from robots.errors import RobotsError
+from robots.live.faulty_connection import CONNECTION_FAULTS
 from robots.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
+from tools.evaluate.connection import run_connection
+from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.hostile import run_hostile
 from tools.evaluate.kill import run_kill
+from tools.evaluate.load import run_load
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import run_question_episode
@@ -44,11 +48,14 @@ SUITES = (
     "cancel",
     "fault",
     "kill",
+    "connection",
+    "load",
     "fuzz",
     "hostile",
     "soak",
     *OPENING_SUITES,
     *SKILL_SUITES,
+    *DISTURBED_SUITES,
 )
 
 _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
@@ -81,6 +88,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_soak(options, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
+    if options.suite == "connection":
+        return run_connection(options, messages)
+    if options.suite == "load":
+        return run_load(options, messages)
+    if options.suite in DISTURBED_SUITES:
+        return run_disturbed_suite(options, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS
@@ -128,14 +141,14 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--episodes", type=_positive, default=200)
     parser.add_argument("--seed", type=int, default=0, help="seed of the first episode; the others follow")
     parser.add_argument("--jobs", type=_positive, default=2, help="processes")
-    parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS, *SKILL_FAULTS}))
+    parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS, *SKILL_FAULTS, *CONNECTION_FAULTS}))
     parser.add_argument("--scene", help="a scene's name or file in place of random ones")
     parser.add_argument("--robot", default="talos", choices=known_robots())
     parser.add_argument(
         "--pace",
         type=float,
         default=1.0,
-        help="of suite kill: simulated seconds in a second, for slow machines",
+        help="of suites kill, connection and load: simulated seconds in a second, for slow machines",
     )
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument(

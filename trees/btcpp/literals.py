@@ -72,6 +72,10 @@ def from_text(text: str, hint: Any) -> Any:
         return number
     if hint is str:
         return text
+    if origin is typing.Literal:
+        if text not in arguments:
+            raise ValueError(f"must be one of {', '.join(map(str, arguments))}, not {text!r}")
+        return text
     if isinstance(hint, type) and issubclass(hint, Enum):
         if text not in hint.__members__:
             raise ValueError(f"must be one of {', '.join(hint.__members__)}, not {text!r}")
@@ -91,6 +95,8 @@ def type_name(hint: Any) -> str:
     """A type as the model of a node names it."""
     if typing.get_origin(hint) is typing.get_origin(Callable[[], None]):
         return "judgement"
+    if typing.get_origin(hint) is typing.Literal:
+        return " or ".join(map(str, typing.get_args(hint)))
     plain = (
         "list" if typing.get_origin(hint) in (frozenset, tuple, Sequence) else getattr(hint, "__name__", None)
     )

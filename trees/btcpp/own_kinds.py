@@ -18,6 +18,7 @@ from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
+from trees.unless_seen import UnlessSeen
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]
@@ -85,7 +86,11 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
         "Deadline",
         "Decorator",
         lambda parts: Deadline(
-            parts.name, parts.children[0], parts.settings["deadline_s"], parts.toolbox.clock
+            parts.name,
+            parts.children[0],
+            parts.settings["deadline_s"],
+            parts.toolbox.clock,
+            parts.toolbox.pauses,
         ),
         lambda node: {"deadline_s": node.deadline_s},
         (_literal("deadline_s", float, "seconds on the injected clock"),),
@@ -109,6 +114,18 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
             _failure("input"),
         ),
         (1, 1),
+        transparent=True,
+    ),
+    UnlessSeen: NodeKind(
+        "UnlessSeen",
+        "Decorator",
+        lambda parts: UnlessSeen(parts.children[0], parts.toolbox),
+        ports=(
+            Port("target", "input", "Target", description="what the hand goes to"),
+            Port("grasp", "input", "Grasp", description="which hand"),
+            Port("reach", "input", "Step", description="its planned way"),
+        ),
+        children=(1, 1),
         transparent=True,
     ),
 }

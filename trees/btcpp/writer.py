@@ -70,5 +70,5 @@ def _element(node: Behaviour) -> Element:
     transparent = bool(getattr(node, "transparent", False))
     if transparent != kind.transparent:
         made.set("_transparent", to_text(transparent))
-    made.extend(map(_element, node.children))
+    made.extend([_element(child) for child in node.children])
     return made

@@ -7,7 +7,7 @@ from py_trees.common import Status
 
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.held import HeldObject
+from trees.held import HeldObject, lost
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.ports import ports
 from trees.touch_watch import TouchWatch
@@ -46,9 +46,7 @@ class AwaitPull(Leaf):
         if not self.toolbox.grippers[held.hand].reading().holding:
             self.measured(pull_n=self._strongest_n)
             if self._strongest_n < policy.pull_n:
-                return Failure.postcondition(
-                    f"the {held.name} left the {held.hand} hand without a pull", pull_n=self._strongest_n
-                )
+                return lost(self.toolbox, held)
             self._set_output("pull_n", self._strongest_n)
             return DONE
         pull_n = float(np.linalg.norm(self._watch.feel()))

@@ -20,11 +20,13 @@ from trees.leaves.lower import Lower, LowerFurther
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.still_held import StillHeld
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
+from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -38,12 +40,15 @@ def place(toolbox: Toolbox) -> Behaviour:
     attempts = Retry(
         "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
     )
-    children: list[Behaviour] = [
-        look_over(toolbox),
+    carry: list[Behaviour] = [
         have_it(toolbox),
         _find_room(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
+    ]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),
@@ -63,6 +68,7 @@ def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Beha
         CheckTrajectory("check transfer", toolbox, {"step": "transfer", "checked": "checked_transfer"}),
         CheckTrajectory("check lower", toolbox, {"step": "lower", "checked": "checked_lower"}),
         StreamMotion("transfer", toolbox, {"checked": "checked_transfer"}),
+        StillHeld("still held", toolbox),
         Lower("lower", toolbox, {"checked": "checked_lower"}),
         *further,
     ]
@@ -81,6 +87,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
         PlanPlace("plan place", toolbox),
         *set_down(toolbox),
+        StillHeld("held to the end", toolbox),
         LetGo("let go", toolbox),
     ]
     return Sequence("set down", memory=True, children=children)
@@ -88,6 +95,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
 
 def _recover(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
+        StillHeld("not lost", toolbox),
         ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
         BestEffort(RaiseHeld("lift it again", toolbox)),
         _find_room(toolbox),

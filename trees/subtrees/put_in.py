@@ -18,14 +18,19 @@ from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.still_held import StillHeld
 from trees.leaves.verify_put_in import VerifyPutIn
+from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
 from trees.subtrees.place import set_down
+from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
+
+_OVER_IT = Gaze("over it", tilt_rad=0.6, lean_rad=0.6)
 
 
 def put_in(toolbox: Toolbox) -> Behaviour:
@@ -33,9 +38,11 @@ def put_in(toolbox: Toolbox) -> Behaviour:
     attempt: list[Behaviour] = [
         PlanPlace("plan put in", toolbox),
         *set_down(toolbox, further_steps=0),
+        StillHeld("held to the end", toolbox),
         LetGo("let go", toolbox, anyway=True),
     ]
     recover: list[Behaviour] = [
+        StillHeld("not lost", toolbox),
         ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
         BestEffort(RaiseHeld("lift it again", toolbox)),
         _find_container(toolbox),
@@ -47,29 +54,56 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         toolbox.policy.place_attempts,
         _nothing_else_helps,
     )
-    children: list[Behaviour] = [
-        look_over(toolbox),
+    carry: list[Behaviour] = [
         have_it(toolbox),
         _find_container(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
+    ]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),
-        BestEffort(LookAtPlacement("look into it", toolbox)),
-        VerifyPutIn("verify put in", toolbox),
+        _see_it_inside(toolbox),
     ]
     return tidily("put in", children, toolbox)
 
 
+def _see_it_inside(toolbox: Toolbox) -> Behaviour:
+    """From home, and where a wall hides it, from above."""
+    from_home: list[Behaviour] = [
+        BestEffort(LookAtPlacement("look into it", toolbox)),
+        VerifyPutIn("verify put in", toolbox),
+    ]
+    from_above: list[Behaviour] = [
+        LookAt("lean over it", toolbox, _OVER_IT),
+        VerifyPutIn("verify from above", toolbox),
+        GoHome("straighten up", toolbox),
+    ]
+    ways: list[Behaviour] = [
+        Sequence("look from home", memory=True, children=from_home),
+        Sequence("look from above", memory=True, children=from_above),
+    ]
+    return Alternatives("see it inside", ways)
+
+
 def _find_container(toolbox: Toolbox) -> Behaviour:
+    """Looks until it is seen; what a hand lifts from a table hides what stands behind: then from home."""
     looks: list[Behaviour] = []
-    for gaze in toolbox.policy.search_gazes:
+    first, *others = toolbox.policy.search_gazes
+    for name, gaze, before in (
+        ("look ahead", first, []),
+        ("draw the hand in", first, [GoHome("hand away", toolbox)]),
+        *((f"look {gaze.name}", gaze, []) for gaze in others),
+    ):
         children: list[Behaviour] = [
+            *before,
             LookAt("look", toolbox, gaze),
             FindContainer("find container", toolbox),
         ]
-        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+        looks.append(Sequence(name, memory=True, children=children))
     return Alternatives("find what it goes into", looks, hopeless=looking_elsewhere_is_useless)
 
 

@@ -40,16 +40,18 @@ def as_needed(look: Behaviour, failure: Failure | None) -> bool:
 
 def search_from_home_too(toolbox: Toolbox) -> Alternatives:
     """From here, and once more from home where the arms are elsewhere: they may hide what is meant."""
-
-    def worth_trying(way: Behaviour, _failure: Failure | None) -> bool:
-        return way is from_here or not _arms_at_home(toolbox)
-
     from_here = search("search", toolbox)
     again: list[Behaviour] = [GoHome("go home", toolbox), search("search", toolbox)]
     from_home = Sequence("look from home", memory=True, children=again)
-    ways = Alternatives("look", [from_here, from_home], looking_elsewhere_is_useless, worth_trying)
+    ways = Alternatives("look", [from_here, from_home], looking_elsewhere_is_useless, unless_at_home)
     ways.transparent = True
     return ways
+
+
+def unless_at_home(way: Behaviour, _failure: Failure | None) -> bool:
+    """A way that begins by going home, only where the arms are elsewhere; any other always."""
+    home = next((leaf for leaf in way.children if isinstance(leaf, GoHome)), None)
+    return home is None or not _arms_at_home(home.toolbox)
 
 
 def _arms_at_home(toolbox: Toolbox) -> bool:

@@ -59,7 +59,7 @@ class Far(LiveRig):
 class Executive:
     """Link and toolbox parts, attached."""
 
-    def __init__(self, far, monkeypatch):
+    def __init__(self, far, monkeypatch, connection=Connection):
         # the greeting is answered while it is waited for
         waited = Connection.wait
 
@@ -69,7 +69,7 @@ class Executive:
 
         monkeypatch.setattr(Connection, "wait", wait)
         self.far, self.events, self.world = far, [], WorldModel()
-        self.link = ControlLink(far.folder, far.model)
+        self.link = ControlLink(far.folder, far.model, connection)
         self.link.listen(self.events.append)
         self.motion = MotionClient(self.link)
         self.detector = DetectorClient(self.link)

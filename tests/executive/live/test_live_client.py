@@ -133,3 +133,37 @@ def test_a_plan_comes_back_as_the_worker_gave_it(executive):
     assert job.result() == "no plan"
     assert executive.planning.wall_s == pytest.approx(0.2)
     assert dataclasses.asdict(executive.events[-1])["answer"] == "str"
+
+
+@pytest.mark.requirement("S7")
+def test_what_is_paused_holds_and_goes_on_where_it_was(executive, talos):
+    checked = executive.admitted(swing(talos, executive.motion.reference()))
+    handle = executive.motion.start(checked)
+    executive.ticks(15)
+
+    executive.link.pause("a moment")
+    executive.ticks(40)
+    held = executive.far.loop.setpoint.q.copy()
+    executive.ticks(20)
+
+    np.testing.assert_array_equal(executive.far.loop.setpoint.q, held)
+    assert handle.status is MotionStatus.RUNNING
+    executive.link.resume()
+    executive.ticks(80)
+    assert handle.status is MotionStatus.DONE
+    np.testing.assert_allclose(executive.motion.reference()[7:], checked.trajectory.q[-1, 7:], atol=1e-9)
+
+
+@pytest.mark.requirement("S3")
+def test_what_was_paused_ends_with_its_executive(executive, talos):
+    handle = executive.motion.start(executive.admitted(swing(talos, executive.motion.reference())))
+    executive.ticks(15)
+    executive.link.pause("a moment")
+    executive.ticks(40)
+
+    executive.link.close()
+    executive.far.run(0.5)
+
+    assert not executive.far.loop.paused
+    assert executive.far.loop.motion.resting
+    assert handle.status is not MotionStatus.DONE

@@ -3,9 +3,13 @@
 import numpy as np
 import pytest
 
+from kinematics import poses
 from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandRequest
 from kinematics.requests import NoPlan
+from kinematics.shapes import Box
+from kinematics.view_request import ViewRequest
 from robots.fake.fake_world import bowl, cup, person, table
+from robots.perception.truth_view import TrueObject
 from trees.build import build_tree
 from trees.events import Said
 from trees.failures import FailureKind
@@ -29,6 +33,14 @@ from trees.tasks import (
 RED_CUP = ObjectDescription("cup", "red")
 BLUE_CUP = ObjectDescription("cup", "blue")
 ANA = person()
+BOX_BEFORE_IT = TrueObject(
+    "brown box",
+    "object",
+    "box",
+    "brown",
+    Box((0.06, 0.24, 0.30)),
+    poses.translation(0.42, -0.2, 1.05),
+)
 
 
 def run(stage, task):
@@ -150,6 +162,55 @@ def test_an_early_touch_leads_to_another_spot(stage):
     assert tree.attempts == 2
 
 
+@pytest.mark.parametrize(
+    "task",
+    [PlaceTask("put it down", None, on="table"), PutInTask("put it in", None, ObjectDescription("bowl"))],
+)
+def test_what_is_lost_on_the_way_is_told_and_no_longer_believed_to_be_held(stage_with, chain, task):
+    stage = stage_with(table(), cup(), bowl())
+    stage.play(stage.pick())
+    stage.when("transfer", lambda: stage.fake.world.remove("red cup"))
+
+    tree = run(stage, task)
+
+    assert tree.status == "failure"
+    assert any("slipped out of the right hand" in link.message for link in chain(tree.failure))
+    assert "no red cup" in tree.failure.message
+    assert not stage.told.scene.attached
+
+
+@pytest.mark.parametrize(
+    "task",
+    [
+        PlaceTask("put it down", None, on="table"),
+        PutInTask("put it in", RED_CUP, ObjectDescription("bowl")),
+    ],
+)
+def test_what_slips_out_of_the_hand_on_the_way_is_picked_up_again(stage_with, task):
+    stage = stage_with(table(), cup(), bowl())
+    stage.play(stage.pick())
+    stage.when("transfer", lambda: stage.fake.world.remove("red cup"))
+    stage.when("still held", lambda: stage.fake.world.put(cup()))
+
+    tree = run(stage, task)
+
+    assert "slipped out of the right hand" in str([failure.message for failure in stage.failed()])
+    assert tree.status == "success"
+    assert tree.attempts == 2
+    assert stage.fake.world.carried_by("red cup") is None
+
+
+def test_a_bowl_behind_the_hand_is_seen_once_the_hand_is_drawn_in(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.play(stage.pick())
+    stage.fake.world.hidden.add("white bowl")
+    stage.when("hand away", stage.fake.world.hidden.clear)
+
+    tree = run(stage, PutInTask("put it in", None, ObjectDescription("bowl")))
+
+    assert tree.status == "success"
+
+
 def test_a_cup_that_rolls_away_is_not_claimed_as_placed(stage):
     stage.play(stage.pick())
     tree = build_tree(PlaceTask("put it down", None, on="table"), stage.toolbox)
@@ -215,6 +276,26 @@ def test_a_neighbour_that_was_pushed_while_putting_in_is_told(stage_with):
     assert "the blue cup was moved" in tree.failure.message
 
 
+def test_a_cup_that_is_nowhere_to_be_seen_is_not_claimed_to_be_in_the_bowl(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.hidden.add("red cup"))
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "failure"
+    assert "is not seen in the white bowl" in tree.failure.message
+
+
+def test_what_a_wall_hides_is_seen_from_above(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.hidden.add("red cup"))
+    stage.when("lean over it", stage.fake.world.hidden.clear)
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "success"
+
+
 def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):
     stage = stage_with(table(), cup(), bowl())
     stage.when("clear the view", lambda: stage.fake.world.move("red cup", (0.0, -0.25, 0.0)))
@@ -257,7 +338,8 @@ def test_what_slips_out_of_an_offering_hand_was_not_taken(stage_with):
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
 
     assert tree.status == "failure"
-    assert "left the right hand without a pull" in tree.failure.message
+    assert "the red cup slipped out of the right hand" in tree.failure.message
+    assert not stage.told.scene.attached
 
 
 def test_a_dropped_gift_is_not_claimed(stage_with):
@@ -308,14 +390,27 @@ def test_a_table_is_described(stage_with):
     assert said(stage) == ["on the table I see one blue cup and one red cup"]
 
 
-def test_something_hidden_from_here_is_looked_for_from_elsewhere(stage):
+def test_something_hidden_from_here_is_looked_for_from_elsewhere(stage_with):
+    stage = stage_with(table(), cup(place_m=(0.52, -0.2)), BOX_BEFORE_IT)
     stage.fake.world.hidden.add("red cup")
-    stage.when("look from the left", stage.fake.world.hidden.clear)
+    stage.when("peer", stage.fake.world.hidden.clear)
 
     tree = run(stage, FindTask("find the red cup", RED_CUP))
 
     assert tree.status == "success"
     assert tree.evidence["found"] == "red cup"
+    assert len(asked(stage, ViewRequest)) == 1
+
+
+def test_what_is_hidden_from_everywhere_is_not_found(stage_with):
+    stage = stage_with(table(), cup(place_m=(0.52, -0.2)), BOX_BEFORE_IT)
+    stage.fake.world.hidden.add("red cup")
+
+    tree = run(stage, FindTask("find the red cup", RED_CUP))
+
+    assert tree.status == "failure"
+    assert said(stage) == []
+    assert 1 <= len(asked(stage, ViewRequest)) <= stage.toolbox.policy.looks_past
 
 
 def test_something_that_is_nowhere_is_not_found(stage):

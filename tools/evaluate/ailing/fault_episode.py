@@ -33,17 +33,17 @@ class FaultOrder:
     robot: str = "talos"
 
 
-def run_fault(order: FaultOrder) -> FaultRecord:
+def run_faults(order: FaultOrder) -> list[FaultRecord]:
     """Run one episode; whatever breaks becomes its record."""
     try:
-        return _Episode(order).run()
+        return [_Episode(order).run()]
     except Exception:
-        return FaultRecord(order.seed, order.fault, error=traceback.format_exc())
+        return [FaultRecord(order.seed, order.fault, error=traceback.format_exc())]
 
 
-def died(order: FaultOrder) -> FaultRecord:
+def died(order: FaultOrder) -> list[FaultRecord]:
     """The record of an episode whose process died."""
-    return FaultRecord(order.seed, order.fault, error="the process died")
+    return [FaultRecord(order.seed, order.fault, error="the process died")]
 
 
 class _Episode:

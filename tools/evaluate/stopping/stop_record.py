@@ -139,6 +139,10 @@ class StopSummary:
             "braking_ms_p50": round(float(np.percentile(compute, 50)), 2),
             "braking_ms_p95": round(float(np.percentile(compute, 95)), 2),
             "braking_ms_max": round(max(compute), 2),
+            **{
+                f"phase {name}": float(n)
+                for name, n in sorted(Counter(r.phase for r in self.records).items())
+            },
         }
 
     def to_json(self) -> dict[str, Any]:
