@@ -105,6 +105,7 @@ def test_there_is_the_place_that_was_named():
         "say the magic word",
         "let Ben have the cup",
         "greet Ana and say her name",
+        "say thanks to Ana: hello",
     ],
 )
 def test_free_words_to_say_hold_nothing_that_may_be_meant_otherwise(sentence):
