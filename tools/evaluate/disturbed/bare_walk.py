@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from typing import Any, cast
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.control.motion_handle import MotionHandle
 from robots.description import load_description
-from robots.interface import JointSetpoint, Robot, RobotState
+from robots.interface import Robot, RobotState
 from robots.scene_description import Furniture, RobotStart, SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
 
@@ -24,13 +25,15 @@ _STANDS_WITHIN_S = 4.0
 
 
 class DelayedRobot:
-    """A robot whose readings come some control periods late; satisfies ``Robot``."""
+    """A robot whose readings come some control periods late; all else of it is the robot's own."""
 
     def __init__(self, robot: Robot, periods: int) -> None:
         self._robot = robot
         self._readings: deque[RobotState] = deque(maxlen=periods + 1)
         self._fresh = True
-        self.description = robot.description
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._robot, name)
 
     def read(self) -> RobotState:
         """The readings of some periods ago."""
@@ -38,10 +41,6 @@ class DelayedRobot:
             self._readings.append(self._robot.read())
             self._fresh = False
         return self._readings[0]
-
-    def command(self, setpoint: JointSetpoint) -> None:
-        """Hand a setpoint on at once."""
-        self._robot.command(setpoint)
 
     def advance(self, period_s: float) -> None:
         """Let a control period pass."""
@@ -81,7 +80,7 @@ class BareWalk:
         self.world: SimulatedWorld = build_world(description, scene, np.random.default_rng(seed))
         body: Robot = self.world.robot
         if delay_periods:
-            body = DelayedRobot(body, delay_periods)
+            body = cast(Robot, DelayedRobot(body, delay_periods))
         self.events: list[object] = []
         self.loop = ControlLoop(body, RobotModel(description), ManualClock(), self.events.append, PERIOD_S)
 
