@@ -12,6 +12,7 @@ from trees.best_effort import BestEffort
 from trees.extensions import extensions
 from trees.hand_about import objects_in_open_grasp
 from trees.leaves.lift_clear import LiftClear, held_near_support
+from trees.subtrees.close import close
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
@@ -61,7 +62,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         DescribeTask: describe,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
-        CloseTask: open_or_close,
+        CloseTask: close,
         WaveTask: wave,
         PointAtTask: point_at,
         LookAtTask: look_at,
