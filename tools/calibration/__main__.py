@@ -66,7 +66,7 @@ def _collect(file: Path, noises: Sequence[str], seeds: range) -> None:
             for answer in answers(skill, seeds, NOISES[noise]):
                 rows[noise].append(asdict(answer))
                 print(f"{noise} {skill} {answer.seed}: {answer.why or 'right'}", file=sys.stderr)
-            file.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
+                file.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
 
 
 if __name__ == "__main__":
