@@ -11,7 +11,7 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from robots.scene_description import PerceptionModel
@@ -19,6 +19,8 @@ from tools.calibration.answers import SKILLS, Answer, answers
 from tools.calibration.fit import fitted
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
+from trees.policy import TreePolicy
+from trees.stated_confidence import calibrated
 
 NOISES = {
     "declared": PerceptionModel(),
@@ -42,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.episodes:
         _collect(options.file, noises, range(options.seed, options.seed + options.episodes))
     rows = json.loads(options.file.read_text("utf-8"))
-    found = {noise: [Answer(**row) for row in rows.get(noise, ())] for noise in noises}
+    found = {noise: [_as_stated_now(Answer(**row)) for row in rows.get(noise, ())] for noise in noises}
     everything = [answer for some in found.values() for answer in some]
     for noise, some in (*found.items(), ("all", everything)):
         right = sum(answer.right for answer in some)
@@ -57,6 +59,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.picture is not None:
         options.picture.write_text(as_svg(found), "utf-8")
     return 0
+
+
+def _as_stated_now(answer: Answer) -> Answer:
+    """The answer with the confidence that the present policy would state."""
+    if answer.raw == 0.0:
+        return answer  # there was no answer at all
+    policy = TreePolicy()
+    stated = calibrated(answer.raw, policy.confidence_slope, policy.confidence_offset)
+    return replace(answer, stated=stated)
 
 
 def _collect(file: Path, noises: Sequence[str], seeds: range) -> None:
