@@ -15,6 +15,7 @@ from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box, Shape
+from kinematics.walking.planar import PlanarPose
 from robots.perception.object_estimate import ObjectEstimate
 from trees.scene_update import kind_of
 
@@ -79,12 +80,14 @@ class HandleTarget:
         return math.degrees(opening) if self.kind == DOOR else opening
 
 
-def handles_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = None) -> list[HandleTarget]:
     """Every handle that was seen with its door or drawer.
 
     Args:
         seen: What a look saw, by name in the planning scene.
+        body: Where the robot stands: the hand on the side of a drawer's handle is the better one.
     """
+    body = body or PlanarPose()
     fronts = {name: item for name, item in seen.items() if kind_of(name) in BODY_OF}
     found = []
     for name, bar in seen.items():
@@ -96,7 +99,7 @@ def handles_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
         }
         nearest = min(away, key=lambda front: (away[front], front))
         if away[nearest] <= _PAIRED_M:
-            found.append(_target(name, bar, nearest, fronts[nearest], seen.values()))
+            found.append(_target(name, bar, nearest, fronts[nearest], seen.values(), body))
     return found
 
 
@@ -135,7 +138,12 @@ def _opening(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Sha
 
 
 def _target(
-    name: str, bar: ObjectEstimate, part: str, front: ObjectEstimate, seen: Iterable[ObjectEstimate]
+    name: str,
+    bar: ObjectEstimate,
+    part: str,
+    front: ObjectEstimate,
+    seen: Iterable[ObjectEstimate],
+    body: PlanarPose,
 ) -> HandleTarget:
     kind = kind_of(part)
     listed = list(seen)
@@ -148,7 +156,8 @@ def _target(
     yaw = math.atan2(inwards[1], inwards[0])
     if kind == DRAWER:
         line = DrawerLine(place, yaw).through(place, opening)
-        first: Hand = "left" if place[1] > 0.0 else "right"
+        aside_m = body.to(PlanarPose(float(place[0]), float(place[1]))).y_m
+        first: Hand = "left" if aside_m > 0.0 else "right"
         return HandleTarget(
             DRAWER, name, part, line, opening, (first, "right" if first == "left" else "left")
         )

@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 
 from kinematics.gaze import gaze_joints
 from kinematics.gesture_planner import GesturePlanner
-from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandRequest, SwingRequest
+from kinematics.gesture_requests import (
+    CarryRequest,
+    OfferRequest,
+    PointRequest,
+    RaiseHandRequest,
+    SwingRequest,
+)
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
     CheckRequest,
@@ -128,7 +134,7 @@ class FakePlanning:
             return self._pick(request)
         if isinstance(request, OfferRequest):
             return self._offer(request)
-        if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest):
+        if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest | CarryRequest):
             return self._quick(GesturePlanner(self._model).plan(replace(request, scene=_bare(request.scene))))
         if isinstance(request, PlaceRequest):
             return self._place(request)

@@ -19,9 +19,11 @@ from robots.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.connection import run_connection
+from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.fuzz import run_fuzz
+from tools.evaluate.hostile import run_hostile
 from tools.evaluate.kill import run_kill
 from tools.evaluate.load import run_load
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
@@ -49,9 +51,11 @@ SUITES = (
     "connection",
     "load",
     "fuzz",
+    "hostile",
     "soak",
     *OPENING_SUITES,
     *SKILL_SUITES,
+    *DISTURBED_SUITES,
 )
 
 _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
@@ -78,6 +82,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_stop_suite(options, messages)
     if options.suite == "fuzz":
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
+    if options.suite == "hostile":
+        return run_hostile(options.episodes, options.seed, options.json, messages)
     if options.suite == "soak":
         return run_soak(options, messages)
     if options.suite == "kill":
@@ -86,6 +92,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_connection(options, messages)
     if options.suite == "load":
         return run_load(options, messages)
+    if options.suite in DISTURBED_SUITES:
+        return run_disturbed_suite(options, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS

@@ -12,6 +12,7 @@ from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.handles import MEANT_BY, PART_KINDS, HandleTarget, handles_in
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.scene_update import kind_of, updated_scene
 from trees.sight import in_view
@@ -32,7 +33,7 @@ class DetectHandle(LookLeaf):
 
     def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
         """What of a look can be moved."""
-        return handles_in(seen)
+        return handles_in(seen, feet_pose(self.toolbox))
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""

@@ -28,11 +28,11 @@ class StandsAtHandle(Leaf):
 
     def step(self) -> Status | Failure:
         """Measure once."""
-        toolbox = self.toolbox
+        toolbox, handle = self.toolbox, self.get_input("handle")
         if toolbox.walking is None or toolbox.model.description.walking is None:
             return DONE
         body = feet_pose(toolbox)
-        left = body.to(handle_standing_place(self.get_input("handle"), body))
+        left = body.to(handle_standing_place(handle, body))
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)
         if off_m > NEAR_M or off_rad > NEAR_RAD:

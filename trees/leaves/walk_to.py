@@ -18,6 +18,7 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose, feet_pose
+from trees.own_load import without_held
 from trees.ports import ports
 from trees.seen_points import SeenPoints, apart_from
 from trees.standing_place import standing_place
@@ -36,6 +37,8 @@ corner is cut by some centimetres."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
+_SCAN_WITHIN_S = 1.0
+_SILENT = "the range sensor says nothing"
 
 
 class WalkTo(WalkingLeaf):
@@ -67,6 +70,7 @@ class WalkTo(WalkingLeaf):
         self._seen = SeenPoints(self.toolbox.ranging)
         self._path: tuple[PlanarPose, ...] = ()
         self._clearance_m = 0.0
+        self._stopped_for: Failure | None = None
         self._scanned_s = -math.inf
 
     def aim(self) -> None:
@@ -87,6 +91,9 @@ class WalkTo(WalkingLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         if self._handle is None:
             steering = self._plan(settings)
+            if self._seen.silent:
+                silent_s = self.elapsed_s
+                return RUNNING if silent_s < _SCAN_WITHIN_S else Failure.execution(_SILENT, silent_s=silent_s)
             if isinstance(steering, Failure):
                 return steering
             if steering is None:
@@ -97,7 +104,12 @@ class WalkTo(WalkingLeaf):
         if not self._handle.finished:
             left_m = body_pose(toolbox).distance_m(self._goal)
             self.feedback_message = f"{left_m:.2f} m to go"
-            return self._look_out(settings) or RUNNING
+            if self._stopped_for is None and (reason := self._look_out(settings)) is not None:
+                self._stopped_for = reason
+                toolbox.walking.finish(self._handle)
+            return RUNNING
+        if self._stopped_for is not None:
+            return self._stopped_for
         if self._backing:
             self._handle = None
             return RUNNING
@@ -144,7 +156,9 @@ class WalkTo(WalkingLeaf):
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""
         self._scanned_s = self.elapsed_s
-        return apart_from(self._seen.look(body_pose(self.toolbox)), obstacles)
+        toolbox = self.toolbox
+        new = self._seen.look(body_pose(toolbox), lambda scan: without_held(toolbox, scan))
+        return apart_from(new, obstacles)
 
     def _look_out(self, settings: WalkingSettings) -> Failure | None:
         """Walk around what comes into sight."""
@@ -154,6 +168,8 @@ class WalkTo(WalkingLeaf):
             return None
         obstacles = footprints(toolbox.world.scene)
         new = self._look(obstacles)
+        if self._seen.silent:
+            return Failure.execution(_SILENT)
         if not blocked(self._path, new, self._clearance_m - _IN_THE_WAY_M):
             return None
         steering = self._way(settings, body_pose(toolbox), obstacles)

@@ -10,8 +10,8 @@ from py_trees.composites import Sequence
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint
-from trees.leaves.go_home import GoHome
 from trees.leaves.know_place import KnowPlace
+from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.squared_up import SquaredUp
 from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
@@ -21,7 +21,7 @@ from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
 
-_VIEWPOINTS: tuple[Literal["ahead", "around"], ...] = ("ahead", "ahead", "around", "around", "ahead")
+_VIEWPOINTS: tuple[Literal["ahead", "around"], ...] = ("around", "around", "ahead", "around", "ahead")
 
 
 def walk_to(toolbox: Toolbox) -> Behaviour:
@@ -30,7 +30,7 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
         "attempt",
         memory=True,
         children=[
-            GoHome("stand upright", toolbox),
+            ReadyToWalk("stand upright", toolbox),
             WalkTo("walk", toolbox),
             Alternatives(
                 "find again",
@@ -42,8 +42,8 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
             SquaredUp("stand square", toolbox),
         ],
     )
-    again = GoHome("stand upright", toolbox)
-    tries = Retry("walks", attempt, again, toolbox.policy.walk_attempts, _another_walk_is_useless)
+    again = ReadyToWalk("stand upright", toolbox)
+    tries = Retry("walks", attempt, again, toolbox.policy.walk_attempts, another_walk_is_useless)
     return tidily("walk to", [_find(toolbox), tries], toolbox, toolbox.policy.walk_timeout_s)
 
 
@@ -62,7 +62,7 @@ def _find(toolbox: Toolbox) -> Behaviour:
                 f"viewpoint {k}",
                 memory=True,
                 children=[
-                    GoHome("stand upright", toolbox),
+                    ReadyToWalk("stand upright", toolbox),
                     ChangeViewpoint(name, toolbox, way),
                     search_place("look around", toolbox, _level_first(far)),
                 ],
@@ -75,6 +75,8 @@ def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:
     return (*gazes[1:], gazes[0])
 
 
-def _another_walk_is_useless(failure: Failure, _before: Failure | None) -> bool:
-    """Only standing beside the place is put right by walking again."""
-    return defect(failure) or failure.kind is not FailureKind.POSTCONDITION
+def another_walk_is_useless(failure: Failure, before: Failure | None) -> bool:
+    """Standing beside the place is put right by walking again; so is a way that was barred for a while."""
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    fine = failure.kind in (FailureKind.POSTCONDITION, FailureKind.INFEASIBLE)
+    return defect(failure) or bool(failure.choices) or twice or not fine

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from tools.evaluate.skills import (
+    carrying,
     errands,
     gestures,
     goals,
@@ -37,6 +38,7 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "walk_stop": walking.WALK_STOP,
         "walk_to": goals.WALK_TO,
         "flat_fridge": errands.FLAT_FRIDGE,
+        "carry": carrying.CARRY,
         "flat_pick": errands.FLAT_PICK,
     }
 )
