@@ -11,8 +11,10 @@ import numpy as np
 
 from kinematics import poses
 from kinematics.opening_path import DoorArc, DrawerLine, OpeningPath
+from kinematics.poses import Transform
 from kinematics.robot_description import Hand
-from kinematics.shapes import Box
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Box, Shape
 from kinematics.walking.planar import PlanarPose
 from robots.perception.object_estimate import ObjectEstimate
 from trees.scene_update import kind_of
@@ -56,6 +58,8 @@ class HandleTarget:
         opening: How far it is open, rad or m.
         hands: The hands that can follow it, the better one first.
         unit: Of ``opening``.
+        pushed: Whether a hand pushes against the front, instead of taking hold of the bar; ``handle`` is
+            the front itself where the bar is out of sight.
     """
 
     kind: Literal["door", "drawer"]
@@ -64,6 +68,7 @@ class HandleTarget:
     path: OpeningPath
     opening: float
     hands: tuple[Hand, ...]
+    pushed: bool = False
 
     @property
     def unit(self) -> str:
@@ -98,26 +103,37 @@ def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = Non
     return found
 
 
-def opening_in(estimates: Iterable[ObjectEstimate], kind: str) -> float | None:
-    """How far the only door or drawer of a look is open; None when it or its body was not seen."""
+def opening_in(
+    estimates: Iterable[ObjectEstimate], kind: str, known: PlanningScene | None = None
+) -> float | None:
+    """How far the only door or drawer of a look is open; None when it was not seen, or its body never.
+
+    Args:
+        estimates: What the look saw.
+        kind: "door" or "drawer".
+        known: Where the body is believed to be, for looks that do not see it: it does not move.
+    """
     listed = list(estimates)
     fronts = [item for item in listed if item.kind == kind]
-    bodies = [item for item in listed if item.kind == BODY_OF[kind]]
+    bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
+    if not bodies and known is not None:
+        believed = [item for name, item in known.objects.items() if kind_of(name) == BODY_OF[kind]]
+        bodies = [(item.world_T_object, item.shape) for item in believed]
     if not fronts or not bodies:
         return None
     return _opening(kind, fronts[0], bodies)
 
 
-def _opening(kind: str, front: ObjectEstimate, bodies: list[ObjectEstimate]) -> float:
+def _opening(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
     """From the poses of a front and of what it closes; both have x pointing inwards."""
-    body = max(bodies, key=lambda item: float(item.odom_T_object[2, 3]))  # its top
-    yaw = poses.yaw_of(body.odom_T_object[:3, :3])
+    body, shape = max(bodies, key=lambda item: float(item[0][2, 3]))  # its top
+    yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
         turned = poses.yaw_of(front.odom_T_object[:3, :3]) - yaw
         return abs((turned + math.pi) % (2.0 * math.pi) - math.pi)
     inwards = poses.rotation_z(yaw)[:, 0]
-    depth_m = body.shape.size_m[0] if isinstance(body.shape, Box) else 0.0
-    to_front_m = float((body.odom_T_object[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
+    depth_m = shape.size_m[0] if isinstance(shape, Box) else 0.0
+    to_front_m = float((body[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
     return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
 
 
@@ -131,7 +147,7 @@ def _target(
 ) -> HandleTarget:
     kind = kind_of(part)
     listed = list(seen)
-    bodies = [item for item in listed if item.kind == BODY_OF[kind]]
+    bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
     opening = _opening(kind, front, bodies) if bodies else 0.0
     place, panel = bar.odom_T_object[:3, 3], front.odom_T_object
     inwards, left = panel[:3, 0], panel[:3, 1]

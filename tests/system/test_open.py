@@ -102,3 +102,16 @@ def test_a_drawer_is_closed_by_a_hand_that_a_cancel_left_at_its_handle():
     assert closed.outcome == "done", closed.failure
     assert abs(study.opening) <= 0.01
     study.require_well()
+
+
+@pytest.mark.requirement("M3")
+def test_an_open_door_is_pushed_shut_without_its_handle_being_seen():
+    kitchen = Watched("fridge", opening=math.radians(64.0))
+    kitchen.assembly.perception.faults.misplace("handle", (0.0, 0.0, 30.0), first_look_only=False)
+
+    result = kitchen.close("fridge")
+
+    assert result.outcome == "done", result.failure
+    assert abs(math.degrees(kitchen.opening)) <= 3.0
+    assert result.evidence["opening_deg"] == pytest.approx(math.degrees(kitchen.opening), abs=3.0)
+    kitchen.require_well()

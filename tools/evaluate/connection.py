@@ -80,7 +80,8 @@ def run_connection(options: argparse.Namespace, messages: Console) -> int:
         noticed = "unnoticed" if record.noticed_s is None else f"noticed after {record.noticed_s:.2f} s"
         where = f"seed {record.seed} {record.fault} at {record.motion or 'rest'}"
         messages.print(
-            f"{i + 1} of {episodes}: {where}, {noticed}, exit {record.code}: {record.ended[-300:]}; good {good}",
+            f"{i + 1} of {episodes}: {where}, {noticed}, exit {record.code}; good {good}: "
+            f"{record.ended[-300:]}",
             markup=False,
             soft_wrap=True,
         )

@@ -95,7 +95,7 @@ def _episode(seed: int, robot: str, pace: float, realtime: bool) -> dict[str, An
 def _line(record: dict[str, Any]) -> str:
     late = record["lateness"]
     return (
-        f"seed {record['seed']}, {record['scheduling']}: exit {record['exit_code']}, {record['outcome'][:200]}; "
+        f"seed {record['seed']}, {record['scheduling']}: {record['outcome'][:200]}; "
         f"late p50 {late['p50_ms']:.2f}, p99 {late['p99_ms']:.2f}, worst {late['worst_ms']:.0f} ms, "
         f"lost {late['lost_s']:.1f} s, held {late['held_s']:.1f} s; stops {record['stops']}"
     )

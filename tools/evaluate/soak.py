@@ -132,7 +132,8 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
         what = _DISTURBANCES[int(rng.integers(len(_DISTURBANCES)))]
         world.plan(what, began_s + float(rng.uniform(0.0, _LATEST_S)))
         (command,) = parse(sentence).commands
-        outcome = session.run_task(command).outcome
+        result = session.run_task(command)
+        outcome = result.outcome
         outcomes[outcome] += 1
         hangs += int(clock.now_s() - began_s > LONGEST_S)
         session.hold(float(rng.uniform(0.2, 1.5)))
@@ -144,7 +145,9 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
         memory.append((passed_s, _resident_mb()))
         messages.print(
             f"{passed_s:.0f} s: {sentence}, {what}: {outcome}, {sum(outcomes.values())} commands, "
-            f"{memory[-1][1]:.0f} MB"
+            f"{memory[-1][1]:.0f} MB. {result.failure.message if result.failure is not None else ''}",
+            markup=False,
+            soft_wrap=True,
         )
     growth = _growth(memory, until_s)
     lost = sum(

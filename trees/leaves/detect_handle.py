@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
+from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.handles import MEANT_BY, PART_KINDS, HandleTarget, handles_in
@@ -28,6 +31,10 @@ class DetectHandle(LookLeaf):
         deadline_s=2.0,
     )
 
+    def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+        """What of a look can be moved."""
+        return handles_in(seen, feet_pose(self.toolbox))
+
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
         world, policy = self.toolbox.world, self.toolbox.policy
@@ -46,8 +53,7 @@ class DetectHandle(LookLeaf):
         kind = MEANT_BY.get(noun) if noun is not None else None
         if noun is not None and kind is None:
             return Failure.infeasible(f"a {noun} is nothing that I can open or close")
-        body = feet_pose(self.toolbox)
-        fitting = [item for item in handles_in(update.seen, body) if kind in (None, item.kind)]
+        fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
         if not fitting:
             return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
         if len(fitting) > 1:

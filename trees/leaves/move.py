@@ -57,13 +57,14 @@ class Move(WalkingLeaf):
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+        if self._handle is None and (beyond := self._beyond_limits(settings)) is not None:
+            return beyond
         blocked = self._blocked(settings)
         if self._handle is None and not self._seen:
             return RUNNING
         if self._handle is None:
-            refused = self._beyond_limits(settings) or blocked
-            if refused is not None:
-                return refused
+            if blocked is not None:
+                return blocked
             if task.linear_m_s == 0.0 and task.angular_rad_s == 0.0:
                 return DONE
             self._last = body_pose(toolbox)

@@ -26,6 +26,7 @@ from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
+from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -39,12 +40,15 @@ def place(toolbox: Toolbox) -> Behaviour:
     attempts = Retry(
         "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
     )
-    children: list[Behaviour] = [
-        look_over(toolbox),
+    carry: list[Behaviour] = [
         have_it(toolbox),
         _find_room(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
+    ]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),

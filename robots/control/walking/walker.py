@@ -102,8 +102,16 @@ class Walker:
 
     def finish(self, handle: MotionHandle) -> None:
         """Bring a walk to its end within its last steps; its handle is done when the robot stands."""
-        if self._walk is not None and handle is self._handle:
+        if handle is not self._handle:
+            return
+        self._interrupted = False
+        if self._walk is not None:
             self._walk.pattern.finish()
+        elif not handle.finished:  # it stands because of a pause
+            self._handle = None
+            handle.progress = 1.0
+            self._end(handle, MotionStatus.DONE, "")
+            self._authority.release(self._owner)
 
     def pause(self) -> None:
         """Stand still within the last steps until ``resume``; the walk stays under way."""

@@ -166,7 +166,7 @@ def test_an_early_touch_leads_to_another_spot(stage):
     "task",
     [PlaceTask("put it down", None, on="table"), PutInTask("put it in", None, ObjectDescription("bowl"))],
 )
-def test_what_is_lost_on_the_way_is_told_and_no_longer_believed_to_be_held(stage_with, task):
+def test_what_is_lost_on_the_way_is_told_and_no_longer_believed_to_be_held(stage_with, chain, task):
     stage = stage_with(table(), cup(), bowl())
     stage.play(stage.pick())
     stage.when("transfer", lambda: stage.fake.world.remove("red cup"))
@@ -174,8 +174,30 @@ def test_what_is_lost_on_the_way_is_told_and_no_longer_believed_to_be_held(stage
     tree = run(stage, task)
 
     assert tree.status == "failure"
-    assert "the red cup slipped out of the right hand" in tree.failure.message
+    assert any("slipped out of the right hand" in link.message for link in chain(tree.failure))
+    assert "no red cup" in tree.failure.message
     assert not stage.told.scene.attached
+
+
+@pytest.mark.parametrize(
+    "task",
+    [
+        PlaceTask("put it down", None, on="table"),
+        PutInTask("put it in", RED_CUP, ObjectDescription("bowl")),
+    ],
+)
+def test_what_slips_out_of_the_hand_on_the_way_is_picked_up_again(stage_with, task):
+    stage = stage_with(table(), cup(), bowl())
+    stage.play(stage.pick())
+    stage.when("transfer", lambda: stage.fake.world.remove("red cup"))
+    stage.when("still held", lambda: stage.fake.world.put(cup()))
+
+    tree = run(stage, task)
+
+    assert "slipped out of the right hand" in str([failure.message for failure in stage.failed()])
+    assert tree.status == "success"
+    assert tree.attempts == 2
+    assert stage.fake.world.carried_by("red cup") is None
 
 
 def test_a_bowl_behind_the_hand_is_seen_once_the_hand_is_drawn_in(stage_with):
@@ -252,6 +274,26 @@ def test_a_neighbour_that_was_pushed_while_putting_in_is_told(stage_with):
 
     assert tree.status == "failure"
     assert "the blue cup was moved" in tree.failure.message
+
+
+def test_a_cup_that_is_nowhere_to_be_seen_is_not_claimed_to_be_in_the_bowl(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.hidden.add("red cup"))
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "failure"
+    assert "is not seen in the white bowl" in tree.failure.message
+
+
+def test_what_a_wall_hides_is_seen_from_above(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.hidden.add("red cup"))
+    stage.when("lean over it", stage.fake.world.hidden.clear)
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "success"
 
 
 def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):

@@ -9,9 +9,12 @@ from dataclasses import dataclass
 from executive.assembly import assemble
 from executive.task_result import TaskResult, chain
 from robots.simulated.truth import SimulatorTruth
+from tools.evaluate.opening.faults import OPENING_FAULTS, OpeningBench
 from tools.evaluate.opening.judge import OpeningJudge
 from tools.evaluate.opening.records import OpeningRecord
 from tools.evaluate.opening.scenes import FURNITURE, OpeningScene, opening_scene
+from tools.evaluate.phases import PhaseWatch
+from tools.evaluate.scenes import episode_rng
 from trees.events import Measured
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
@@ -25,6 +28,7 @@ class OpeningOrder:
     suite: str
     seed: int
     robot: str
+    fault: str | None = None
 
 
 def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
@@ -52,8 +56,10 @@ def _broken(order: OpeningOrder, scene: OpeningScene, why: str) -> OpeningRecord
 
 def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
     felt: list[float] = []
+    phases = PhaseWatch()
 
     def listen(event: object) -> None:
+        phases.take(event)
         if isinstance(event, Measured) and "peak_force_n" in event.numbers:
             felt.append(float(event.numbers["peak_force_n"]))
 
@@ -64,6 +70,10 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
     faults = assembly.perception.faults
     faults.misplace("handle", scene.handle_error_m, first_look_only=False)
     faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
+    if order.fault is not None:
+        rng = episode_rng(order.seed, 17)
+        bench = OpeningBench(scene, truth, assembly.world.faults, faults, phases, rng)
+        OPENING_FAULTS[order.fault](bench)
     session = assembly.session
     session.watch_periods(judge.on_period)
     noun = ObjectDescription(kind="fridge" if scene.kind == "door" else "drawer")

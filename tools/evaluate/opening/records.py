@@ -93,8 +93,10 @@ class OpeningRecord:
 class OpeningSummary:
     """What many say together."""
 
-    def __init__(self, suite: str, seed: int, records: Sequence[OpeningRecord]) -> None:
-        self.suite, self.seed, self.records = suite, seed, records
+    def __init__(
+        self, suite: str, seed: int, records: Sequence[OpeningRecord], fault: str | None = None
+    ) -> None:
+        self.suite, self.seed, self.records, self.fault = suite, seed, records, fault
 
     def bars(self) -> list[Bar]:
         """The demands of the suite."""
@@ -103,7 +105,8 @@ class OpeningSummary:
         good = sum(record.truth and record.outcome == "done" for record in free)
         share = good / max(len(free), 1)
         what = "opened" if self.suite == "open" else "closed"
-        bars = [Bar(f"{what}, of {len(free)}", f"{share:.1%}", f"≥ {SUCCESS:.0%}", share >= SUCCESS)]
+        wanted = SUCCESS if self.fault is None else 0.0
+        bars = [Bar(f"{what}, of {len(free)}", f"{share:.1%}", f"≥ {wanted:.0%}", share >= wanted)]
         names = [
             ("broken", "broken episodes"),
             ("fell", "falls"),
@@ -143,6 +146,7 @@ class OpeningSummary:
         factors = [r.simulated_s / r.wall_s for r in records if r.wall_s > 0.0] or [0.0]
         return {
             "suite": self.suite,
+            "fault": self.fault,
             "episodes": len(records),
             "seed": self.seed,
             "success_rate": round(good / max(len(records), 1), 4),
