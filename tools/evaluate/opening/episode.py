@@ -66,13 +66,17 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
     assembly = assemble(order.robot, scene.read(), order.seed, sink=listen)
     truth: SimulatorTruth = assembly.world.truth
     soles = tuple(sole.frame for sole in assembly.model.description.soles)
-    judge = OpeningJudge(truth, soles, FURNITURE)
+    grippers = assembly.model.description.grippers.values()
+    hands = frozenset(link for gripper in grippers for link in gripper.touch_links)
+    pushing = hands if order.suite == "close" and scene.kind == "door" else frozenset()
+    judge = OpeningJudge(truth, soles, FURNITURE, pushing)
     faults = assembly.perception.faults
     faults.misplace("handle", scene.handle_error_m, first_look_only=False)
     faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
+    fired: list[float] = []
     if order.fault is not None:
         rng = episode_rng(order.seed, 17)
-        bench = OpeningBench(scene, truth, assembly.world.faults, faults, phases, rng)
+        bench = OpeningBench(scene, truth, assembly.world.faults, faults, phases, rng, fired)
         OPENING_FAULTS[order.fault](bench)
     session = assembly.session
     session.watch_periods(judge.on_period)
@@ -80,11 +84,16 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
     command = OpenTask("open it", noun) if order.suite == "open" else CloseTask("close it", noun)
     result = session.run_task(command)
     session.hold(_HELD_S)
-    return _record(order, scene, judge, result, max(felt, default=0.0))
+    return _record(order, scene, judge, result, max(felt, default=0.0), bool(fired))
 
 
 def _record(
-    order: OpeningOrder, scene: OpeningScene, judge: OpeningJudge, result: TaskResult, felt_n: float
+    order: OpeningOrder,
+    scene: OpeningScene,
+    judge: OpeningJudge,
+    result: TaskResult,
+    felt_n: float,
+    fault_fired: bool,
 ) -> OpeningRecord:
     door = scene.kind == "door"
     unit = "deg" if door else "m"
@@ -106,6 +115,7 @@ def _record(
         claimed=None if claim is None else float(claim),
         felt=None if felt is None else float(felt),
         felt_n=felt_n,
+        fault_fired=fault_fired,
         peak_n=judge.peak_force_n,
         feet_slip_m=judge.feet_slip_m,
         com_margin_m=judge.com_margin_m,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
@@ -23,7 +23,7 @@ _LATER_S = (0.1, 0.9)
 
 @dataclass(frozen=True, slots=True)
 class OpeningBench:
-    """What a fault may touch in one episode."""
+    """What a fault may touch in one episode; ``fired`` holds when it happened, s."""
 
     scene: OpeningScene
     truth: SimulatorTruth
@@ -31,6 +31,7 @@ class OpeningBench:
     perception: StubFaults
     phases: PhaseWatch
     rng: np.random.Generator
+    fired: list[float] = field(default_factory=list)
 
 
 def _wrong_detection(bench: OpeningBench) -> None:
@@ -41,6 +42,7 @@ def _wrong_detection(bench: OpeningBench) -> None:
     for kind, error in errors:
         x, y, z = (float(value) for value in off + error)
         bench.perception.misplace(kind, (x, y, z))
+    bench.fired.append(bench.truth.time_s)
 
 
 def _moved(bench: OpeningBench) -> None:
@@ -53,6 +55,7 @@ def _moved(bench: OpeningBench) -> None:
         return began_s is not None and bench.truth.time_s >= began_s + later_s
 
     def act() -> None:
+        bench.fired.append(bench.truth.time_s)
         opening = bench.truth.opening(FURNITURE)
         bench.injector.set_opening(FURNITURE, opening - by if opening > high else opening + by)
 

@@ -32,6 +32,7 @@ class OpeningRecord:
         stuck: Whether it said that it is stuck.
         opening: By the truth at the end; ``claimed`` by the robot, None without a claim.
         felt_n, peak_n: Largest estimated and true force.
+        fault_fired: Whether the episode's injected fault happened.
     """
 
     seed: int
@@ -49,6 +50,7 @@ class OpeningRecord:
     felt: float | None = None
     felt_n: float = 0.0
     peak_n: float = 0.0
+    fault_fired: bool = False
     feet_slip_m: float = 0.0
     com_margin_m: float = 0.0
     fell: bool = False
@@ -133,6 +135,7 @@ class OpeningSummary:
             "com_margin_mm_min": round(1e3 * min(r.com_margin_m for r in self.records), 1),
             "claim_error_deg_max": round(max(errors, default=0.0), 2),
             "simulated_s_p50": round(float(np.median([r.simulated_s for r in self.records])), 1),
+            "faults_fired": float(sum(r.fault_fired for r in self.records)),
             "furniture_touched": float(sum(bool(r.touched) for r in self.records)),
         }
 
