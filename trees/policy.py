@@ -93,6 +93,8 @@ class TreePolicy:
         take_within_s: Nobody has taken it by then: it is taken back.
         after_giving_s: Between letting go and looking where it went.
         walk_timeout_s: Longest walk to something, looking for it and corrections included.
+        confidence_slope, confidence_offset: From how surely things were seen to how often answers about
+            them are right, a line in the log-odds; fitted by ``tools.calibration``.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -174,4 +176,6 @@ class TreePolicy:
     take_within_s: float = 15.0
     after_giving_s: float = 0.8
     walk_timeout_s: float = 165.0
+    confidence_slope: float = 0.85
+    confidence_offset: float = 1.7
     task_timeout_s: float = 120.0

@@ -1,9 +1,10 @@
 """Suites of pushes and of walks with something wrong: what is counted, and what is drawn."""
 
 import numpy as np
+import pytest
 
 from tools.draw_pushes import curves, picture
-from tools.evaluate.disturbed.bare_walk import BareWalk, DelayedRobot
+from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.disturbed.pushes import PushSummary
 from tools.evaluate.disturbed.rough import RoughSummary
 from tools.evaluate.records import EpisodeRecord
@@ -54,30 +55,16 @@ def test_a_curve_counts_the_pushes_of_each_force():
     assert picture(records).count("<circle") == 1
 
 
-class Counting:
-    """A robot whose readings are counted."""
-
-    description = None
-
-    def __init__(self):
-        self.periods = 0
-
-    def read(self):
-        return self.periods
-
-    def advance(self, _period_s):
-        self.periods += 1
-
-
 def test_delayed_readings_are_those_of_some_periods_ago():
-    robot = DelayedRobot(Counting(), 5)
-    told = []
-    for _ in range(10):
-        told.append(robot.read())
-        assert robot.read() == told[-1]
-        robot.advance(0.002)
+    body = BareWalk("talos", 0, delay_periods=5)
 
-    assert told == [0, 0, 0, 0, 0, 0, 1, 2, 3, 4]
+    stamps = []
+    for _ in range(10):
+        body.loop.step()
+        stamps.append(body.loop.sensing.state().readings.stamp_s)
+
+    assert np.diff(stamps[5:]) == pytest.approx(0.002)
+    assert body.world.truth.time_s - stamps[-1] == pytest.approx(5 * 0.002)
 
 
 def test_a_hard_push_makes_the_standing_robot_fall_and_a_light_one_does_not():

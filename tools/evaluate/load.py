@@ -22,7 +22,7 @@ from robots.live.messages import write_message
 from tools.evaluate.served_robot import ServedRobot
 
 _BUSY = "while True: pass"
-_FIRST_PACE = 0.2
+_FIRST_PACE = 0.05
 """A task is refused while most periods are late; what is judged here is one that is under way."""
 
 

@@ -50,7 +50,10 @@ class LiftClear(PlannedMotionLeaf):
 
 def held_near_support(toolbox: Toolbox) -> tuple[Hand, list[tuple[str, str]]] | None:
     """The hand whose object is on furniture or just above it, and the pairs that touch there; else None."""
-    scene, model, q = toolbox.world.scene, toolbox.model, toolbox.motion.reference()
+    scene, model = toolbox.world.scene, toolbox.model
+    if not scene.attached:
+        return None
+    q = toolbox.motion.reference()
     for hand in HANDS:
         frame = model.description.tcp_frames.get(hand)
         for name, body in sorted(scene.attached.items()):

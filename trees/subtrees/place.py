@@ -75,11 +75,20 @@ def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Beha
 
 
 def _find_room(toolbox: Toolbox) -> Behaviour:
-    """Looks until a surface with room is seen; no room at all is no reason to look elsewhere."""
+    """Looks until a surface with room is seen; what a hand lifts from it hides much: then from home."""
     looks: list[Behaviour] = []
-    for gaze in toolbox.policy.search_gazes:
-        children: list[Behaviour] = [LookAt("look", toolbox, gaze), FindSpots("find spots", toolbox)]
-        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+    first, *others = toolbox.policy.search_gazes
+    for name, gaze, before in (
+        ("look ahead", first, []),
+        ("draw the hand in", first, [GoHome("hand away", toolbox)]),
+        *((f"look {gaze.name}", gaze, []) for gaze in others),
+    ):
+        children: list[Behaviour] = [
+            *before,
+            LookAt("look", toolbox, gaze),
+            FindSpots("find spots", toolbox),
+        ]
+        looks.append(Sequence(name, memory=True, children=children))
     return Alternatives("find room", looks, hopeless=looking_elsewhere_is_useless)
 
 

@@ -309,7 +309,7 @@ def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):
 def test_an_object_is_given_to_whom_pulls(stage_with):
     stage = stage_with(table(), cup(), ANA)
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
-    stage.when("let it go", lambda: stage.fake.world.remove("red cup"))
+    stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.3, 0.0, 0.25)))
 
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
 
@@ -353,11 +353,22 @@ def test_a_dropped_gift_is_not_claimed(stage_with):
     assert "the red cup was dropped onto the table" in tree.failure.message
 
 
+def test_a_gift_that_is_nowhere_to_be_seen_is_not_claimed(stage_with):
+    stage = stage_with(table(), cup(), ANA)
+    stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
+    stage.when("let it go", lambda: stage.fake.world.remove("red cup"))
+
+    tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
+
+    assert tree.status == "failure"
+    assert "was let go, and is not seen with Ana" in tree.failure.message
+
+
 def test_another_cup_like_the_gift_is_not_taken_for_a_dropped_one(stage_with):
     stage = stage_with(table(), cup(), cup("red cup 2", "red", (0.45, -0.45)), ANA)
     stage.play(stage.pick(PickTask("pick it up", ObjectDescription("cup", "red", ordinal="leftmost"))))
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
-    stage.when("let it go", lambda: stage.fake.world.remove("red cup"))
+    stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.3, 0.0, 0.25)))
 
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
 

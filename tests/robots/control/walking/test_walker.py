@@ -156,16 +156,19 @@ def test_a_walk_that_stands_in_a_pause_ends_with_a_stop():
     assert not floor.loop.walking.active
 
 
-@pytest.mark.parametrize("paused_s", [0.3, 3.0])
-def test_a_paused_walk_that_is_to_end_ends_where_it_stands(paused_s):
+@pytest.mark.parametrize("order", ["finish first", "in its last steps", "standing"])
+def test_a_paused_walk_that_is_to_end_ends_where_it_stands(order):
     floor = Floor()
     handle = floor.walk(0.3)
     floor.run(1.5)
 
+    if order == "finish first":
+        floor.loop.walking.finish(handle)
     floor.loop.pause("by the test")
-    floor.run(paused_s)  # within its last steps, or standing
+    floor.run(3.0 if order == "standing" else 0.3)
     floor.loop.resume()
-    floor.loop.walking.finish(handle)
+    if order != "finish first":
+        floor.loop.walking.finish(handle)
     floor.until_it_stands()
     floor.run(0.1)
 
