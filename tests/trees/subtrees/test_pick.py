@@ -128,6 +128,16 @@ def test_what_stands_out_of_view_beside_the_hands_way_is_seen_before_the_arm_mov
     assert seen[-1]
 
 
+def test_a_look_beside_the_cup_that_overlooks_it_does_not_forget_it(stage):
+    stage.when("plan pick", lambda: stage.fake.world.hidden.add("red cup"))
+    stage.when("plan again", stage.fake.world.hidden.clear)
+
+    tree = stage.play(stage.pick())
+
+    assert tree.status == "success"
+    assert tree.attempts == 1
+
+
 def test_where_somebody_looked_before_nobody_looks_again(stage):
     def looks_aside():
         names = [event.where for event in stage.events if isinstance(event, NodeChanged)]
