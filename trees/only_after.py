@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-
 from py_trees.behaviour import Behaviour
-from py_trees.common import Status
-from py_trees.decorators import Decorator
-from py_trees.ports import PortsMixin
 
 from trees.failures import Failure, FailureKind
 from trees.ports import ports
+from trees.skipping import Skipping
 
 
-class OnlyAfter(PortsMixin, Decorator):
+class OnlyAfter(Skipping):
     """Ticks its child when the failure at its port is of one of the kinds; otherwise succeeds at once.
 
     Attributes:
@@ -22,28 +18,11 @@ class OnlyAfter(PortsMixin, Decorator):
 
     INPUT_PORTS = ports(failure=Failure)
     OUTPUT_PORTS = ports()
-    transparent = True
 
     def __init__(self, child: Behaviour, kinds: frozenset[FailureKind]) -> None:
-        super().__init__(name=f"{child.name} if it helps", child=child)
-        self.wiring: Mapping[str, str] = {}
+        super().__init__(f"{child.name} if it helps", child)
         self.kinds = kinds
 
-    def wire(self, namespace: str) -> None:
-        """Connect the ports inside a tree's namespace."""
-        self.setup_ports({"failure": self.wiring.get("failure", "failure")}, namespace)
-
-    def tick(self) -> Iterator[Behaviour]:
-        """Skip the child, or tick it."""
-        if self.status is Status.RUNNING or self.get_input("failure").kind in self.kinds:
-            yield from super().tick()
-            return
-        self.stop(Status.INVALID)
-        self.feedback_message = "not needed"
-        self.stop(Status.SUCCESS)
-        yield self
-
-    def update(self) -> Status:
-        """The child's status."""
-        self.feedback_message = ""
-        return self.decorated.status
+    def needed(self) -> bool:
+        """Whether the failure is of those kinds."""
+        return self.get_input("failure").kind in self.kinds

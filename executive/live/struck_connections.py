@@ -21,7 +21,8 @@ class StruckConnections:
         Raises:
             KeyError: There is no such fault.
         """
-        self._fault: ConnectionFault = {name: name for name in CONNECTION_FAULTS}[fault]  # type: ignore[index]
+        known: dict[str, ConnectionFault] = {name: name for name in CONNECTION_FAULTS}
+        self._fault = known[fault]
         self._rng, self._wall = np.random.default_rng(seed), WallClock()
         self._struck = False
         self._made: list[FaultyConnection] = []

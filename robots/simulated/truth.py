@@ -297,6 +297,10 @@ class SimulatorTruth:
         """What of the robot but its finger pads touches an object now."""
         return self._contacts((Role.BODY, Role.FINGER), (Role.OBJECT,))
 
+    def touched_objects(self) -> tuple[TrueContact, ...]:
+        """What of the robot, finger pads included, touches an object now."""
+        return self._contacts(_ROBOT, (Role.OBJECT,))
+
     def robot_touches_something(self) -> bool:
         """Tell whether any part of the robot touches furniture, an object or a person; fast."""
         parts = self._part_of[self._contact_geoms()]

@@ -17,6 +17,7 @@ class ScriptedTruth:
     def __init__(self):
         self.present, self.height, self.in_hand = True, 0.0, (0.02, 0.0, 0.0)
         self.touching, self.margin, self.down, self.friction = (), 0.05, False, 0.6
+        self.objects_touched = ()
 
     def objects(self):
         return (CUP,) if self.present else ()
@@ -32,6 +33,9 @@ class ScriptedTruth:
 
     def contacts_with_furniture(self):
         return self.touching
+
+    def touched_objects(self):
+        return self.objects_touched
 
     def com_margin_m(self):
         return self.margin
@@ -133,6 +137,18 @@ def test_contacts_and_margin_keep_their_worst(truth, judge):
 
     assert judge.furniture_contacts == {"arm_left_5_link and table/top"}
     assert judge.com_margin_m == pytest.approx(0.01)
+
+
+def test_any_object_but_the_target_that_is_touched_is_noted(truth, judge):
+    truth.objects_touched = (
+        SimpleNamespace(first="gripper_right_pad", second=CUP),
+        SimpleNamespace(first="arm_right_7_link", second="bottle"),
+    )
+    judge.on_period()
+    truth.objects_touched = ()
+    watch(judge)
+
+    assert judge.others_touched == {"arm_right_7_link and bottle"}
 
 
 def test_a_contact_of_one_period_is_not_missed(truth, judge):

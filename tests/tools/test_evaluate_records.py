@@ -54,6 +54,15 @@ def test_one_bad_episode_of_ten_misses_its_demand(worst, demand):
     assert demand in missed(summary(*[record(i) for i in range(9)], record(9, **worst)))
 
 
+def test_in_clutter_nothing_but_the_target_may_be_touched():
+    touched = (record(0), record(1, others_touched=("hand and bottle",)))
+    demand = "episodes with another object touched"
+
+    assert demand in missed(Summary("pick", 0, None, 0.02, touched, "clutter"))
+    assert demand not in missed(Summary("pick", 0, None, 0.02, touched[:1], "clutter"))
+    assert demand not in missed(Summary("pick", 0, None, 0.02, touched, None))
+
+
 def test_recovery_counts_only_episodes_whose_fault_came_and_can_be_recovered_from():
     found = summary(
         record(0, fault_fired=True, recoverable=True),

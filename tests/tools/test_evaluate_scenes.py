@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from robots.scene_file import dump
-from tools.evaluate.scenes import TARGET, pick_scene, read_episode_scene
+from robots.scene_file import dump, load_scene
+from tools.evaluate.scenes import TARGET, episode_scene, pick_scene, read_episode_scene
 
 SCENES = [read_episode_scene(pick_scene(seed), seed) for seed in range(100)]
 CUPS = [next(item for item in scene.objects if item.name == TARGET) for scene in SCENES]
@@ -96,3 +96,30 @@ def test_the_sentence_names_the_furniture_that_the_cup_is_on():
 
     assert sentence_for(load_scene("tabletop")) == "pick up the red cup on the table"
     assert sentence_for(load_scene("shelf")) == "pick up the red cup on the shelf"
+
+
+def test_clutter_is_another_one_for_each_seed_and_full():
+    scenes = [read_episode_scene(episode_scene(seed, scene="clutter"), seed) for seed in range(30)]
+
+    counts = [len(scene.objects) - 1 for scene in scenes]
+    assert len({tuple(item.world_T_object[0, 3] for item in scene.objects) for scene in scenes}) == 30
+    assert min(counts) >= 2  # a small table has no room for more
+    assert max(counts) >= 10
+    for scene in scenes:
+        places = [item.world_T_object[:2, 3] for item in scene.objects]
+        gaps = [np.linalg.norm(a - b) for i, a in enumerate(places) for b in places[:i]]
+        assert min(gaps) >= 0.03 + 2 * 0.020
+
+
+@pytest.mark.parametrize("name", ["dinner", "shelf", "counter"])
+def test_a_named_scene_is_a_little_different_for_each_seed(name):
+    told = load_scene(name)
+    scenes = [read_episode_scene(episode_scene(seed, scene=name), seed) for seed in range(5)]
+
+    assert len({scene.robot_start for scene in scenes}) == 5
+    assert {(scene.perception.bias_m, scene.perception.noise_m) for scene in scenes} == {(0.005, 0.002)}
+    for scene in scenes:
+        for item, was in zip(scene.objects, told.objects, strict=True):
+            moved = np.abs(item.world_T_object[:3, 3] - was.world_T_object[:3, 3])
+            assert np.all(moved <= (0.02 + 1e-9, 0.02 + 1e-9, 0.005))
+    assert len({scene.objects[0].world_T_object[0, 3] for scene in scenes}) == 5

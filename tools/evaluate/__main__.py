@@ -112,10 +112,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     run = _RUNS.get(options.suite, run)
     records = _run(orders, options.jobs, messages, run)
     make = SkillSummary if skill else Summary
-    summary = make(options.suite, options.seed, options.fault, description.com_margin_m, records)
+    summary = make(
+        options.suite, options.seed, options.fault, description.com_margin_m, records, options.scene
+    )
     if options.json is not None:
         options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
-    scenes = {} if options.scene is not None else save_scenes(summary, options.failed)
+    scenes = save_scenes(summary, options.failed)
     print_summary(summary, scenes, Console())
     return 0 if all(bar.met for bar in summary.bars()) else 1
 
@@ -142,7 +144,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="seed of the first episode; the others follow")
     parser.add_argument("--jobs", type=_positive, default=2, help="processes")
     parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS, *SKILL_FAULTS, *CONNECTION_FAULTS}))
-    parser.add_argument("--scene", help="a scene's name or file in place of random ones")
+    parser.add_argument("--scene", help="a scene's name or file that the random ones are made from")
     parser.add_argument("--robot", default="talos", choices=known_robots())
     parser.add_argument(
         "--pace",

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import traceback
-
 from executive.assembly import assemble
 from executive.command_parser import parse
 from executive.task_result import TaskResult, chain
-from robots.scene_file import load_scene
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
-from tools.evaluate.records import EpisodeRecord
-from tools.evaluate.scenes import TARGET, episode_rng, pick_scene, read_episode_scene, sentence_for
+from tools.evaluate.records import EpisodeRecord, broken_episode
+from tools.evaluate.scenes import TARGET, episode_rng, episode_scene, read_episode_scene, sentence_for
 
 
 def run_episode(order: EpisodeOrder) -> EpisodeRecord:
@@ -21,23 +18,11 @@ def run_episode(order: EpisodeOrder) -> EpisodeRecord:
     try:
         return _run(order)
     except Exception as broken:
-        return EpisodeRecord(
-            seed=order.seed,
-            outcome="error",
-            truth=False,
-            failure_kind="ERROR",
-            failure=f"{type(broken).__name__}: {broken}",
-            fault=order.fault,
-            detail=traceback.format_exc(),
-        )
+        return broken_episode(order, broken)
 
 
 def _run(order: EpisodeOrder) -> EpisodeRecord:
-    scene = (
-        load_scene(order.scene)
-        if order.scene is not None
-        else read_episode_scene(pick_scene(order.seed, order.fault), order.seed)
-    )
+    scene = read_episode_scene(episode_scene(order.seed, order.fault, order.scene), order.seed)
     phases = PhaseWatch()
     assembly = assemble(order.robot, scene, order.seed, sink=phases.take)
     truth, session = assembly.world.truth, assembly.session
@@ -77,6 +62,7 @@ def _record(
         slip_m=judge.slip_m,
         fell=judge.fell,
         furniture_contacts=tuple(sorted(judge.furniture_contacts)),
+        others_touched=tuple(sorted(judge.others_touched)),
         com_margin_m=judge.com_margin_m,
         friction_error=abs((judge.friction or 0.0) - (friction or 0.0)) if compared else None,
         planning_ms=1e3 * result.times.planning_wall_s / max(result.attempts, 1),

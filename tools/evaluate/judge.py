@@ -45,6 +45,10 @@ class Truth(Protocol):
         """What of the robot touches furniture."""
         ...
 
+    def touched_objects(self) -> tuple[TrueContact, ...]:
+        """What of the robot touches objects."""
+        ...
+
     def com_margin_m(self) -> float:
         """Distance of the CoM's projection to the edge of the support polygon."""
         ...
@@ -60,6 +64,7 @@ class Judge:
     Attributes:
         fell: Whether the robot fell.
         furniture_contacts: Pairs "link and solid" that touched.
+        others_touched: Pairs "link and object" that touched; the target is left out.
         com_margin_m: Least margin so far.
         slip_m: Farthest motion of the object in the hand while it was lifted, or None.
         friction: Lowest friction of a pad contact while lifted, as the simulator used it, or None.
@@ -73,6 +78,7 @@ class Judge:
         self._holding = False
         self.fell = False
         self.furniture_contacts: set[str] = set()
+        self.others_touched: set[str] = set()
         self.com_margin_m = math.inf
         self.slip_m: float | None = None
         self.friction: float | None = None
@@ -82,6 +88,9 @@ class Judge:
         """Look at the world."""
         for contact in self._truth.contacts_with_furniture():
             self.furniture_contacts.add(f"{contact.first} and {contact.second}")
+        for contact in self._truth.touched_objects():
+            if contact.second != self._target:
+                self.others_touched.add(f"{contact.first} and {contact.second}")
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
             self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())

@@ -13,7 +13,7 @@ class EpisodeOrder:
         seed: Seed of scene and run.
         robot: Name of the robot.
         fault: Name of a fault, or None.
-        scene: A scene's name or file in place of a random one, or None.
+        scene: A scene's name or file that the random ones are made from, or None.
     """
 
     seed: int

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+import traceback
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
+
+from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.scenes import CLUTTER
 
 # A lifted object that moved less than this in the hand is held fast.
 SLIP_BAR_M = 0.002
@@ -35,6 +39,7 @@ class EpisodeRecord:
         slip_m: Farthest motion in the hand while lifted; None when it never was.
         fell: Whether the robot fell.
         furniture_contacts: Pairs of a link and a piece of furniture that touched.
+        others_touched: Pairs of a link and an object that is not the target that touched.
         com_margin_m: Least distance of the CoM's projection to the edge of the support polygon.
         friction_error: Difference between the friction read back from the contacts and the scene's.
         planning_ms: Wall time of planning, for each attempt.
@@ -57,6 +62,7 @@ class EpisodeRecord:
     slip_m: float | None = None
     fell: bool = False
     furniture_contacts: tuple[str, ...] = ()
+    others_touched: tuple[str, ...] = ()
     com_margin_m: float = math.inf
     friction_error: float | None = None
     planning_ms: float = 0.0
@@ -92,6 +98,19 @@ class EpisodeRecord:
         return {key: _finite(value) for key, value in values.items()}
 
 
+def broken_episode(order: EpisodeOrder, broken: Exception) -> EpisodeRecord:
+    """The record of an episode in which the evaluation itself broke; called where it was caught."""
+    return EpisodeRecord(
+        seed=order.seed,
+        outcome="error",
+        truth=False,
+        failure_kind="ERROR",
+        failure=f"{type(broken).__name__}: {broken}",
+        fault=order.fault,
+        detail=traceback.format_exc(),
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class Bar:
     """One demand and whether it was met."""
@@ -111,6 +130,7 @@ class Summary:
     fault: str | None
     com_margin_limit_m: float
     records: Sequence[EpisodeRecord] = field(default_factory=tuple)
+    scene: str | None = None
 
     @property
     def success_rate(self) -> float:
@@ -136,6 +156,11 @@ class Summary:
     def unwanted_contacts(self) -> int:
         """Number of episodes in which the robot touched furniture."""
         return sum(bool(record.furniture_contacts) for record in self.records)
+
+    @property
+    def others_touched(self) -> int:
+        """Number of episodes in which the robot touched an object that was not the target."""
+        return sum(bool(record.others_touched) for record in self.records)
 
     @property
     def recoverable(self) -> list[EpisodeRecord]:
@@ -170,6 +195,9 @@ class Summary:
             ),
             Bar("broken episodes", str(self._errors()), "0", self._errors() == 0),
         ]
+        if self.scene == CLUTTER:
+            touched = self.others_touched
+            bars.append(Bar("episodes with another object touched", str(touched), "0", touched == 0))
         if self.fault is None:
             slips = [record.slip_m for record in self.records if record.slip_m is not None and record.truth]
             worst_slip, margin = max(slips, default=0.0), min(margins, default=math.inf)
@@ -213,6 +241,7 @@ class Summary:
             "false_failure": self.false_failure,
             "falls": self.falls,
             "unwanted_contacts": self.unwanted_contacts,
+            "others_touched": self.others_touched,
             "fault_fired": sum(record.fault_fired for record in self.records),
             "failures": self.failures(),
             "failed_seeds": [record.seed for record in self.records if record.bad],

@@ -12,7 +12,7 @@ from rich.table import Table
 from robots.scene_file import dump
 from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord, Summary
-from tools.evaluate.scenes import SENTENCE, pick_scene
+from tools.evaluate.scenes import SENTENCE, episode_scene
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.registry import SKILL_SUITES
 
@@ -37,7 +37,7 @@ def _scene_text(summary: Summary, record: EpisodeRecord) -> str:
         return dump(trial_of(summary.suite, record.seed).scene)
     if summary.suite == "question":
         return dump(ambiguous_trial(record.seed).scene)
-    return pick_scene(record.seed, record.fault)
+    return episode_scene(record.seed, record.fault, summary.scene)
 
 
 def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console) -> None:
@@ -53,6 +53,8 @@ def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console
         table.add_row("truly done", f"{summary.success_rate:.1%}", "", "")
         fired = sum(record.fault_fired for record in summary.records)
         table.add_row("the fault came", f"{fired} of {len(summary.records)}", "", "")
+    if summary.scene is None:
+        table.add_row("episodes with another object touched", str(summary.others_touched), "", "")
     planning = summary.planning_ms()
     table.add_row("planning", f"{planning['p50']:.0f} ms, p95 {planning['p95']:.0f} ms", "", "")
     table.add_row("simulation with control", f"{summary.realtime_factor():.1f} × real time", "", "")
@@ -74,4 +76,5 @@ def _again(summary: Summary, seed: int, scenes: Mapping[int, Path]) -> str:
     if summary.fault is None and seed in scenes and summary.suite not in SKILL_SUITES:
         return f"executive run {shlex.quote(SENTENCE)} --scene {shlex.quote(str(scenes[seed]))} --seed {seed}"
     fault = f" --fault {summary.fault}" if summary.fault else ""
-    return f"python -m tools.evaluate {summary.suite} --episodes 1 --jobs 1 --seed {seed}{fault}"
+    scene = f" --scene {shlex.quote(summary.scene)}" if summary.scene else ""
+    return f"python -m tools.evaluate {summary.suite} --episodes 1 --jobs 1 --seed {seed}{fault}{scene}"

@@ -7,14 +7,16 @@ read back before it is used, so that the file of an episode is that episode to t
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
 from kinematics import poses
 from kinematics.shapes import Box, Cylinder, Shape
+from robots.errors import SceneError
 from robots.scene_description import Furniture, PerceptionModel, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import dump, read_scene
+from robots.scene_file import dump, load_scene, read_scene
 
 TARGET = "red cup"
 SENTENCE = "pick up the red cup on the table"
@@ -41,6 +43,13 @@ _FRONT_M = ((0.203, 0.525), (0.203, -0.525), (0.208, 0.057), (0.208, -0.057))
 
 OTHERS_CHANCE = 0.5
 OTHERS_APART_M = 0.22
+CLUTTER = "clutter"
+CLUTTER_COUNT = (3, 12)
+# Left free between two things amid clutter; fingers need about as much.
+CLUTTER_GAP_M = 0.03
+# Things of a named scene are moved by so much, along each axis.
+MOVED_M = 0.02
+_DRAWS = 50
 _OTHER_COLORS = ("blue", "green", "yellow", "white", "black")
 # Between two cups that stand too close for fingers.
 TOO_CLOSE_M = (0.001, 0.006)
@@ -57,13 +66,56 @@ def episode_rng(seed: int, purpose: int) -> np.random.Generator:
     return np.random.default_rng([seed, 0x5CE1E, purpose])
 
 
-def pick_scene(seed: int, fault: str | None = None) -> str:
-    """The scene of one episode as TOML.
+def episode_scene(seed: int, fault: str | None = None, scene: str | None = None) -> str:
+    """The scene of one episode as TOML; another one for each seed.
+
+    Args:
+        seed: The episode's seed.
+        fault: As for ``pick_scene``.
+        scene: None for a random table, "clutter" for one with 3 to 12 other things; any other scene, by
+            name or file, with its things, its cup's weight and the robot's start a little different.
+    """
+    if scene is None or scene == CLUTTER:
+        return pick_scene(seed, fault, crowded=scene == CLUTTER)
+    return _moved_about(load_scene(scene), seed)
+
+
+def _moved_about(scene: SceneDescription, seed: int) -> str:
+    """The first draw that can be a world."""
+    rng = episode_rng(seed, 0)
+
+    def off(most: float) -> float:
+        return float(rng.uniform(-most, most))
+
+    for _ in range(_DRAWS):
+        before = scene.robot_start
+        x, y, yaw = off(START_OFFSET_M), off(START_OFFSET_M), off(START_YAW_RAD)
+        objects = []
+        for item in scene.objects:
+            pose = item.world_T_object.copy()
+            pose[:2, 3] += off(MOVED_M), off(MOVED_M)
+            objects.append(replace(item, world_T_object=pose))
+            if item.name == TARGET:
+                mass, friction = float(rng.uniform(*CUP_MASS_KG)), float(rng.uniform(*CUP_FRICTION))
+                objects[-1] = replace(objects[-1], mass_kg=mass, friction=friction)
+        start = RobotStart(before.x_m + x, before.y_m + y, before.yaw_rad + yaw)
+        text = dump(replace(scene, robot_start=start, perception=PERCEPTION, objects=tuple(objects)))
+        try:
+            read_episode_scene(text, seed)
+        except SceneError:
+            continue
+        return text
+    raise SceneError(scene.name, "object", f"no room to move the things by {MOVED_M} m")
+
+
+def pick_scene(seed: int, fault: str | None = None, crowded: bool = False) -> str:
+    """A random table with the cup on it, as TOML.
 
     Args:
         seed: The episode's seed.
         fault: "nothing_there" leaves the cup out, "too_close" puts a second one beside it; any other is
             no matter of the scene.
+        crowded: 3 to 12 other things, with ``CLUTTER_GAP_M`` between them.
     """
     rng = episode_rng(seed, 0)
     start = RobotStart(
@@ -84,7 +136,7 @@ def pick_scene(seed: int, fault: str | None = None) -> str:
         friction=float(rng.uniform(*CUP_FRICTION)),
         world_T_object=_standing(x, y, table, height, 0.0),
     )
-    objects = [cup, *_others(rng, table, cup)]
+    objects = [cup, *(_crowd if crowded else _others)(rng, table, cup)]
     if fault == "too_close":
         objects.insert(1, _neighbour(episode_rng(seed, 1), table, cup))
         objects = objects[:2] + [item for item in objects[2:] if _apart(item, objects[1])]
@@ -127,25 +179,44 @@ def _others(rng: np.random.Generator, table: Furniture, cup: SceneItem) -> list[
     if rng.random() >= OTHERS_CHANCE:
         return placed
     for number in range(int(rng.integers(1, 4))):
-        kind, shape = _other_shape(rng)
-        half = 0.5 * np.array(table.size_m[:2]) - 0.08
-        color = _OTHER_COLORS[int(rng.integers(len(_OTHER_COLORS)))]
-        mass, friction, yaw = rng.uniform(0.1, 0.5), rng.uniform(0.4, 1.0), rng.uniform(-math.pi, math.pi)
-        for _ in range(30):
-            x, y = np.array(table.position_m) + rng.uniform(-half, half)
-            item = SceneItem(
-                name=f"{color} {kind} {number + 1}",
-                kind=kind,
-                color=color,
-                shape=shape,
-                mass_kg=float(mass),
-                friction=float(friction),
-                world_T_object=_standing(float(x), float(y), table, shape.height_m, float(yaw)),
-            )
-            if all(_apart(item, other) for other in (cup, *placed)):
-                placed.append(item)
-                break
+        _place(rng, table, cup, placed, number, _apart)
     return placed
+
+
+def _crowd(rng: np.random.Generator, table: Furniture, cup: SceneItem) -> list[SceneItem]:
+    """As many other things as clutter has; fewer on a table where they find no room."""
+    placed: list[SceneItem] = []
+    for number in range(int(rng.integers(CLUTTER_COUNT[0], CLUTTER_COUNT[1] + 1))):
+        _place(rng, table, cup, placed, number, _gap)
+    return placed
+
+
+def _place(
+    rng: np.random.Generator,
+    table: Furniture,
+    cup: SceneItem,
+    placed: list[SceneItem],
+    number: int,
+    room: Callable[[SceneItem, SceneItem], bool],
+) -> None:
+    kind, shape = _other_shape(rng)
+    half = 0.5 * np.array(table.size_m[:2]) - 0.08
+    color = _OTHER_COLORS[int(rng.integers(len(_OTHER_COLORS)))]
+    mass, friction, yaw = rng.uniform(0.1, 0.5), rng.uniform(0.4, 1.0), rng.uniform(-math.pi, math.pi)
+    for _ in range(30):
+        x, y = np.array(table.position_m) + rng.uniform(-half, half)
+        item = SceneItem(
+            name=f"{color} {kind} {number + 1}",
+            kind=kind,
+            color=color,
+            shape=shape,
+            mass_kg=float(mass),
+            friction=float(friction),
+            world_T_object=_standing(float(x), float(y), table, shape.height_m, float(yaw)),
+        )
+        if all(room(item, other) for other in (cup, *placed)):
+            placed.append(item)
+            return
 
 
 def _other_shape(rng: np.random.Generator) -> tuple[str, Shape]:
@@ -178,3 +249,14 @@ def _neighbour(rng: np.random.Generator, table: Furniture, cup: SceneItem) -> Sc
 def _apart(a: SceneItem, b: SceneItem) -> bool:
     between = a.world_T_object[:2, 3] - b.world_T_object[:2, 3]
     return float(np.linalg.norm(between)) >= OTHERS_APART_M
+
+
+def _gap(a: SceneItem, b: SceneItem) -> bool:
+    between = a.world_T_object[:2, 3] - b.world_T_object[:2, 3]
+    return float(np.linalg.norm(between)) >= _reach_m(a) + _reach_m(b) + CLUTTER_GAP_M
+
+
+def _reach_m(item: SceneItem) -> float:
+    """Farthest point from the middle, seen from above."""
+    shape = item.shape
+    return 0.5 * math.hypot(*shape.size_m[:2]) if isinstance(shape, Box) else shape.radius_m

@@ -98,10 +98,10 @@ class LeadHandle(YieldingLeaf):
         self.measured(**shown, **felt)
         self.feedback_message = f"{target.shown(opening):.2f} {target.unit}, {report.peak_pull_n:.0f} N"
         if report.outcome == "stuck":
-            return Failure.execution(f"the {target.part} is stuck", **shown, **felt)
+            return Failure.execution(f"the {target.part} {_STUCK}", **shown, **felt)
         slipped = report.peak_pull_n >= _SLIPPED_AT_N and opening < _SLIPPED_SHARE * OPEN_TO[target.kind]
         if report.outcome == "lost" and slipped:
-            return Failure.execution(f"the {target.part} is stuck: the hand slips off it", **shown, **felt)
+            return Failure.execution(f"the {target.part} {_STUCK}: {_SLIPS_OFF} it", **shown, **felt)
         if report.outcome == "lost":
             return Failure.execution(f"the hand lost the handle of the {target.part}", **shown, **felt)
         self._set_output("opening", opening)
@@ -133,3 +133,16 @@ class LeadHandle(YieldingLeaf):
 
 _STOP_FROM = {kind: 3.0 * shut for kind, shut in SHUT.items()}
 """A closing door or drawer that stops nearer than this to being shut has met its frame."""
+
+
+_STUCK, _SLIPS_OFF = "is stuck", "the hand slips off"
+
+
+def is_stuck(failure: Failure) -> bool:
+    """Tell whether what was led did not give way."""
+    return _STUCK in failure.message
+
+
+def slips_off(failure: Failure) -> bool:
+    """Tell whether it was so because the hand slid off before it could have given way."""
+    return is_stuck(failure) and _SLIPS_OFF in failure.message

@@ -10,13 +10,11 @@ from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure
 from trees.leaves.approach_handle import ApproachHandle
-from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.detect_front import DetectFront
 from trees.leaves.exclude_grasp import ExcludeGrasp
-from trees.leaves.lead_handle import LeadHandle
+from trees.leaves.lead_handle import LeadHandle, is_stuck
 from trees.leaves.look_at import LookAt
 from trees.leaves.names_door import NamesDoor
-from trees.leaves.plan_handle import PlanHandle
 from trees.leaves.step_back import StepBack
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.touch_front import TouchFront
@@ -30,6 +28,7 @@ from trees.subtrees.open import (
     hopeless,
     looking_elsewhere_is_useless,
     open_or_close,
+    planned,
     sequence,
     tidying_helps,
     verify,
@@ -62,12 +61,7 @@ def _search(name: str, toolbox: Toolbox) -> Alternatives:
 def _attempt(toolbox: Toolbox) -> Behaviour:
     move = sequence(
         "move",
-        sequence(
-            "plan",
-            PlanHandle("plan push", toolbox),
-            CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
-            CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
-        ),
+        planned("plan push", toolbox),
         sequence(
             "push",
             StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
@@ -98,4 +92,4 @@ def _leave(toolbox: Toolbox) -> Behaviour:
 
 
 def _handle_is_no_help(failure: Failure) -> bool:
-    return defect(failure) or bool(failure.choices) or "is stuck" in failure.message
+    return defect(failure) or bool(failure.choices) or is_stuck(failure)

@@ -16,7 +16,7 @@ from trees.leaves.detect_handle import DetectHandle
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome
 from trees.leaves.grasp_handle import GraspHandle
-from trees.leaves.lead_handle import LeadHandle
+from trees.leaves.lead_handle import LeadHandle, is_stuck, slips_off
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_handle import LookAtHandle
 from trees.leaves.plan_handle import PlanHandle
@@ -82,15 +82,20 @@ def _search(name: str, toolbox: Toolbox) -> Alternatives:
     return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
 
 
+def planned(name: str, toolbox: Toolbox) -> Behaviour:
+    """Plan the whole way, and check what is streamed of it."""
+    return sequence(
+        "plan",
+        PlanHandle(name, toolbox),
+        CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
+        CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
+    )
+
+
 def _attempt(toolbox: Toolbox) -> Behaviour:
     move = sequence(
         "move",
-        sequence(
-            "plan",
-            PlanHandle("plan handle", toolbox),
-            CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
-            CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
-        ),
+        planned("plan handle", toolbox),
         sequence(
             "reach",
             Release("open gripper", toolbox),
@@ -168,12 +173,8 @@ def looking_elsewhere_is_useless(failure: Failure) -> bool:
 def hopeless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    slipped_again = before is not None and _SLIPS in before.message and _SLIPS in failure.message
-    stuck = "is stuck" in failure.message and _SLIPS not in failure.message
-    return defect(failure) or bool(failure.choices) or twice or stuck or slipped_again
-
-
-_SLIPS = "the hand slips off"
+    stuck = is_stuck(failure) and (not slips_off(failure) or (before is not None and slips_off(before)))
+    return defect(failure) or bool(failure.choices) or twice or stuck
 
 
 def tidying_helps(failure: Failure) -> bool:

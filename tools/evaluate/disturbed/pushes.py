@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 import time
-import traceback
 from dataclasses import dataclass
 
 from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.orders import EpisodeOrder
-from tools.evaluate.records import Bar, EpisodeRecord, Summary
+from tools.evaluate.records import Bar, EpisodeRecord, Summary, broken_episode
 from tools.evaluate.scenes import episode_rng
 
 STANDING_N = 250.0
@@ -30,14 +29,7 @@ def run_push_episode(order: EpisodeOrder) -> EpisodeRecord:
     try:
         return _run(order)
     except Exception as broken:
-        return EpisodeRecord(
-            order.seed,
-            "error",
-            truth=False,
-            failure_kind="ERROR",
-            failure=f"{type(broken).__name__}: {broken}",
-            detail=traceback.format_exc(),
-        )
+        return broken_episode(order, broken)
 
 
 def _run(order: EpisodeOrder) -> EpisodeRecord:
@@ -72,14 +64,16 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
         "at_s": at_s,
         "cpu_s": time.process_time() - began,
     }
-    told = f"fell under {share * bar_n:.0f} N from {math.degrees(angle):.0f} degrees, {numbers['gait']}"
+    fell = body.world.truth.fallen()
+    how = "fell" if fell else "did not come to rest"
+    told = f"{how} under {share * bar_n:.0f} N from {math.degrees(angle):.0f} degrees, {numbers['gait']}"
     return EpisodeRecord(
         order.seed,
         "done" if stands else "failed",
         truth=stands,
         failure_kind=None if stands else "EXECUTION",
         failure=None if stands else told,
-        fell=not stands,
+        fell=fell,
         simulated_s=simulated_s,
         numbers=numbers,
     )

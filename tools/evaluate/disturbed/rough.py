@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import time
-import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -14,7 +13,7 @@ import numpy as np
 from robots.scene_description import Furniture
 from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.orders import EpisodeOrder
-from tools.evaluate.records import Bar, EpisodeRecord, Summary
+from tools.evaluate.records import Bar, EpisodeRecord, Summary, broken_episode
 from tools.evaluate.scenes import episode_rng
 
 GYRO_RAD_S = math.radians(0.5)
@@ -45,14 +44,7 @@ def run_rough_episode(order: EpisodeOrder) -> EpisodeRecord:
     try:
         return _run(order)
     except Exception as broken:
-        return EpisodeRecord(
-            order.seed,
-            "error",
-            truth=False,
-            failure_kind="ERROR",
-            failure=f"{type(broken).__name__}: {broken}",
-            detail=traceback.format_exc(),
-        )
+        return broken_episode(order, broken)
 
 
 def _run(order: EpisodeOrder) -> EpisodeRecord:
@@ -83,13 +75,15 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     stands = stands and body.go_on(WALK_S)
     walked = handle.status.value
     stands = stands and body.stands_again(handle)
+    fell = body.world.truth.fallen()
+    told = f"{'fell' if fell else 'did not come to rest'} with {WRONG[wrong]}"
     return EpisodeRecord(
         order.seed,
         "done" if stands else "failed",
         truth=stands,
         failure_kind=None if stands else "EXECUTION",
-        failure=None if stands else f"fell with {WRONG[wrong]}",
-        fell=not stands,
+        failure=None if stands else told,
+        fell=fell,
         simulated_s=body.world.truth.time_s,
         numbers={
             "wrong": wrong,

@@ -13,8 +13,8 @@ from executive.task_result import TaskResult
 from kinematics.shapes import Cylinder
 from robots.scene_description import Person
 from tools.evaluate.skills import rooms
-from tools.evaluate.skills.goals import feet_of
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
+from tools.evaluate.skills.way_walked import WayWalked
 from trees.tasks import ObjectDescription, PickTask, WalkToTask
 
 CUP = "red cup"
@@ -32,38 +32,37 @@ class CarryJudge:
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._assembly, self._truth, self._walk = assembly, assembly.world.truth, trial.tasks[-1].text
-        self._carrying = False
-        self._tilt_rad = self._walked_m = 0.0
+        self._way: WayWalked | None = None
+        self._tilt_rad = 0.0
         self._dropped = False
         self._periods = 0
-        self._last = feet_of(assembly)
 
     def on_event(self, event: object) -> None:
         """Begin with the walk."""
         if isinstance(event, TaskAccepted) and event.text == self._walk:
-            self._carrying, self._last = True, feet_of(self._assembly)
+            self._way = WayWalked(self._assembly)
 
     def on_period(self) -> None:
         """Measure the cup each 10 ms."""
+        if self._way is None:
+            return
+        self._way.on_period()
         self._periods += 1
-        if not self._carrying or self._periods % 5:
+        if self._periods % 5:
             return
         self._tilt_rad = max(self._tilt_rad, self._truth.tilt_rad(CUP))
         self._dropped = self._dropped or CUP not in self._truth.in_pads_only()
-        if self._periods % 50 == 0:
-            now = feet_of(self._assembly)
-            self._walked_m += now.distance_m(self._last)
-            self._last = now
 
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
         """Carried all the way, and level."""
-        done = not self._dropped and self._tilt_rad <= TILT_RAD and self._walked_m >= WALKED_M
+        walked_m = 0.0 if self._way is None else self._way.length_m
+        done = not self._dropped and self._tilt_rad <= TILT_RAD and walked_m >= WALKED_M
         numbers = {
             "tilt_deg": math.degrees(self._tilt_rad),
             "dropped": self._dropped,
-            "walked_m": self._walked_m,
+            "walked_m": walked_m,
         }
-        told = f"tilted by {math.degrees(self._tilt_rad):.1f} degrees, walked {self._walked_m:.1f} m"
+        told = f"tilted by {math.degrees(self._tilt_rad):.1f} degrees, walked {walked_m:.1f} m"
         return Verdict(done, numbers, "" if done else told + (", dropped" if self._dropped else ""))
 
 

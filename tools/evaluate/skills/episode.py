@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import traceback
 
 from executive.assembly import assemble
 from executive.task_result import chain
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
-from tools.evaluate.records import EpisodeRecord
+from tools.evaluate.records import EpisodeRecord, broken_episode
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.planning_watch import PlanningWatch
@@ -31,15 +30,7 @@ def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     try:
         return _run(suite, order)
     except Exception as broken:
-        return EpisodeRecord(
-            seed=order.seed,
-            outcome="error",
-            truth=False,
-            failure_kind="ERROR",
-            failure=f"{type(broken).__name__}: {broken}",
-            fault=order.fault,
-            detail=traceback.format_exc(),
-        )
+        return broken_episode(order, broken)
 
 
 def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:

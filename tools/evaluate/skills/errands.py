@@ -13,8 +13,8 @@ from executive.task_result import TaskResult
 from robots.articulated import moving_part
 from robots.scene_description import RobotStart, SceneDescription
 from robots.scene_file import dump, load_scene, read_scene
-from tools.evaluate.skills.goals import feet_of
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
+from tools.evaluate.skills.way_walked import WayWalked
 from trees.handles import OPEN_ENOUGH
 from trees.tasks import ObjectDescription, OpenTask, PickTask, WalkToTask
 
@@ -70,21 +70,14 @@ class _ErrandJudge:
     """Notes how far the robot went."""
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
-        self._assembly, self._truth, self._aim = assembly, assembly.world.truth, trial.aim
-        self._last = feet_of(assembly)
-        self._walked_m = 0.0
-        self._periods = 0
+        self._truth, self._aim, self._way = assembly.world.truth, trial.aim, WayWalked(assembly)
 
     def on_event(self, event: object) -> None:
         """Nothing to note."""
 
     def on_period(self) -> None:
         """Add up the way that was walked."""
-        self._periods += 1
-        if self._periods % 50 == 0:
-            now = feet_of(self._assembly)
-            self._walked_m += now.distance_m(self._last)
-            self._last = now
+        self._way.on_period()
 
 
 class FridgeJudge(_ErrandJudge):
@@ -94,7 +87,7 @@ class FridgeJudge(_ErrandJudge):
         """Open as far as is called open."""
         opening = self._truth.opening("fridge")
         done = opening >= OPEN_ENOUGH["door"]
-        numbers = {"opening_deg": math.degrees(opening), "walked_m": self._walked_m}
+        numbers = {"opening_deg": math.degrees(opening), "walked_m": self._way.length_m}
         return Verdict(done, numbers, "" if done else f"open by {math.degrees(opening):.0f} degrees")
 
 
@@ -105,7 +98,7 @@ class CupJudge(_ErrandJudge):
         """Lifted, and touched by finger pads alone."""
         lift_m = self._truth.lift_m(self._aim)
         done = lift_m >= LIFTED_M and self._aim in self._truth.in_pads_only()
-        numbers = {"lift_m": lift_m, "walked_m": self._walked_m}
+        numbers = {"lift_m": lift_m, "walked_m": self._way.length_m}
         return Verdict(done, numbers, "" if done else f"lifted by {100 * lift_m:.0f} cm")
 
 

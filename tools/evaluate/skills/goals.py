@@ -20,6 +20,7 @@ from robots.scene_file import dump, read_scene
 from robots.scene_solids import planning_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
+from tools.evaluate.skills.way_walked import WayWalked, feet_of
 from trees.standing_place import EDGE_M, PERSON_M
 from trees.tasks import ObjectDescription, WalkToTask
 
@@ -42,37 +43,20 @@ _SIZES = {
 }
 
 
-def feet_of(assembly: Assembly) -> PlanarPose:
-    """Where the middle between the feet truly is."""
-    physics = assembly.world.physics
-    soles = []
-    for body in physics.sole_body:
-        x, y = physics.data.xpos[body][:2]
-        R = physics.data.xmat[body].reshape(3, 3)
-        soles.append(PlanarPose(float(x), float(y), math.atan2(R[1, 0], R[0, 0])))
-    return PlanarPose.between(*soles)
-
-
 class GoalJudge:
     """Measures how far the robot stands from its place in front of what it was sent to."""
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._assembly, self._scene, self._aim = assembly, trial.scene, trial.aim
         self._start = feet_of(assembly)
-        self._last = self._start
-        self._walked_m = 0.0
-        self._periods = 0
+        self._way = WayWalked(assembly)
 
     def on_event(self, event: object) -> None:
         """Nothing to note."""
 
     def on_period(self) -> None:
         """Add up the way that was walked."""
-        self._periods += 1
-        if self._periods % 50 == 0:
-            now = feet_of(self._assembly)
-            self._walked_m += now.distance_m(self._last)
-            self._last = now
+        self._way.on_period()
 
     def verdict(self, results: Sequence[TaskResult]) -> Verdict:
         """Within two centimetres and two degrees of the nearest place that there is."""
@@ -86,7 +70,7 @@ class GoalJudge:
             "off_m": off_m,
             "off_deg": math.degrees(off_rad),
             "goal_m": min(self._start.distance_m(place) for place in self._places(self._start)),
-            "walked_m": self._walked_m,
+            "walked_m": self._way.length_m,
             "took_s": results[-1].times.simulated_s,
         }
         why = "" if done else f"{100 * off_m:.1f} cm and {math.degrees(off_rad):.1f} degrees from its place"
