@@ -17,10 +17,10 @@ from trees.tasks import ObjectDescription, PickTask
 class AlreadyHeld(Leaf):
     """What is meant is held already: done, if it is in the hand that was named, or none was.
 
-    It fails at once, as infeasible, when it is in the other hand than the one that was named, and when there is
-    something else to be picked up and no hand is free for it. Any other failure only says that it has
-    to be picked up. A description that compares things ("the other cup"), or says where it is, means
-    nothing that is held; one that also fits something that stands about means that.
+    It fails at once, as infeasible, when it is in the other hand than the one that was named, and when
+    there is something else to be picked up and no hand is free for it. Any other failure only says that
+    it has to be picked up. A description that compares things ("the other cup"), or says where it is,
+    means nothing that is held; one that also fits something that stands about means that.
     """
 
     INPUT_PORTS = ports(task=PickTask)
