@@ -21,8 +21,8 @@ class ReachWatching(StreamMotion):
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the step was checked for the present scene and starts at the reference",
-        postcondition="every joint is measured to be at the trajectory's end, and as far as it was in view the "
-        "front has stayed where it was",
+        postcondition="every joint is measured to be at the trajectory's end; as far as it was in view, the "
+        "front stayed where it was",
         deadline_s=5.0,
         moves="body",
         on_success="the robot holds the end of the trajectory",
