@@ -21,6 +21,7 @@ from executive.outputs.report import Report, SafetyCounts
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
+from executive.settled_heap import settled_heap
 from kinematics.trajectory_document import StoredTrajectory, write_trajectory
 from robots.control.events import SetpointRefused, StopStarted
 from robots.description import load_description_for_tasks
@@ -181,7 +182,7 @@ def _results(
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
     attendant.begin(assembly.session)
-    with _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
+    with settled_heap(), _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
