@@ -70,7 +70,8 @@ class TreePolicy:
         move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
         looks_past: How often, after all gazes, the eyes are taken elsewhere, past what hides something.
-        inventory_gazes: The looks that together see everything within reach of the arms.
+        inventory_gazes: The looks that together see everything within reach of the arms, the near corners of
+            a table beside the robot at last.
         wave_swings: How often a waving hand goes from side to side.
         wave_width_m: From one side to the other.
         wave_least_m: A swing narrower than this, as measured, does not count.
@@ -153,6 +154,8 @@ class TreePolicy:
         Gaze("near", tilt_rad=0.77, lean_rad=0.5),
         Gaze("near left", tilt_rad=0.7, pan_rad=-0.4, lean_rad=0.5, turn_rad=0.7),
         Gaze("near right", tilt_rad=0.7, pan_rad=0.4, lean_rad=0.5, turn_rad=-0.7),
+        Gaze("beside left", tilt_rad=0.77, pan_rad=0.2, lean_rad=0.35, turn_rad=0.4),
+        Gaze("beside right", tilt_rad=0.77, pan_rad=-0.2, lean_rad=0.35, turn_rad=-0.4),
     )
     looks_past: int = 6
     wave_swings: int = 4

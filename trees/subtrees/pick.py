@@ -5,11 +5,12 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.alternatives import defect
+from trees.alternatives import Alternatives, defect
 from trees.best_effort import BestEffort
 from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
+from trees.leaves.already_held import AlreadyHeld
 from trees.leaves.attach import Attach
 from trees.leaves.back_out import BackOut
 from trees.leaves.check_trajectory import CheckTrajectory
@@ -32,8 +33,20 @@ from trees.toolbox import Toolbox
 from trees.unless_seen import UnlessSeen
 
 
-def pick(toolbox: Toolbox) -> CleanUp:
-    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+def pick(toolbox: Toolbox) -> Alternatives:
+    """The whole skill, unless it is held already. Reads "task" of the tree's namespace, writes "evidence"."""
+    held = AlreadyHeld("is it held already", toolbox)
+    ways = Alternatives("pick", [held, _fetched(toolbox)], hopeless=no_hand_for_it)
+    ways.transparent = True
+    return ways
+
+
+def no_hand_for_it(failure: Failure) -> bool:
+    """It is in another hand than the one that was named, or no hand is free."""
+    return defect(failure) or failure.kind is FailureKind.INFEASIBLE
+
+
+def _fetched(toolbox: Toolbox) -> CleanUp:
     attempts = Retry(
         "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
     )
