@@ -220,12 +220,8 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
             result = _told_apart(result, _kind(where), where.of)
         elif result.source is None:
             result = replace(result, source=where.of)
-        elif (
-            where.of.sort == "room"
-            and result.source.sort != "room"
-            or result.source.sort == "thing"
-            and where.of.is_place
-            and where.preposition in ("on", "in")
+        elif (where.of.sort == "room" and result.source.sort != "room") or (
+            result.source.sort == "thing" and where.of.is_place and where.preposition in ("on", "in")
         ):
             inner = Relative("in" if where.of.sort == "room" else _kind(where), where.of)
             result = replace(result, source=checked(result.source.placed(inner)))

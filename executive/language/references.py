@@ -106,7 +106,7 @@ class Resolver:
         return tuple(self._commands)
 
     def _with_mention(self, bundle: Bundle) -> Bundle:
-        """The thing that a statement named in place of the first "it" or "them": "there is a cup; take it"."""
+        """With what a statement named in place of the first "it" or "them": "a cup is there; take it"."""
         first, *rest = bundle
         thing = first.get("object")
         if self._mention is None:

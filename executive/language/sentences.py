@@ -53,6 +53,8 @@ def _clause(parts: Parts) -> Clause | None:
     """A command, with what was said before it."""
     command: Clause = parts[-1]
     for part in parts[:-1]:
+        if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
+            continue
         slot = (
             ("hand", part.side)
             if isinstance(part, Hand)
@@ -60,8 +62,6 @@ def _clause(parts: Parts) -> Clause | None:
             if isinstance(part, Where)
             else None
         )
-        if slot is not None and slot[0] == "source" and _goes(command) and slot[1].reference == "there":
-            continue
         if slot is not None:
             changed = _with_slot(command, *slot)
             if changed is None:

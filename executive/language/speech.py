@@ -51,7 +51,8 @@ _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 
 _GREETING_LINES = """
 hello hi hey bye goodbye good morning afternoon evening night day thanks thank you so very much please sorry
-yes no ok okay goodnight cheerio farewell welcome home back happy birthday new year merry christmas congratulations cheers cheese bravo
+yes no ok okay goodnight farewell welcome home back happy birthday new year merry christmas
+congratulations cheers cheese bravo
 well done great job nice see soon ready steady go stop help wow hooray and everyone everybody all there ladies
 gentlemen friends robot world one two three four five six seven eight nine ten
 """
