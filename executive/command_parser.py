@@ -71,7 +71,7 @@ def parser_with(user_files: tuple[Path, ...] = ()) -> CommandParser:
     Raises:
         VocabularyError: A file of words is malformed.
     """
-    return CommandParser(load_vocabulary(user_files), _rules())
+    return CommandParser(load_vocabulary(user_files, cache_directory()), _rules())
 
 
 @lru_cache(maxsize=1)

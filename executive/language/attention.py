@@ -36,7 +36,7 @@ def _side(parts: Parts) -> str | None:
 def _person(nominal: Nominal, doing: str) -> Nominal:
     if not nominal.is_person and nominal.reference not in ("it", "them"):
         raise trouble(f"{doing} {nominal.kind or 'a thing'}: only a person can be meant", nominal.kind)
-    if nominal.reference in ("it", "them"):
+    if nominal.reference == "it":
         raise trouble("who is meant?", asks=True)
     return nominal
 

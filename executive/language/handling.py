@@ -10,14 +10,34 @@ from typing import Any
 from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
 from executive.language.lattice import Word
 from executive.language.nominals import shared_adjective, words
-from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Pair, Relative, Where, draft
+from executive.language.phrases import (
+    Bundle,
+    Clause,
+    Item,
+    Meaning,
+    Mention,
+    Nominal,
+    Pair,
+    Relative,
+    Where,
+    draft,
+)
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
+IT = Nominal("any", reference="it", determined=True)
+ASKER = Nominal("me", "me", reference="asker", determined=True)
+"""Who asks for a thing, when nobody is said to get it."""
+
 BACK = Nominal("any", reference="there", name="back")
 """The place that a thing was taken from."""
 
 _SHARP = frozenset({"knife", "scissors", "screwdriver", "drill"})
 _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
+
+_SURFACES = frozenset(
+    {"table", "counter", "shelf", "bookshelf", "bench", "nightstand", "windowsill", "stove", "island"}
+)
+"""Furniture at which a thing is put by putting it onto it."""
 
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
@@ -105,6 +125,8 @@ def _fetch(parts: Parts) -> Clause:
 def _recipient(nominal: Nominal) -> Nominal:
     if nominal.reference == "here":
         return ME
+    if nominal.reference == "them":
+        return nominal
     if not nominal.is_person:
         raise unfit()
     if nominal.count != 1 or nominal.plural:
@@ -128,7 +150,7 @@ def _transport(one: Arranged) -> Bundle:
         where = f"{relation.kind.replace('_', ' ')} {relation.to.kind}"
         raise trouble(f"is it {where}, or shall it go there?", asks=True)
     if goal is None:
-        return _handed(one, taken, one.person or ME)
+        return _handed(one, taken, one.person or ASKER)
     if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
         return _handed(one, taken, goal.of)
     if goal.of.reference == "there":
@@ -138,6 +160,35 @@ def _transport(one: Arranged) -> Bundle:
 
 def _bring(parts: Parts) -> Clause:
     return clause(parts, [_transport(one) for one in arranged(parts)])
+
+
+_PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
+"""Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""
+
+
+def _with_it(parts: Parts) -> Parts:
+    """With the thing that a terse command leaves out: "take the cup, place on the shelf"."""
+    return (*(part for part in parts if isinstance(part, Word)), Item(IT), *parts[1:])
+
+
+def _put_it(parts: Parts) -> Clause:
+    if words(parts, "PUT")[0].said not in _PLACING:
+        raise unfit()
+    return _put(_with_it(parts))
+
+
+def _bring_it(parts: Parts) -> Clause:
+    if any(isinstance(part, Where) and part.of.is_place and part.relation for part in parts):
+        raise unfit()
+    if words(parts, "CARRY") and any(
+        isinstance(part, Where) and part.of.reference == "here" for part in parts
+    ):
+        raise unfit()
+    return _bring(_with_it(parts))
+
+
+def _give_it(parts: Parts) -> Clause:
+    return _give(_with_it(parts))
 
 
 def _carry(parts: Parts) -> Clause:
@@ -199,7 +250,7 @@ def _give(parts: Parts) -> Clause:
         if person is None:
             if not over and not one.back:
                 raise trouble("to whom?", asks=True)
-            person = ME
+            person = ASKER
         bundles.append(_give_bundle(one, person))
     return clause(parts, bundles)
 
@@ -261,8 +312,12 @@ def _put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str 
         if of.sort in ("furniture", "door"):
             raise trouble(f"nothing can be put into the {of.kind}", of.kind)
         return draft("put_in", **slots, to=of)
+    if of.sort == "door" and goal.preposition == "at":
+        return draft("place", **slots, to=Relative("next_to", of))
     if of.sort == "door":
         raise trouble(f"nothing can be put on the {of.kind}", of.kind)
+    if goal.preposition == "at" and of.sort == "furniture" and of.kind not in _SURFACES:
+        raise trouble(f"on the {of.kind}, or next to it?", asks=True)
     if goal.preposition == "on":
         if of.sort == "room":
             raise unfit()
@@ -315,7 +370,9 @@ def _put_into(parts: Parts) -> Clause:
 def _move_thing(parts: Parts) -> Clause:
     each = arranged(parts, goes=True)
     for one in each:
-        if one.goal is None or (one.goal.role == "either" and one.goal.relation is None):
+        if one.goal is None:
+            raise unfit()
+        if one.goal.role == "either" and one.goal.relation is None and not one.goal.atop:
             raise unfit()
     return clause(
         parts,
@@ -330,6 +387,23 @@ def _drop(parts: Parts) -> Clause:
         if one.goal is not None or one.source is not None or one.back:
             raise unfit()
     raise trouble("where shall it be put?", asks=True)
+
+
+def _mention(parts: Parts) -> Clause:
+    """A statement of where a thing is."""
+    each = arranged(tuple(part for part in parts if isinstance(part, (Item, Where))))
+    (one,) = each
+    nominal = one.object
+    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
+        raise unfit()
+    placed = one.source is not None or nominal.relation is not None
+    if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
+        raise unfit()
+    if nominal.count == "some" or (nominal.plural and not nominal.counted and not nominal.determined):
+        raise trouble("how many of them?", asks=True)
+    if nominal.plural and not nominal.counted:
+        nominal = replace(nominal, count="all")
+    return Clause((), "base", mention=Mention(nominal, one.source))
 
 
 def _want(parts: Parts) -> Clause:
@@ -350,6 +424,9 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                 raise unfit()
             if nominal.reference == "this":
                 raise trouble("which one is meant?", asks=True)
+            pulled = any(word.said.startswith("pull") and "out" in word.said for word in words(parts, "OPEN"))
+            if pulled and nominal.kind not in ("drawer", "drawers"):
+                raise unfit()
             if nominal.count != 1 or nominal.plural:
                 raise trouble(f"only one at a time can be told to {action}", nominal.kind)
             if not nominal.reference and nominal.sort not in ("container", "door"):
@@ -372,6 +449,9 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "fetch": _fetch,
     "bring": _bring,
     "carry": _carry,
+    "put_it": _put_it,
+    "bring_it": _bring_it,
+    "give_it": _give_it,
     "bring_pairs": _bring_pairs,
     "give": _give,
     "give_pairs": _give_pairs,
@@ -381,6 +461,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "move_thing": _move_thing,
     "drop": _drop,
     "want": _want,
+    "mention": _mention,
     "open": _opened("open"),
     "close": _opened("close"),
     "push": _push,

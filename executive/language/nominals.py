@@ -75,7 +75,12 @@ def _noun(parts: Parts) -> Nominal | None:
     anaphoric = word.word_class in ("ONE", "ONES")
     kind = None if sort == "any" else word.meaning
     return Nominal(
-        sort, kind, plural=word.word_class in _PLURAL, anaphoric=anaphoric, paired=word.word_class == "PAIR"
+        sort,
+        kind,
+        plural=word.word_class in _PLURAL,
+        anaphoric=anaphoric,
+        paired=word.word_class == "PAIR",
+        said=word.said,
     )
 
 
@@ -197,6 +202,9 @@ def _one_of(parts: Parts) -> Nominal | Trouble | None:
 
 def _out_of(parts: Parts) -> Nominal | Trouble | None:
     """The bigger of the two cups."""
+    amounts = [part for part in parts if isinstance(part, float)]
+    if _nominal(parts) is None and not amounts:
+        return None  # "on top of that"
     nominal = _nominal(parts) or Nominal("any", plural=True)
     if not nominal.plural:
         return None

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from executive.language.handling import PREVIOUS
-from executive.language.phrases import Bundle, Clause, Draft, Nominal, Relative, Trouble, Where
+from executive.language.phrases import Bundle, Clause, Draft, Mention, Nominal, Relative, Trouble, Where
 from executive.meaning import Command, StopCommand
 from trees import tasks
 from trees.tasks import ObjectDescription, ObjectOf
@@ -35,6 +35,8 @@ _TYPES: dict[str, Any] = {
 _OPENED = ("container", "door")
 _PUTS_DOWN = ("place", "put_in", "hand_over")
 _MOVES = ("pick", *_PUTS_DOWN)
+_NAMED = ("thing", "furniture", "container")
+_AT_A_PLACE = frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"})
 
 
 class UnresolvedError(Exception):
@@ -82,6 +84,8 @@ class Resolver:
         self._mentioned: list[Nominal] = []
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
+        self._mention: Mention | None = None
+        self._called: dict[str, str] = {}
         self._clause = 0
 
     def commands(self, clauses: Sequence[Clause]) -> tuple[Command, ...]:
@@ -91,10 +95,32 @@ class Resolver:
             UnresolvedError: Something that is referred to is missing or not clear.
         """
         for self._clause, clause in enumerate(clauses):
+            if clause.mention is not None and self._mention is not None:
+                raise _ask("which of them is meant?")
+            self._mention = clause.mention or self._mention
             for bundle in clause.bundles:
-                for each in self._spread(bundle):
+                for each in self._spread(self._with_mention(bundle)):
                     self._bundle(each, clause.text)
+        if self._mention is not None:
+            raise UnresolvedError(Trouble("something is stated that no task follows from"))
         return tuple(self._commands)
+
+    def _with_mention(self, bundle: Bundle) -> Bundle:
+        """With what a statement named in place of the first "it" or "them": "a cup is there; take it"."""
+        first, *rest = bundle
+        thing = first.get("object")
+        if self._mention is None:
+            return bundle
+        stated, self._mention = self._mention, None
+        of = stated.of
+        pronoun = "it" if of.is_single else "them"
+        takes_place = first.action in _AT_A_PLACE or stated.source is None
+        if not isinstance(thing, Nominal) or thing.reference != pronoun or not takes_place:
+            raise _ask("what has the statement to do with the task?")
+        if self._commands or first.get("source") is not None:
+            raise _ask(f"what does {pronoun!r} stand for?")
+        first = _replaced(first, "object", of).with_slot("source", stated.source)
+        return (first if of.count == 1 else first.with_slot("count", of.count), *rest)
 
     def description(self, nominal: Nominal) -> Any:
         """A nominal that refers to nothing else, as the value of a slot.
@@ -163,13 +189,18 @@ class Resolver:
             elif name == "there":
                 slots.update(self._there(value, root))
             elif name == "source":
-                self._sources[root] = value
-                slots["source"] = self._place(value, root)
-                self._name_place(value)
+                place = self._only_place(value, root) if value.reference == "there" else value
+                self._sources[root] = place
+                slots["source"] = self._place(place, root)
+                self._name_place(place)
             elif name in ("to", "on"):
                 into = one.action == "put_in"
                 slots[name] = (
-                    self._walk(value) if one.action == "walk_to" else self._place(value, root, into=into)
+                    self._walk(value)
+                    if one.action == "walk_to"
+                    else self._person(value)
+                    if one.action == "hand_over" and _is_them(value)
+                    else self._place(value, root, into=into)
                 )
                 self._name_place(value)
                 if one.action in ("place", "put_in") and _is_movable(value):
@@ -292,7 +323,20 @@ class Resolver:
             return nominal
         return replace(nominal, kind=self._kind.kind, sort=self._kind.sort)
 
+    def _note_name(self, nominal: Nominal) -> None:
+        """Ask when two words that mean the same are used as if they told things apart: "the cube", "the box".
+
+        Raises:
+            UnresolvedError: They are.
+        """
+        if nominal.kind is None or nominal.anaphoric or nominal.sort not in _NAMED or not nominal.said:
+            return
+        before = self._called.setdefault(nominal.kind, nominal.said)
+        if not _is_one_name(before, nominal.said):
+            raise _ask(f"{before!r} and {nominal.said!r} are both called {nominal.kind!r}: which is which?")
+
     def _description(self, nominal: Nominal) -> Any:
+        self._note_name(nominal)
         if nominal.sort == "name":
             return nominal.kind
         relation = nominal.relation
@@ -332,6 +376,7 @@ class Resolver:
         if named.count != 1 or (named.plural and not named.reference):
             raise UnresolvedError(Trouble(f"several places at once ({named.kind!r}): name one", named.kind))
         if named.is_place and named.is_plain:
+            self._note_name(named)
             return named.kind
         if named.sort == "person" and named.relation is not None:
             plain = replace(named, relation=None).is_plain
@@ -354,6 +399,10 @@ class Resolver:
             return ObjectDescription(relation=relation)
         if value.reference == "him":
             return self._person(value)
+        if value.reference == "asker":
+            if self._people:
+                raise _ask("to whom?", ["me", *(f"{person.kind}" for person in dict.fromkeys(self._people))])
+            return value.kind
         if value.reference == "there":
             return self._there_place(value, root)
         if value.reference in ("it", "previous"):
@@ -374,12 +423,17 @@ class Resolver:
             if source is None:
                 raise _ask("where shall it be put back to?")
             return self._destination(source)
-        places = list(dict.fromkeys(self._places))
+        return self._destination(self._only_place(value, root))
+
+    def _only_place(self, value: Nominal, root: int) -> Nominal:
+        """The one place that was named and that the thing is not at already."""
+        if value.name == "back":
+            raise _ask("which place is meant?")
         held_at = self._sources.get(root)
-        places = [place for place in places if place != held_at]
+        places = [place for place in dict.fromkeys(self._places) if place != held_at]
         if len(places) != 1:
             raise _ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
-        return self._destination(places[0])
+        return places[0]
 
     def _there(self, where: Where, root: int) -> dict[str, Any]:
         """Slots of a place task whose place was named before."""
@@ -415,17 +469,35 @@ class Resolver:
 
     # ---- people
 
+    def _is_several(self) -> bool:
+        """Whether some things were named that "them" may stand for."""
+        return any(not entity.of.is_single for entity in self._entities)
+
     def _person(self, value: Nominal) -> Any:
-        if value.reference == "him":
+        if value.reference == "him" or _is_them(value):
             people = list(dict.fromkeys(self._people))
-            if len(people) != 1:
+            if len(people) != 1 or (_is_them(value) and self._is_several()):
                 raise _ask("who is meant?", [str(person.kind) for person in people])
             return self._destination(people[0])
-        if value.reference in ("it", "them", "this"):
+        if value.reference in ("it", "this"):
             raise _ask("who is meant?")
         if value.sort in ("person", "name"):
             self._people.append(value)
         return self._destination(value)
+
+
+def _is_one_name(first: str, second: str) -> bool:
+    """Whether two phrases are one word in two forms, or one is the other with more said: "kitchen table"."""
+    one, other = first.split(), second.split()
+    if set(one) <= set(other) or set(other) <= set(one):
+        return True
+    stem = min(len(first), len(second)) - 2
+    return first[: max(stem, 3)] == second[: max(stem, 3)]
+
+
+def _is_them(value: Any) -> bool:
+    """Whether it says "them", which may be one person of whom no more is known."""
+    return isinstance(value, Nominal) and value.reference == "them"
 
 
 def _replaced(one: Draft, name: str, value: Any) -> Draft:
