@@ -85,6 +85,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
             PlanPick("plan pick", toolbox),
             _look_where_the_hand_goes(toolbox),
             _look_where_the_hand_goes(toolbox),  # the other hand, perhaps
+            _look_where_the_hand_goes(toolbox),  # and what was found on its way
             CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
             CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
             CheckTrajectory("check lift", toolbox, {"step": "lift", "checked": "checked_lift"}),
