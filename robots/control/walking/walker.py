@@ -20,6 +20,7 @@ from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
+from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.stabiliser import Stabiliser
 from robots.interface import RobotState
@@ -57,6 +58,7 @@ class Walker:
         self._walk: _Walk | None = None
         self._gyro_at_rest = np.zeros(3)
         self._rested = 0
+        self._scales = HandScales(model, period_s)
         self._readings: RobotState | None = None
         self._steering: Steering | None = None
         self._pausing = False
@@ -175,7 +177,9 @@ class Walker:
         """Take in what the sensors say while nobody walks: where the gyro's zero is, above all."""
         self._readings = readings
         if not self._streamer.resting:
+            self._scales.moved()
             return
+        self._scales.sense(readings.effort[: self._bodies])
         self._rested += 1
         share = max(1.0 / self._rested, self._period_s / _GYRO_TIME_S)
         self._gyro_at_rest += share * (readings.gyro - self._gyro_at_rest)
@@ -221,7 +225,8 @@ class Walker:
 
     def _set_out(self, steering: Steering) -> None:
         self._interrupted = False
-        self._walk = _Walk(self._model, self._streamer, self._gyro_at_rest, self._period_s)
+        model = self._model.carrying(self._scales.masses_kg(self._streamer.reference()))
+        self._walk = _Walk(model, self._streamer, self._gyro_at_rest, self._period_s)
         if self._readings is not None:
             self._walk.sense(self._readings)
         self._walk.pattern.steer(steering)
