@@ -92,6 +92,7 @@ def perform(
         "on_question": request.on_question,
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
+        **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
     }
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     tally = _Tally()
@@ -168,7 +169,7 @@ def _results(
     spoiled = [one for one in statements if not may_start(one)]
     if spoiled or not any(one.parsed.commands for one in statements):
         return [(one, [not_understood(one, 0.0, sink)]) for one in spoiled[:1] or statements], 0
-    from executive.assembly import assemble
+    from executive.assembly import assemble, plan_faults
 
     def judged(stored: StoredTrajectory, safe: bool) -> None:
         if keep is not None:
@@ -178,6 +179,7 @@ def _results(
     assembly = assemble(
         request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=on_judged
     )
+    plan_faults(assembly.world, request.faults)
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
