@@ -57,7 +57,7 @@ class OwnEdgeJudge:
         """Judge one line after another."""
         judge = validity(self._model, self._stance, PlanningScene().with_objects(objects))
         began_s = time.process_time()
-        free = [judge.polyline_is_free(np.stack([a, b])) for a, b in edges]
+        free = [judge.polyline_is_free(edge) for edge in edges]
         return free, time.process_time() - began_s
 
 

@@ -82,6 +82,7 @@ class Body:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
         from kinematics.free_coordinates import FreeCoordinates
+        from kinematics.leg_ik import LegIk
         from kinematics.robot_model import RobotModel
         from kinematics.stance import SupportPolygon, stance_at
 
@@ -91,6 +92,8 @@ class Body:
         self.q_home = self.model.q_home
         stance = stance_at(self.model, self.q_home)
         self.space = FreeCoordinates(self.model, stance)
+        self.legs = LegIk(self.model, stance)
+        self.columns = 7 + self.model.indices(self.space.joints)
         self.polygon = SupportPolygon(stance, self.model.description.soles)
         self.rng = np.random.default_rng(question["seed"])
         self.data = self.model.pin.createData()
@@ -261,9 +264,14 @@ class Arm:
         return bool(setup.solve(GOAL_BUDGET_S)) and bool(setup.haveExactSolutionPath())
 
     def _q(self, x: Any) -> tuple[Any, bool]:
+        """The configuration; not by the product's compiled code, which this environment has not."""
         full = self.x_start.copy()
         full[self.columns] = x
-        q, reached = self.body.space.to_q(full[None, :])
+        q = np.zeros((1, self.body.model.nq))
+        q[0, :3] = full[:3]
+        q[0, 3:7] = pin.Quaternion(pin.exp3(full[3:6])).coeffs()
+        q[0, self.body.columns] = full[6:]
+        reached = self.body.legs.fill(q)
         return q[0], bool(reached[0])
 
     def _free(self, world: World, x: Any) -> bool:
