@@ -21,6 +21,7 @@ from kinematics.trajectory_fit import stored_from
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.description import load_description_for_tasks
+from robots.perception.place_map import place_map
 from robots.perception.stub import PerceptionStub
 from robots.scene_description import SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
@@ -91,8 +92,8 @@ def assemble(
         SceneError: The scene cannot be a world.
     """
     sink = EventHub(sink)
-    for_world, for_perception, for_trees = (
-        np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(3)
+    for_world, for_perception, for_trees, for_map = (
+        np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(4)
     )
     description = load_description_for_tasks(robot)
     if posture:
@@ -122,6 +123,8 @@ def assemble(
         policy=policy or TreePolicy(),
         walking=loop.walking,
         ranging=world.ranging,
+        yielding=loop.yielding,
+        places=place_map(scene, for_map),
     )
     supervisor = Supervisor(loop, clock, sink)
     session = Session(
@@ -134,5 +137,6 @@ def assemble(
         on_tick=on_tick,
         build=build,
         supervisor=supervisor,
+        pausing=loop,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)

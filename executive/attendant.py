@@ -30,6 +30,14 @@ class Stoppable(Protocol):
         """Engage the emergency stop before the next control period."""
         ...
 
+    def pause(self, reason: str) -> None:
+        """Ask for the running task to be held where it is."""
+        ...
+
+    def resume(self) -> None:
+        """Ask for a paused task to go on."""
+        ...
+
     def watch_periods(self, call: Callable[[], None]) -> None:
         """Have something called after each control period."""
         ...
@@ -73,6 +81,7 @@ class RecordedAttendant:
         self._answers = [item for item in taken if item.what == "answer"]
         self._cancels = [item for item in taken if item.what == "cancel"]
         self._stops = [item for item in taken if item.what == "emergency_stop"]
+        self._pauses = [item for item in taken if item.what in ("pause", "resume")]
 
     def begin(self, session: Stoppable) -> None:
         """Have an eye on each control period: an emergency stop does not wait for a tick."""
@@ -84,7 +93,13 @@ class RecordedAttendant:
         return (self._answers.pop(0).value or None) if self._answers else None
 
     def attend(self, session: Stoppable) -> None:
-        """Cancel when it was cancelled."""
+        """Cancel, pause and resume when that was done."""
+        while self._pauses and self._pauses[0].t_s <= session.now_s + _ROUNDING_S:
+            item = self._pauses.pop(0)
+            if item.what == "pause":
+                session.pause(item.value)
+            else:
+                session.resume()
         while self._cancels and self._cancels[0].t_s <= session.now_s + _ROUNDING_S:
             session.cancel(self._cancels.pop(0).value)
 

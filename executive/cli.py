@@ -15,8 +15,10 @@ from executive.commands import (
     doctor,
     list_,
     parse,
+    pause,
     replay,
     reset,
+    resume,
     run,
     runs,
     send,
@@ -95,6 +97,8 @@ app.command("send")(send.send)
 app.command("answer")(answer.answer)
 app.command("status")(status.status)
 app.command("cancel")(cancel.cancel)
+app.command("pause")(pause.pause)
+app.command("resume")(resume.resume)
 app.command("stop")(stop.stop)
 app.command("reset")(reset.reset)
 app.command("shutdown")(shutdown.shutdown)

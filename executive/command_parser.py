@@ -19,6 +19,7 @@ from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
 from executive.language.sentences import MEANINGS as SENTENCES
 from executive.language.sentences import Sentence
+from executive.language.speech import UNQUOTED
 from executive.language.tokens import MalformedTextError, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
@@ -169,7 +170,11 @@ def _outcomes(
             key = repr([command_json(one) for one in commands])
             if key not in understood or rank < understood[key][0]:
                 understood[key] = (rank, commands)
-    if len({spoken for (_, spoken, _), _ in understood.values()}) > 1 and any(
+    rival = next((one for one in troubles if one.rivals), None)
+    if rival is not None and understood:
+        return [rival]
+    longer = any(one.message == UNQUOTED for one in troubles)
+    if (longer or len({spoken for (_, spoken, _), _ in understood.values()}) > 1) and any(
         isinstance(one, SayTask) and is_command(one.words)
         for _, commands in understood.values()
         for one in commands

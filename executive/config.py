@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 
 APPLICATION = "humanoid-executive"
+CONFIG_VARIABLE = "HUMANOID_EXECUTIVE_CONFIG"
 
 
 def config_directory() -> Path:
@@ -21,10 +22,31 @@ def config_directory() -> Path:
 
 
 def config_files(given: Path | None = None) -> tuple[Path, ...]:
-    """Files with a user's settings: ``config.toml`` of the user's folder, if it is there, and a given one."""
+    """Files with a user's settings: ``config.toml`` of the user's folder, if it is there, and a given one.
+
+    Without a given one it is that of ``use_config``.
+    """
     own = config_directory() / "config.toml"
     files = [own] if own.is_file() else []
-    return tuple(files if given is None else [*files, given])
+    chosen = chosen_config() if given is None else given
+    return tuple(files if chosen is None else [*files, chosen])
+
+
+def use_config(file: Path | None) -> None:
+    """Take a file of settings for this process and for those that it starts; None changes nothing."""
+    if file is not None:
+        os.environ[CONFIG_VARIABLE] = str(file.absolute())
+
+
+def forget_config() -> None:
+    """Take no file of settings but that of the user's folder."""
+    os.environ.pop(CONFIG_VARIABLE, None)
+
+
+def chosen_config() -> Path | None:
+    """The file of ``use_config``, or of the environment variable ``HUMANOID_EXECUTIVE_CONFIG``."""
+    chosen = os.environ.get(CONFIG_VARIABLE)
+    return Path(chosen) if chosen else None
 
 
 def cache_directory() -> Path:

@@ -21,6 +21,8 @@ from robots.control.events import (
     EmergencyStopped,
     HealthChanged,
     MotionEnded,
+    MotionPaused,
+    MotionResumed,
     MotionStarted,
     ResetRefused,
     SetpointRefused,
@@ -66,6 +68,10 @@ def line_for(event: Event) -> str | None:
         case SetpointRefused():
             numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"
+        case MotionPaused():
+            return f"paused: {event.reason}"
+        case MotionResumed():
+            return "going on"
         case StopStarted():
             return f"stop category {event.category}: {event.reason}"
         case HealthChanged():

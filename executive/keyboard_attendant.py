@@ -8,6 +8,9 @@ from executive.attendant import Stoppable
 from executive.clarification import OpenQuestion
 from executive.terminal_attendant import ANSWER_TIMEOUT_S
 
+_TICK_S = 0.02
+"""A paused robot stands and balances in simulated time: as long as a tick of it, a key is waited for."""
+
 
 class Keys(Protocol):
     """Where keys come from."""
@@ -49,24 +52,29 @@ class KeyboardAttendant:
     def __init__(self, keys: Keys, screen: Screen, timeout_s: float = ANSWER_TIMEOUT_S) -> None:
         self._keys, self._screen, self._timeout_s = keys, screen, timeout_s
         self._session: Stoppable | None = None
+        self._paused = False
 
     def begin(self, session: Stoppable) -> None:
         """Know whom to stop."""
         self._session = session
 
     def attend(self, session: Stoppable) -> None:
-        """Do what the pressed key says."""
-        key = self._keys.key()
-        if key == "p":
-            self._screen.pause(True)
-            key = ""
-            while key not in ("p", "c", "e"):
-                key = self._keys.key(None)
-            self._screen.pause(False)
+        """Do what the pressed key says; while paused, at the pace of the clock on the wall at most."""
+        key = self._keys.key(_TICK_S if self._paused else 0.0)
+        if key == "p" and not self._paused:
+            session.pause("paused from the keyboard")
+            self._show_pause(True)
+        elif self._paused and key in ("p", "c", "e"):
+            session.resume()
+            self._show_pause(False)
         if key == "c":
             session.cancel("cancelled from the keyboard")
         elif key == "e":
             session.emergency_stop("stopped from the keyboard")
+
+    def _show_pause(self, paused: bool) -> None:
+        self._paused = paused
+        self._screen.pause(paused)
 
     def answer(self, question: OpenQuestion) -> str | None:
         """Show the question; a digit chooses, "a" takes words, "c" withdraws, "e" stops."""

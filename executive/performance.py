@@ -11,7 +11,7 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 from executive.attendant import Attendant, Nobody
-from executive.config import leave_opengl_to_the_renderer
+from executive.config import chosen_config, leave_opengl_to_the_renderer
 from executive.errors import NotWritableError
 from executive.events import Event
 from executive.exit_codes import ExitCode
@@ -94,7 +94,7 @@ def perform(
     }
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     tally = _Tally()
-    with RunLog(request.record, header, scene_path, request.script) as log:
+    with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
 
         def sink(event: Event) -> None:
             log.add(event)

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 from executive.events import PlanningAnswered
 from kinematics.requests import CheckRequest, PlanRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
-from robots.clock import Clock, WallClock
+from robots.clock import Clock, ProcessorClock, WallClock
 from trees.toolbox import Job
 
 CHARGED_S = 0.1
@@ -72,6 +72,7 @@ class PlanningJobs:
 
     Attributes:
         wall_s: Wall time that answers took so far, for reports only.
+        cpu_s: Processor time that they took, when they are answered in this process.
         checked: Trajectories that passed the checker so far.
     """
 
@@ -90,8 +91,9 @@ class PlanningJobs:
         self._executor = executor or InlineExecutor()
         self._charged_s = charged_s
         self._on_judged = on_judged
-        self._wall = WallClock()
+        self._wall, self._cpu = WallClock(), ProcessorClock()
         self.wall_s = 0.0
+        self.cpu_s = 0.0
         self.checked = 0
 
     def submit(self, request: PlanRequest) -> Job:
@@ -105,11 +107,12 @@ class PlanningJobs:
         return PlanningJob(future, self._clock, ready_s)
 
     def _answer(self, request: PlanRequest) -> object:
-        began_s = self._wall.now_s()
+        began_s, cpu_s = self._wall.now_s(), self._cpu.now_s()
         try:
             answer = self._planner.answer(request)
         finally:
             self.wall_s += self._wall.now_s() - began_s
+            self.cpu_s += self._cpu.now_s() - cpu_s
         self.checked += isinstance(answer, CheckedTrajectory)
         if isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory | Unsafe):
             self._on_judged(request, answer)

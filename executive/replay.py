@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from executive.attendant import RecordedAttendant, Stoppable
+from executive.config import forget_config, use_config
 from executive.errors import UserError
 from executive.events import Event, InputTaken, canonical_line
 from executive.outputs.display import NoDisplay
@@ -146,6 +147,9 @@ def _request(recorded: RecordedRun, folder: Path) -> RunRequest:
         raise NotReplayableError(recorded.name, "its run.json does not say what was asked of which robot")
     trust = Trust(float(header.get("confidence", 0.8)), header.get("policy", "ask"))
     script, scene = recorded.path / "script.toml", recorded.path / "scene.toml"
+    words = recorded.path / "config.toml"
+    forget_config()
+    use_config(words if words.is_file() else None)
     statements = (load_script(script, trust) if script.is_file() else script_for(text, trust)).statements
     return RunRequest(
         input=text,

@@ -1,7 +1,8 @@
 """Recorded runs: a folder each, with what was asked, every event, and the report.
 
-``run.json`` says what was asked of which robot in which scene, ``scene.toml`` and ``script.toml`` are copies
-of the scene's and the script's file, ``events.jsonl`` holds the canonical events, ``report.json`` the report,
+``run.json`` says what was asked of which robot in which scene, ``scene.toml``, ``script.toml`` and
+``config.toml`` are copies of the scene's, the script's and the ``--config`` file, ``events.jsonl`` holds the
+canonical events, ``report.json`` the report,
 and ``trajectories``, where they were asked for, the motions that the checker judged.
 
 Each event is handed to the operating system as soon as it is written, so that a program that is killed
@@ -45,6 +46,7 @@ class RunLog:
         header: Mapping[str, Any],
         scene_file: Path | None = None,
         script_file: Path | None = None,
+        config_file: Path | None = None,
     ) -> None:
         self.digest = EventDigest()
         self.complaint: str | None = None
@@ -57,6 +59,8 @@ class RunLog:
                 shutil.copyfile(scene_file, self.path / "scene.toml")
             if script_file is not None:
                 shutil.copyfile(script_file, self.path / "script.toml")
+            if config_file is not None:
+                shutil.copyfile(config_file, self.path / "config.toml")
             self._file: TextIO = (self.path / EVENTS).open("w", encoding="utf-8", buffering=1)
         except OSError as failed:
             raise _not_writable(directory, failed) from failed

@@ -70,6 +70,18 @@ class Steps(Protocol):
         ...
 
 
+class Pausable(Protocol):
+    """What can hold the robot in the middle of what it does: the control loop, or a client of one."""
+
+    def pause(self, reason: str) -> None:
+        """Brake and hold; what is under way stays under way."""
+        ...
+
+    def resume(self) -> None:
+        """Go on with it."""
+        ...
+
+
 class PlanningTimes(Protocol):
     """What is asked of the planning service for the report."""
 
@@ -89,6 +101,7 @@ class Session:
         on_tick: Called before the first tick and after each with the tree: a display.
         build: Makes a task's tree; `build_tree` when left out.
         supervisor: Says whether commands may be carried out; without one, all may.
+        pausing: Holds the robot during a pause; without one, what it is doing goes on to its end.
     """
 
     def __init__(
@@ -103,7 +116,11 @@ class Session:
         on_tick: Callable[[TaskTree], None] | None = None,
         build: TreeBuilder | None = None,
         supervisor: Supervisor | None = None,
+        pausing: Pausable | None = None,
     ) -> None:
+        self._pausing = pausing
+        self._pause_reason: str | None = None
+        self._paused = False
         self._supervisor = supervisor
         self._toolbox, self._loop, self._planning = toolbox, loop, planning
         self._sink = sink if isinstance(sink, EventHub) else EventHub(sink)
@@ -165,6 +182,23 @@ class Session:
         """Ask for the running task to be halted; safe to call from a signal handler."""
         self._cancel_reason = reason
 
+    def pause(self, reason: str) -> None:
+        """Ask for the running task to be held where it is; safe to call from a signal handler.
+
+        It goes on with ``resume``; a cancel or a stop ends the pause as well. While no task is under way
+        there is nothing to hold. Time in a pause counts towards no deadline.
+        """
+        self._pause_reason = reason
+
+    def resume(self) -> None:
+        """Ask for a paused task to go on; safe to call from a signal handler."""
+        self._pause_reason = None
+
+    @property
+    def paused(self) -> bool:
+        """Whether a task is held by a pause now."""
+        return self._paused
+
     def emergency_stop(self, reason: str, category: int = 1) -> None:
         """Engage the emergency stop before the next control period; safe to call from a signal handler.
 
@@ -192,7 +226,7 @@ class Session:
         No task is under way meanwhile, so that a cancel asked for in this time has nothing to cancel.
         """
         self._let_pass(seconds)
-        self._cancel_reason = None
+        self._cancel_reason = self._pause_reason = None
 
     def _let_pass(self, seconds: float) -> None:
         for _ in range(round(seconds / (PERIOD_S * PERIODS_A_TICK))):
@@ -266,6 +300,28 @@ class Session:
         self, tree: TaskTree, deadline_s: float
     ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         self._show(tree)
+        try:
+            return (yield from self._ticked(tree, deadline_s))
+        finally:
+            self._pause_reason = None
+            self._follow_pause()
+
+    def _follow_pause(self) -> bool:
+        """Begin or end a pause as asked for; tells whether there is one."""
+        reason = self._pause_reason
+        if (reason is not None) != self._paused:
+            self._paused = reason is not None
+            self._sink(InputTaken(self.now_s, "pause" if self._paused else "resume", reason or ""))
+            if self._pausing is not None:
+                if reason is not None:
+                    self._pausing.pause(reason)
+                else:
+                    self._pausing.resume()
+        return self._paused
+
+    def _ticked(
+        self, tree: TaskTree, deadline_s: float
+    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
         while True:
             yield
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
@@ -279,6 +335,12 @@ class Session:
                 reason, self._cancel_reason = self._cancel_reason, None
                 self._sink(InputTaken(self.now_s, "cancel", reason))
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
+            if self._follow_pause():
+                before_s = self.now_s
+                self._advance()
+                self._toolbox.pauses.total_s += self.now_s - before_s
+                deadline_s += self.now_s - before_s
+                continue
             if self.now_s >= deadline_s:
                 return "failed", self._halt(tree, FailureKind.TIMEOUT, "the task took longer than allowed")
             tree.tick()

@@ -83,12 +83,12 @@ def brake_along(
         if tried > _TRIED:
             break
         look_s = time_s * _LOOKS
-        if not _stands(model, stance, _braked(sampler, t_s, limits, look_s)):
+        if not stays_upright(model, stance, _braked(sampler, t_s, limits, look_s)):
             tipping_s = max(tipping_s, time_s)
             continue
         periods = max(1, int(np.ceil(time_s / period_s - 1e-9)))
         motion = _braked(sampler, t_s, limits, period_s * np.arange(1, periods + 1, dtype=np.float64))
-        if _holds(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
+        if keeps_limits(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
             return motion
     return None
 
@@ -132,12 +132,13 @@ def _within(
     return [pair for pair, fit in zip(pairs, fits.tolist(), strict=True) if fit]
 
 
-def _stands(model: RobotModel, stance: Stance, motion: MotionSample) -> bool:
-    """Whether a stop keeps the ZMP inside the support polygon."""
+def stays_upright(model: RobotModel, stance: Stance, motion: MotionSample) -> bool:
+    """Whether a motion keeps the ZMP inside the support polygon."""
     return bool(zmp_margins_m(model, stance, motion).min() >= _ZMP_RESERVE_M)
 
 
-def _holds(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
+def keeps_limits(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
+    """Whether accelerations, one row a period after ``start``, keep their limits and those of the jerk."""
     if np.any(np.abs(a) > acceleration * _ROOM):
         return False
     change = np.diff(np.vstack([start, a]), axis=0) / period_s
@@ -253,9 +254,9 @@ def brake_standing(
         motion = _sampled(model, now, q, period_s)
         rows_seen = np.unique((len(q) * _LOOKS - 0.5).astype(np.intp))
         seen = MotionSample(motion.q[rows_seen], motion.v[rows_seen], motion.a[rows_seen])
-        if _holds(motion.a[:, 6:], now.a[6:], model.acceleration, model.jerk, period_s) and _stands(
-            model, stance, seen
-        ):
+        if keeps_limits(
+            motion.a[:, 6:], now.a[6:], model.acceleration, model.jerk, period_s
+        ) and stays_upright(model, stance, seen):
             return motion
     return None
 

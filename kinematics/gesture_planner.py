@@ -20,6 +20,7 @@ from kinematics.curves import Curve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates, free_coordinates
 from kinematics.gaze import gaze_joints
 from kinematics.gesture_requests import (
+    CarryRequest,
     GestureRequest,
     OfferRequest,
     PointRequest,
@@ -49,8 +50,16 @@ WAVING_M = (0.24, 0.20, 0.27)
 OFFER_M = (0.50, 0.06, 0.22)
 # Between an offered object and the person's axis, at least: an arm's length of room.
 OFFER_ROOM_M = 0.55
+# Cosine of the angle between the fingers' closing and the way to the person, at most: what is pulled
+# straight at a finger does not come out of the open hand.
+BESIDE_FINGERS = 0.5
 # Of the whole arm, how far a pointing hand is stretched.
 STRETCHED = 0.85
+# Where a carried object is, from the shoulder: ahead, inwards, down.
+CARRY_M = (0.36, 0.05, 0.26)
+CARRY_TILT_RAD = 0.02
+# Where a robot that carries something looks, from the middle of its feet: ahead, aside, and height.
+CARRY_LOOK_M = np.array([2.0, 0.0, 0.6])
 # A pointing hand stays this far from what it points at.
 POINT_ROOM_M = 0.15
 STARTS = 12
@@ -79,6 +88,8 @@ class GesturePlanner:
             return self._swing(request)
         if isinstance(request, PointRequest):
             return self._point(request)
+        if isinstance(request, CarryRequest):
+            return self._carry(request)
         return self._offer(request)
 
     def _raise(self, request: RaiseHandRequest) -> MovePlan | NoPlan:
@@ -169,13 +180,55 @@ class GesturePlanner:
             tcp = task.tcp(q)
             item = tcp @ body.frame_T_object
             return np.concatenate(
-                [item[:3, 3] - place, 0.5 * _unlike(item[:3, 2], _UP), 0.03 * _unlike(tcp[:3, 0], turn[:, 0])]
+                [
+                    item[:3, 3] - place,
+                    0.5 * _unlike(item[:3, 2], _UP),
+                    0.03 * _unlike(tcp[:3, 0], turn[:, 0]),
+                    [0.06 * float(tcp[:3, 1] @ turn[:, 0])],
+                ]
             )
 
         def upright(q: Array) -> bool:
             return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(0.05))
 
-        return task.reach("offer", residual, person, upright, "upright", enough=0.12)
+        def out_of_the_way(q: Array) -> bool:
+            towards = poses.rotation_z(task.bearing(q, person))[:, 0]
+            return upright(q) and abs(float(task.tcp(q)[:3, 1] @ towards)) <= BESIDE_FINGERS
+
+        for good, goodness in ((out_of_the_way, "with the fingers out of the way"), (upright, "upright")):
+            answer = task.reach("offer", residual, person, good, goodness, enough=0.12)
+            if isinstance(answer, MovePlan):
+                break
+        return answer
+
+    def _carry(self, request: CarryRequest) -> MovePlan | NoPlan:
+        body = request.scene.attached[request.held]
+        frames = self._model.description.tcp_frames
+        hand = next(hand for hand, frame in frames.items() if frame == body.frame)
+        task = _Gesture(self._model, request.q_start, request, hand, request.seed)
+        home = self._model.home_over(request.stance)
+        facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
+        ahead, inwards, down = CARRY_M
+        watched = home[:3] + facing @ CARRY_LOOK_M
+        watched[2] = CARRY_LOOK_M[2]
+
+        def residual(q: Array) -> Array:
+            place = task.shoulder(q) + facing @ (ahead, -task.outwards * inwards, -down)
+            tcp = task.tcp(q)
+            item = tcp @ body.frame_T_object
+            return np.concatenate(
+                [
+                    0.2 * (item[:3, 3] - place),
+                    _unlike(item[:3, 2], _UP),
+                    0.02 * _unlike(tcp[:3, 0], facing[:, 0]),
+                    [0.5 * task.turned_past(q, watched)],
+                ]
+            )
+
+        def upright(q: Array) -> bool:
+            return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(CARRY_TILT_RAD))
+
+        return task.reach("carry", residual, watched, upright, "upright", enough=0.08)
 
 
 class _Gesture:

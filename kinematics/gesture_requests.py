@@ -102,4 +102,23 @@ class OfferRequest:
     seed: int = 0
 
 
-GestureRequest = RaiseHandRequest | SwingRequest | PointRequest | OfferRequest
+@dataclass(frozen=True, slots=True)
+class CarryRequest:
+    """Bring a held object, upright, before the shoulder, and the trunk and pelvis home: ready to walk.
+
+    Attributes:
+        q_start: Configuration to start from, shape (nq,).
+        stance: Where the feet stand.
+        scene: What is around; the object is an attached body of it.
+        held: Name of the attached body.
+        seed: Of everything random in the plan.
+    """
+
+    q_start: Array
+    stance: Stance
+    scene: PlanningScene
+    held: str
+    seed: int = 0
+
+
+GestureRequest = RaiseHandRequest | SwingRequest | PointRequest | OfferRequest | CarryRequest

@@ -2,8 +2,7 @@
 
 The hand follows a goal that moves; the pelvis shifts so that the CoM stays where it is wanted, trunk and
 arm do the rest, the feet stay where they are. Each tick solves one damped least-squares problem for the
-rates of the pelvis's position, trunk and arm, in the box that limits leave (bounds that are reached are
-fixed, and the rest solved again). Legs follow in closed form.
+rates of the pelvis's position, trunk and arm, in the box that limits leave. Legs follow in closed form.
 """
 
 from __future__ import annotations
@@ -14,6 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.boxed_least_squares import boxed_least_squares
 from kinematics.free_coordinates import free_coordinates
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -73,7 +73,7 @@ class HandGoal:
 
 
 class HandTracker:
-    """Follows goals with one hand; ``tick`` goes on by ``TICK_S``.
+    """Follows goals with one hand; ``tick`` goes on by one tick.
 
     Attributes:
         q: Configuration now, shape (nq,).
@@ -82,8 +82,19 @@ class HandTracker:
         standing: Whether the legs reach the ground there.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, hand: Hand, q: Array) -> None:
-        """Begin at rest at a configuration with the feet at the stance."""
+    def __init__(
+        self, model: RobotModel, stance: Stance, hand: Hand, q: Array, tick_s: float = TICK_S
+    ) -> None:
+        """Begin at rest at a configuration with the feet at the stance.
+
+        Args:
+            model: The robot.
+            stance: Where its feet stand.
+            hand: The hand that follows.
+            q: Where to begin, shape (nq,).
+            tick_s: From one goal to the next; longer for a rehearsal, which is only looked at.
+        """
+        self._tick_s = tick_s
         self._model, description = model, model.description
         self._space = free_coordinates(model, stance)
         polygon = SupportPolygon(stance, description.soles)
@@ -133,20 +144,21 @@ class HandTracker:
 
         Args:
             goal: Where to; None to come to rest.
-            times_s: Instants within the tick, each in (0, ``TICK_S``], shape (k,).
+            times_s: Instants, each after the tick's beginning, no later than its end, shape (k,); none when
+                only the end matters.
 
         Returns:
             The motion at those instants.
         """
-        most = self._acceleration * TICK_S
+        most = self._acceleration * self._tick_s
         x = self._x[self._columns]
         if goal is None:
             rate = self._rate - np.clip(self._rate, -most, most)
         else:
             self._approach(goal)
             rate = self._solve(goal, x, most)
-        samples = self._between(rate, times_s)
-        self._x[self._columns] += 0.5 * TICK_S * (self._rate + rate)
+        samples = self._between(rate, times_s) if len(times_s) else []
+        self._x[self._columns] += 0.5 * self._tick_s * (self._rate + rate)
         self._rate = rate
         q, reached = self._space.to_q(self._x[None, :])
         self.standing = bool(reached[0])
@@ -155,17 +167,18 @@ class HandTracker:
 
     def _approach(self, goal: HandGoal) -> None:
         """Bring what is followed nearer to what is asked."""
+        ticks = self._tick_s / TICK_S
         step = goal.position_m - self.followed_m
         self.followed_m = self.followed_m + step * min(
-            1.0, TARGET_STEP_M / max(float(np.linalg.norm(step)), 1e-12)
+            1.0, ticks * TARGET_STEP_M / max(float(np.linalg.norm(step)), 1e-12)
         )
         turn = pin.log3(self._followed.T @ goal.rotation)
         self._followed = self._followed @ pin.exp3(
-            turn * min(1.0, TARGET_STEP_RAD / max(float(np.linalg.norm(turn)), 1e-12))
+            turn * min(1.0, ticks * TARGET_STEP_RAD / max(float(np.linalg.norm(turn)), 1e-12))
         )
         shift = self._middle + goal.com_shift_m - self._com_wanted
         self._com_wanted = self._com_wanted + shift * min(
-            1.0, _COM_RATE_M / max(float(np.linalg.norm(shift)), 1e-12)
+            1.0, ticks * _COM_RATE_M / max(float(np.linalg.norm(shift)), 1e-12)
         )
 
     def _solve(self, goal: HandGoal, x: Array, most: Array) -> Array:
@@ -196,11 +209,11 @@ class HandTracker:
         high = np.minimum(np.minimum(self._speed, np.sqrt(2.0 * share * room_up)), self._rate + most)
         low = np.maximum(np.maximum(-self._speed, -np.sqrt(2.0 * share * room_down)), self._rate - most)
         high, low = np.maximum(high, self._rate - most), np.minimum(low, self._rate + most)
-        return _boxed(normal, right, low, high)
+        return boxed_least_squares(normal, right, low, high)
 
     def _between(self, rate: Array, times_s: Array) -> list[MotionSample]:
         """The motion within the tick: rates change linearly; legs by their closed form."""
-        bend = (rate - self._rate) / TICK_S
+        bend = (rate - self._rate) / self._tick_s
         around = np.stack([times_s - _PROBE_S, times_s, times_s + _PROBE_S], axis=1).ravel()
         rows = np.repeat(self._x[None, :], len(around), axis=0)
         rows[:, self._columns] += around[:, None] * self._rate + 0.5 * around[:, None] ** 2 * bend
@@ -228,20 +241,3 @@ class HandTracker:
 
 _COM_OF_BASE = 0.8
 """How far the CoM goes with the pelvis while the feet stay: the legs lag behind."""
-
-
-def _boxed(normal: Array, right: Array, low: Array, high: Array) -> Array:
-    """Least squares within bounds: what leaves them is fixed there, and the rest is solved again."""
-    n = len(right)
-    fixed = np.zeros(n, dtype=np.bool_)
-    answer = np.zeros(n)
-    for _ in range(n):
-        free = ~fixed
-        reduced = right[free] - normal[np.ix_(free, fixed)] @ answer[fixed]
-        answer[free] = np.linalg.solve(normal[np.ix_(free, free)], reduced)
-        outside = free & ((answer < low) | (answer > high))
-        if not outside.any():
-            break
-        answer = np.clip(answer, low, high)
-        fixed |= outside
-    return np.clip(answer, low, high)

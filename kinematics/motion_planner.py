@@ -9,19 +9,12 @@ import numpy as np
 
 from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
-from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gesture_planner import GesturePlanner
 from kinematics.handle_planner import HandlePlanner
-from kinematics.ik import along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
-from kinematics.pick_planner import (
-    CARTESIAN_PACE,
-    CARTESIAN_POINTS,
-    REACH_PACE,
-    PickPlanner,
-)
+from kinematics.pick_planner import REACH_PACE, PickPlanner
 from kinematics.place_planner import PlacePlanner
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
@@ -38,11 +31,14 @@ from kinematics.requests import (
     PlanRequest,
     RetreatRequest,
 )
+from kinematics.retreat_planner import plan_retreat
 from kinematics.robot_model import RobotModel
 from kinematics.start_state import relaxed_at
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
+from kinematics.view_planner import ViewPlanner
+from kinematics.view_request import ViewRequest
 
 Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
 
@@ -56,6 +52,7 @@ class MotionPlanner:
         self._gestures = GesturePlanner(model)
         self._place = PlacePlanner(model)
         self._handle = HandlePlanner(model)
+        self._view = ViewPlanner(model)
         self._checker = TrajectoryChecker(model)
 
     def answer(self, request: PlanRequest) -> Answer:
@@ -65,11 +62,13 @@ class MotionPlanner:
         if isinstance(request, MoveRequest):
             return self._move(request)
         if isinstance(request, RetreatRequest):
-            return self._retreat(request)
+            return plan_retreat(self._model, request)
         if isinstance(request, HandleRequest):
             return self._handle.plan(request)
         if isinstance(request, PlaceRequest):
             return self._place.plan(request)
+        if isinstance(request, ViewRequest):
+            return self._view.plan(request)
         if isinstance(request, CheckRequest):
             return self._checker.check(request.trajectory, request.scene)
         return self._gestures.plan(request)
@@ -100,26 +99,3 @@ class MotionPlanner:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         trajectory = lead_in(trajectory, request.q_start, model.acceleration)
         return MovePlan(PlannedStep("move", trajectory, scene))
-
-    def _retreat(self, request: RetreatRequest) -> MovePlan | NoPlan:
-        model = self._model
-        space = free_coordinates(model, request.stance)
-        ik = inverse_kinematics(model, request.stance, request.hand)
-        frame = model.description.grippers[request.hand].tcp_frame
-        start = model.frame_pose(request.q_start, frame)
-        end = start.copy()
-        end[:3, 3] += request.world_offset_m
-        found = along_line(ik, request.q_start, start, end, CARTESIAN_POINTS)
-        if found is None:
-            reasons = {"no inverse kinematics": 1}
-            return NoPlan("the hand cannot be drawn back in a straight line", reasons)
-        x = np.array([space.from_q(q) for q in found])
-        for joint in model.description.groups["head"]:
-            x[:, space.index(joint)] = x[0, space.index(joint)]
-        curve = PolynomialCurve(x)
-        trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
-        if trajectory is None:
-            return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-        scene = relaxed_at(model, request.scene, request.q_start)
-        trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-        return MovePlan(PlannedStep("retreat", trajectory, scene))

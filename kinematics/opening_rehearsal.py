@@ -30,7 +30,9 @@ SPIN_FADES = 0.93
 """From one weight to the other, by this factor a tick: a jump of weights is a jump of speeds."""
 GATHERING = 2.0
 """A hand gathers speed along its path by this share of it a second."""
-_SETTLE_TICKS = 60
+REHEARSED_TICK_S = 0.04
+"""Ticks of a rehearsal, four of those that are made: it accepts the same grasps, in a quarter of the time."""
+_SETTLE_S = 0.6
 _OFF_M, _OFF_COSINE = 0.012, math.cos(math.radians(14.0))
 """A hand that stays behind by more has come to the end of its reach."""
 _JUDGED_SHARE = 1.0 / 10.0
@@ -116,17 +118,18 @@ def rehearse(
         path: Of the handle; the hand follows it from where it holds the bar.
         s_from, s_to: Openings.
     """
-    tracker = HandTracker(model, stance, hand, q_grasp)
+    tick_s = REHEARSED_TICK_S
+    tracker = HandTracker(model, stance, hand, q_grasp, tick_s)
     path = path.through(tracker.tcp_m, s_from)
     space = free_coordinates(model, stance)
-    scene, times = guarded_scene(scene), np.array([TICK_S])
+    scene, times = guarded_scene(scene), np.empty(0)
     rotation, height_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
     way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
     start = path.at(s_from)
     shift = com_shift_m(model, start.outward, height_m, BREAK_FREE_N if way > 0.0 else 0.0)
-    for _ in range(_SETTLE_TICKS if way > 0.0 else 0):
+    for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
     step, every = 0.0, _JUDGED_SHARE * abs(s_to - s_from)
@@ -138,9 +141,9 @@ def rehearse(
             judged_s = s
         if s == s_to:
             return Rehearsal(s, "")
-        step = min(speed * TICK_S, step + GATHERING * speed * TICK_S**2)
+        step = min(speed * tick_s, step + GATHERING * speed * tick_s**2)
         s = s_to if abs(s_to - s) <= step else s + way * step
-        spin = max(spin_along(path), spin * SPIN_FADES)
+        spin = max(spin_along(path), spin * SPIN_FADES ** (tick_s / TICK_S))
         point = path.at(s)
         eased = com_shift_m(model, point.outward, height_m, MOVING_N if way > 0.0 else 0.0)
         steps += 1

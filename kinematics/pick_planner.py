@@ -29,7 +29,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
 from kinematics.start_state import relaxed_at
-from kinematics.support import supports_of as supports_of
+from kinematics.support import supports_of
 from kinematics.timing import Pace
 from kinematics.validity import HandJudge, hand_judge, validity
 

@@ -18,6 +18,7 @@ from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance, Trajectory
+from kinematics.view_request import ViewRequest
 
 Array = NDArray[np.float64]
 
@@ -97,6 +98,10 @@ class RetreatRequest:
         scene: What is around.
         hand: Hand to move.
         world_offset_m: Where the TCP goes, relative to where it is, in the world, shape (3,).
+        steady_m: CoM margin that is wanted along the way; of the ways that are allowed, the first that has
+            it is taken.
+        shares: Of the offset, which may be gone, in order of preference.
+        turns_rad: By which the hand may turn about the vertical meanwhile, in order of preference.
     """
 
     q_start: Array
@@ -104,6 +109,9 @@ class RetreatRequest:
     scene: PlanningScene
     hand: Hand
     world_offset_m: tuple[float, float, float]
+    steady_m: float = 0.05
+    shares: tuple[float, ...] = (1.0,)
+    turns_rad: tuple[float, ...] = (0.0,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,5 +240,12 @@ class NoPlan:
 
 
 PlanRequest = (
-    PickRequest | MoveRequest | RetreatRequest | HandleRequest | PlaceRequest | GestureRequest | CheckRequest
+    PickRequest
+    | MoveRequest
+    | RetreatRequest
+    | HandleRequest
+    | PlaceRequest
+    | GestureRequest
+    | ViewRequest
+    | CheckRequest
 )

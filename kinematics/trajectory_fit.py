@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,9 +10,10 @@ import numpy as np
 from kinematics.errors import TrajectoryDocumentError, UnknownNameError
 from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
-from kinematics.scene import FLOOR, PlanningScene, SceneObject
-from kinematics.trajectory import Trajectory
-from kinematics.trajectory_document import HeldObject, StoredTrajectory
+from kinematics.scene import FLOOR, Pair, PlanningScene, SceneObject
+from kinematics.solid_document import HeldObject
+from kinematics.trajectory import Array, Trajectory
+from kinematics.trajectory_document import StoredTrajectory
 
 SOLE_HEIGHT_M = 0.005
 SOLE_TILT_RAD = 0.02
@@ -37,8 +39,6 @@ def fit(stored: StoredTrajectory, model: RobotModel, surroundings: PlanningScene
     if stored.robot != name:
         raise TrajectoryDocumentError("robot", f"is {stored.robot!r}, to be judged as {name!r}")
     frames = _frames(model)
-    for name in surroundings.objects:
-        _require_free("scene", name, frames)
     motion = _arranged(stored.trajectory, model)
     for frame, world_T_sole in motion.stance.soles:
         place = f"stance.{frame}"
@@ -49,25 +49,72 @@ def fit(stored: StoredTrajectory, model: RobotModel, surroundings: PlanningScene
             raise TrajectoryDocumentError(
                 place, f"lies not on the floor: height {height_m:.4g} m, tilt {tilt_rad:.4g} rad"
             )
-    return CheckRequest(motion, _scene(stored, model, motion, surroundings, frames))
+    scene = furnished(surroundings, stored.held, stored.allowed, model, motion.q[0])
+    return CheckRequest(motion, scene)
 
 
 def stored_from(request: CheckRequest, model: RobotModel) -> StoredTrajectory:
     """What ``fit`` makes the same question of: a motion with all that it was judged in."""
-    scene = request.scene
-    held = tuple(
-        HeldObject(name, item.frame, item.frame_T_object, item.body.shape, item.touch_links)
-        for name, item in scene.attached.items()
-    )
-    known = {*_frames(model), FLOOR, *scene.objects, *scene.attached}
     return StoredTrajectory(
         robot=model.description.name,
         trajectory=request.trajectory,
-        held=held,
-        # pairs with things that are gone say nothing any more
-        allowed=frozenset(pair for pair in scene.allowed if pair <= known),
-        objects=tuple(scene.objects.values()),
+        held=held_in(request.scene),
+        allowed=allowed_in(request.scene, model),
+        objects=tuple(request.scene.objects.values()),
     )
+
+
+def held_in(scene: PlanningScene) -> tuple[HeldObject, ...]:
+    """What a robot carries in a scene."""
+    return tuple(
+        HeldObject(name, item.frame, item.frame_T_object, item.body.shape, item.touch_links)
+        for name, item in scene.attached.items()
+    )
+
+
+def allowed_in(scene: PlanningScene, model: RobotModel) -> frozenset[Pair]:
+    """Pairs that may touch; those with things that are gone say nothing any more, and are left out."""
+    known = {*_frames(model), FLOOR, *scene.objects, *scene.attached}
+    return frozenset(pair for pair in scene.allowed if pair <= known)
+
+
+def furnished(
+    surroundings: PlanningScene,
+    held: Sequence[HeldObject],
+    allowed: Iterable[Pair],
+    model: RobotModel,
+    q: Array,
+) -> PlanningScene:
+    """Put what a robot holds into its hands, in a scene.
+
+    Args:
+        surroundings: What is around.
+        held: What the robot carries.
+        allowed: Pairs that may touch.
+        model: The robot.
+        q: Its configuration, shape (nq,).
+
+    Raises:
+        TrajectoryDocumentError: A name is none of the robot or the scene, or one of the scene is ambiguous.
+    """
+    frames = _frames(model)
+    for name in surroundings.objects:
+        _require_free("scene", name, frames)
+    scene = surroundings
+    for i, item in enumerate(held):
+        place = f"held[{i}]"
+        _require_free(f"{place}.name", item.name, frames)
+        _require_known(f"{place}.frame", "frame", item.frame, frames)
+        for link in sorted(item.touch_links):
+            _require_known(f"{place}.touch_links", "link", link, frames)
+        world_T_object = model.frame_pose(q, item.frame) @ item.frame_T_object
+        scene = scene.with_object(SceneObject(item.name, item.shape, world_T_object))
+        scene = scene.with_attached(item.name, item.frame, item.frame_T_object, item.touch_links)
+    known = [*frames, FLOOR, *scene.objects, *scene.attached]
+    for pair in allowed:
+        for name in pair:
+            _require_known("allowed", "link or object", name, known)
+    return scene.allowing((first, second) for first, second in map(tuple, allowed))
 
 
 def _frames(model: RobotModel) -> list[str]:
@@ -85,30 +132,6 @@ def _arranged(motion: Trajectory, model: RobotModel) -> Trajectory:
     q = np.hstack([motion.q[:, :7], motion.q[:, 7 + order]])
     v = np.hstack([motion.v[:, :6], motion.v[:, 6 + order]])
     return replace(motion, joints=model.joints, q=q, v=v)
-
-
-def _scene(
-    stored: StoredTrajectory,
-    model: RobotModel,
-    motion: Trajectory,
-    surroundings: PlanningScene,
-    frames: list[str],
-) -> PlanningScene:
-    scene = surroundings
-    for i, item in enumerate(stored.held):
-        place = f"held[{i}]"
-        _require_free(f"{place}.name", item.name, frames)
-        _require_known(f"{place}.frame", "frame", item.frame, frames)
-        for link in sorted(item.touch_links):
-            _require_known(f"{place}.touch_links", "link", link, frames)
-        world_T_object = model.frame_pose(motion.q[0], item.frame) @ item.frame_T_object
-        scene = scene.with_object(SceneObject(item.name, item.shape, world_T_object))
-        scene = scene.with_attached(item.name, item.frame, item.frame_T_object, item.touch_links)
-    known = [*frames, FLOOR, *scene.objects, *scene.attached]
-    for pair in stored.allowed:
-        for name in pair:
-            _require_known("allowed", "link or object", name, known)
-    return scene.allowing((first, second) for first, second in map(tuple, stored.allowed))
 
 
 def _require_known(place: str, what: str, name: str, known: list[str]) -> None:

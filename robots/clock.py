@@ -51,6 +51,14 @@ class WallClock:
             time.sleep(seconds)
 
 
+class ProcessorClock:
+    """Processor time of this process; for reports only: it does not count what other processes take."""
+
+    def now_s(self) -> float:
+        """Seconds that this process has computed."""
+        return time.process_time()
+
+
 def utc_timestamp() -> str:
     """The date and time of day in UTC, ISO 8601, for names of runs and reports."""
     return time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())

@@ -31,6 +31,7 @@ from kinematics.robot_description import (
 )
 from kinematics.walking.settings import WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
+from robots.outside import ROBOTS, outside_folders
 from robots.urdf import (
     Table,
     add_collision_box,
@@ -51,11 +52,15 @@ _NO_JOINT = "(?!)"
 
 
 def known_robots() -> list[str]:
-    """Names of the robots that have a folder of data."""
-    root = importlib.resources.files("robots.models")
-    return sorted(
-        item.name for item in root.iterdir() if item.is_dir() and (item / "description.toml").is_file()
-    )
+    """Names of the robots that have a folder of data, here or in another package."""
+    return sorted(_folders())
+
+
+def _folders() -> Mapping[str, Traversable]:
+    """The folder of each robot; of equal names the one here."""
+    here = {item.name: item for item in importlib.resources.files("robots.models").iterdir()}
+    folders = {**outside_folders(ROBOTS).folders, **here}
+    return {name: item for name, item in folders.items() if (item / "description.toml").is_file()}
 
 
 def load_description(name: str) -> RobotDescription:
@@ -65,9 +70,9 @@ def load_description(name: str) -> RobotDescription:
         UnknownRobotError: There is no robot of that name.
         DescriptionError: Its data contradict the URDF, or the URDF's package is not installed.
     """
-    if name not in known_robots():
+    folder = _folders().get(name)
+    if folder is None:
         raise UnknownRobotError(name, known_robots())
-    folder = importlib.resources.files("robots.models") / name
     data = tomllib.loads((folder / "description.toml").read_text("utf-8"))
     try:
         return _describe(name, data, folder)

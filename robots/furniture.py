@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Box
 from robots.articulated import ARTICULATED_KINDS, fixed_boxes
+from robots.boards import BOARD_KINDS, Boxes, board_boxes
 from robots.scene_description import Furniture
+from robots.walls import WALL, wall_boxes
 
 TABLE_TOP_M = 0.04
 """Thickness of a table's top, usual for a kitchen table."""
 TABLE_LEG_M = 0.05
 """Edge of a table's square legs, flush with the corners of the top."""
 
-FURNITURE_KINDS = ("table", *ARTICULATED_KINDS)
+FURNITURE_KINDS = ("table", *BOARD_KINDS, WALL, *ARTICULATED_KINDS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,17 +36,13 @@ def floor_pose(item: Furniture) -> Transform:
     return poses.transform(poses.rotation_z(item.yaw_rad), (*item.position_m, 0.0))
 
 
-def top_pose(item: Furniture) -> Transform:
-    """``world_T_top``: the centre of its top surface, x along its depth, z up."""
-    return poses.transform(poses.rotation_z(item.yaw_rad), (*item.position_m, item.size_m[2]))
-
-
 def solids(item: Furniture) -> tuple[FurnitureSolid, ...]:
     """The solids of a piece of furniture that do not move, the one that carries things first."""
-    if item.kind in ARTICULATED_KINDS:
+    if item.kind != "table":
+        boxes = _BOXES[item.kind](item)
         return tuple(
             FurnitureSolid(f"{item.name}/{part}", Box(size), floor_pose(item) @ poses.translation(*place))
-            for part, size, place in fixed_boxes(item)
+            for part, size, place in boxes
         )
     depth, width, height = item.size_m
     world_T_furniture = floor_pose(item)
@@ -60,3 +60,13 @@ def solids(item: Furniture) -> tuple[FurnitureSolid, ...]:
     ]
     top = solid("top", (depth, width, TABLE_TOP_M), 0.0, 0.0, height - 0.5 * TABLE_TOP_M)
     return (top, *legs)
+
+
+_BOXES: Mapping[str, Callable[[Furniture], Boxes]] = MappingProxyType(
+    {
+        WALL: wall_boxes,
+        **dict.fromkeys(BOARD_KINDS, board_boxes),
+        **dict.fromkeys(ARTICULATED_KINDS, fixed_boxes),
+    }
+)
+"""What all but tables are made of."""

@@ -130,6 +130,23 @@ class Person:
 
 
 @dataclass(frozen=True, slots=True)
+class Region:
+    """A part of the floor that has a name: "kitchen".
+
+    Attributes:
+        name: What people call it.
+        position_m: Its middle.
+        size_m: Along its own x and y.
+        yaw_rad: Its x is where somebody faces who has come in.
+    """
+
+    name: str
+    position_m: tuple[float, float]
+    size_m: tuple[float, float]
+    yaw_rad: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class SceneDescription:
     """Everything in the world but the robot's body."""
 
@@ -139,3 +156,4 @@ class SceneDescription:
     furniture: tuple[Furniture, ...] = ()
     objects: tuple[SceneItem, ...] = ()
     people: tuple[Person, ...] = ()
+    places: tuple[Region, ...] = ()

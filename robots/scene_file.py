@@ -19,11 +19,14 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import furniture
+from robots.boards import board_tops_m
 from robots.errors import SceneError
+from robots.outside import SCENES, outside_files
 from robots.scene_description import (
     Furniture,
     PerceptionModel,
     Person,
+    Region,
     RobotStart,
     SceneDescription,
     SceneItem,
@@ -36,16 +39,19 @@ __all__ = ["dump", "known_scenes", "load_scene", "read_scene", "validate"]
 
 Table = Mapping[str, Any]
 
-_TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object")
+_TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object", "place")
 _LARGEST_FILE = 1_000_000
 """Bytes; a scene that somebody writes by hand is a thousand times smaller."""
 
 
 def known_scenes() -> list[str]:
-    """Names of the scenes that come with the product."""
-    return sorted(
-        item.name.removesuffix(".toml") for item in _scene_folder().iterdir() if item.name.endswith(".toml")
-    )
+    """Names of the scenes that come with the product and with other packages."""
+    return sorted({*outside_files(SCENES), *_own_scenes()})
+
+
+def _own_scenes() -> list[str]:
+    names = (item.name for item in _scene_folder().iterdir())
+    return [name.removesuffix(".toml") for name in names if name.endswith(".toml")]
 
 
 def load_scene(name_or_path: str) -> SceneDescription:
@@ -58,7 +64,9 @@ def load_scene(name_or_path: str) -> SceneDescription:
         SceneError: There is no such scene, or it cannot be a world: file, key and reason.
     """
     if name_or_path in known_scenes():
-        text = (_scene_folder() / f"{name_or_path}.toml").read_text("utf-8")
+        own = name_or_path in _own_scenes()
+        file = _scene_folder() / f"{name_or_path}.toml" if own else outside_files(SCENES)[name_or_path]
+        text = file.read_text("utf-8")
         return read_scene(text, f"{name_or_path}.toml", name_or_path)
     path = Path(name_or_path)
     is_path = name_or_path.endswith(".toml") or "/" in name_or_path or _is_file(path)
@@ -103,6 +111,7 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         furniture=pieces,
         objects=tuple(_item(reader, pieces) for reader in root.tables("object")),
         people=tuple(_person(reader) for reader in root.tables("person")),
+        places=tuple(_region(reader) for reader in root.tables("place")),
     )
     validate(scene, source)
     return scene
@@ -128,6 +137,9 @@ def dump(scene: SceneDescription) -> str:
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad)
+    for region in scene.places:
+        lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
+        lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
     for item in scene.objects:
         if item.world_T_object[2, 2] < 1.0 - 1e-12:
             raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
@@ -291,10 +303,17 @@ def _person(reader: _Reader) -> Person:
     return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0))
 
 
+def _region(reader: _Reader) -> Region:
+    reader.only(("name", "position_m", "size_m", "yaw_rad"))
+    x, y = reader.numbers("position_m", 2)
+    along, across = reader.numbers("size_m", 2)
+    return Region(reader.text("name"), (x, y), (along, across), reader.number("yaw_rad", 0.0))
+
+
 def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:
     kind = reader.word("kind", OBJECT_KINDS)
     shape, shape_keys = _shape(reader, kind)
-    common = ("name", "kind", "color", "mass_kg", "friction", "on", "position_m", "yaw_rad")
+    common = ("name", "kind", "color", "mass_kg", "friction", "on", "board", "position_m", "yaw_rad")
     hollow = ("wall_m",) if kind in HOLLOW_KINDS else ()
     reader.only((*common, *shape_keys, *hollow))
     return SceneItem(
@@ -326,6 +345,8 @@ def _place(reader: _Reader, shape: Shape, pieces: tuple[Furniture, ...]) -> Tran
     """``world_T_object`` of an object on furniture, or free with the position of its centre."""
     turn = poses.rotation_z(reader.number("yaw_rad", 0.0))
     if "on" not in reader.data:
+        if "board" in reader.data:
+            raise reader.fail("board", 'needs the shelf: write on = "..." as well')
         return poses.transform(turn, reader.numbers("position_m", 3))
     name = reader.word("on", [piece.name for piece in pieces]) if pieces else reader.text("on")
     carrier = next((piece for piece in pieces if piece.name == name), None)
@@ -338,7 +359,20 @@ def _place(reader: _Reader, shape: Shape, pieces: tuple[Furniture, ...]) -> Tran
     if abs(x) + reach_x > 0.5 * depth + 1e-9 or abs(y) + reach_y > 0.5 * width + 1e-9:
         room = f"{depth:g} x {width:g} m, the origin of position_m in its centre"
         raise reader.fail("position_m", f"would tip off the edge of {name!r} ({room})")
-    return furniture.top_pose(carrier) @ poses.transform(turn, (x, y, 0.5 * shape.height_m))
+    height = _board_m(reader, carrier) + 0.5 * shape.height_m
+    return furniture.floor_pose(carrier) @ poses.transform(turn, (x, y, height))
+
+
+def _board_m(reader: _Reader, carrier: Furniture) -> float:
+    """Height of what an object stands on: the board that is named, counted from 0 at the foot, or the top."""
+    tops = board_tops_m(carrier)
+    if "board" not in reader.data:
+        return tops[-1]
+    number = reader.data["board"]
+    if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(tops):
+        reason = f"must be a whole number from 0 to {len(tops) - 1}, the boards of {carrier.name!r}"
+        raise reader.fail("board", f"{reason}, not {number!r}")
+    return tops[number]
 
 
 def _base_reach(shape: Shape, turn: np.ndarray[Any, np.dtype[np.float64]]) -> tuple[float, float]:

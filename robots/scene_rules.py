@@ -15,7 +15,7 @@ from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import articulated, furniture
 from robots.errors import SceneError
 from robots.part_rules import part_defect
-from robots.scene_description import Furniture, PerceptionModel, Person, SceneDescription, SceneItem
+from robots.scene_description import Furniture, PerceptionModel, Person, Region, SceneDescription, SceneItem
 from robots.scene_words import COLORS, OBJECT_KINDS, nearest_word
 
 SMALLEST_SIZE_M = 0.001
@@ -29,6 +29,10 @@ GAP_TOLERANCE_M = 0.002
 START_HALF_WIDTH_M = 0.30
 START_REACH_M = (-0.15, 0.215)
 """Floor that a standing humanoid covers around the middle of its feet: behind, ahead to the knees."""
+_SMALLEST_TABLE_M = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
+_SMALLEST_M = {"counter": (0.2, 0.2, 0.3), "shelf": (0.1, 0.2, 0.2), "wall": (0.02, 0.05, 0.2)}
+_SMALLEST_PLACE_M = 1.0
+"""A robot needs so much room to stand and turn."""
 PERSON_RADIUS_M = 0.22
 PERSON_HEIGHT_M = 1.75
 
@@ -62,6 +66,8 @@ def validate(scene: SceneDescription, source: str) -> None:
     for i, person in enumerate(scene.people):
         numbers = (*person.position_m, person.yaw_rad)
         _require(all(map(math.isfinite, numbers)), source, f"person[{i}].position_m", "must be finite")
+    for i, region in enumerate(scene.places):
+        _check_region(region, source, f"place[{i}]")
     _check_names(scene, source)
     _check_places(scene, source)
 
@@ -96,7 +102,7 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     if piece.kind not in furniture.FURNITURE_KINDS:
         near = nearest_word(piece.kind, furniture.FURNITURE_KINDS)
         raise SceneError(source, f"{key}.kind", f"unknown kind {piece.kind!r}; the nearest is {near!r}")
-    smallest = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
+    smallest = _SMALLEST_M.get(piece.kind, _SMALLEST_TABLE_M)
     for axis, value, least in zip(("depth", "width", "height"), piece.size_m, smallest, strict=True):
         ok = math.isfinite(value) and value >= least
         reason = f"{piece.name!r}: {axis} must be at least {least:g} m, not {value:g}"
@@ -149,10 +155,24 @@ def _sizes(shape: Shape) -> Iterator[tuple[str, float]]:
             yield "radius_m", radius
 
 
+def _check_region(region: Region, source: str, key: str) -> None:
+    finite = all(map(math.isfinite, (*region.position_m, region.yaw_rad)))
+    _require(finite, source, f"{key}.position_m", f"{region.name!r}: must be finite")
+    for value in region.size_m:
+        ok = math.isfinite(value) and value >= _SMALLEST_PLACE_M
+        reason = f"{region.name!r}: must be at least {_SMALLEST_PLACE_M:g} m, not {value:g}"
+        _require(ok, source, f"{key}.size_m", reason)
+
+
 def _check_names(scene: SceneDescription, source: str) -> None:
     seen: dict[str, str] = {}
-    for group, items in (("furniture", scene.furniture), ("object", scene.objects), ("person", scene.people)):
-        named: Sequence[Furniture | SceneItem | Person] = items
+    groups: tuple[tuple[str, Sequence[Furniture | SceneItem | Person | Region]], ...] = (
+        ("furniture", scene.furniture),
+        ("object", scene.objects),
+        ("person", scene.people),
+        ("place", scene.places),
+    )
+    for group, named in groups:
         for i, item in enumerate(named):
             key = f"{group}[{i}].name"
             _require(bool(item.name.strip()), source, key, "must not be empty")

@@ -17,10 +17,19 @@ def defect(failure: Failure) -> bool:
     return failure.kind in (FailureKind.ERROR, FailureKind.CANCELED)
 
 
+def always_worth_trying(_way: Behaviour, _failure: Failure | None) -> bool:
+    """Every way, whatever failed before."""
+    return True
+
+
 class Alternatives(Composite):
     """A selector with memory that gives up early when no other way can help.
 
     Its failure is that of the last way tried.
+
+    Attributes:
+        failure: Why it failed; None otherwise.
+        hopeless, worth_trying: The judgements that it was made with.
     """
 
     def __init__(
@@ -28,7 +37,7 @@ class Alternatives(Composite):
         name: str,
         children: Sequence[Behaviour],
         hopeless: Callable[[Failure], bool] = defect,
-        worth_trying: Callable[[Behaviour, Failure | None], bool] = lambda _child, _failure: True,
+        worth_trying: Callable[[Behaviour, Failure | None], bool] = always_worth_trying,
     ) -> None:
         """Make the node.
 
@@ -40,10 +49,10 @@ class Alternatives(Composite):
                 that is not is passed over.
         """
         super().__init__(name, children)
-        self._worth_trying = worth_trying
+        self.worth_trying = worth_trying
         self.failure: Failure | None = None
         self.transparent = False
-        self._hopeless = hopeless
+        self.hopeless = hopeless
 
     def tick(self) -> Iterator[Behaviour]:
         """Go on with the way under way, and over to the next when it fails."""
@@ -55,7 +64,7 @@ class Alternatives(Composite):
             self.current_child = self.children[0]
         first = 0 if self.current_child is None else self.children.index(self.current_child)
         for child in self.children[first:]:
-            if child.status is not Status.RUNNING and not self._worth_trying(child, self.failure):
+            if child.status is not Status.RUNNING and not self.worth_trying(child, self.failure):
                 continue
             self.current_child = child
             yield from child.tick()
@@ -68,7 +77,7 @@ class Alternatives(Composite):
                 yield self
                 return
             self.failure = failure_of(child)
-            if self.failure is not None and self._hopeless(self.failure):
+            if self.failure is not None and self.hopeless(self.failure):
                 break
         self.stop(Status.FAILURE)
         yield self

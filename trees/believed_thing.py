@@ -12,7 +12,8 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder, Shape
-from trees.scene_update import half_height_m, kind_of, support_of
+from kinematics.support import half_height_m, support_of
+from trees.scene_update import kind_of
 
 Array = NDArray[np.float64]
 

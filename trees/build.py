@@ -9,10 +9,12 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.extensions import extensions
+from trees.hand_about import objects_in_open_grasp
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
 from trees.subtrees.leave_handle import leave_handle
+from trees.subtrees.leave_object import leave_object
 from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
@@ -94,10 +96,14 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     outside = extensions().for_task(task)
     tree = SKILLS[type(task)] if outside is None else outside.tree
     root = tree(toolbox)
-    if toolbox.world.at_handle is not None and not isinstance(task, _HANDS_STAY):
-        root = Sequence(root.name, memory=True, children=[leave_handle(toolbox), root])
+    if not isinstance(task, _HANDS_STAY):
+        first = [leave_object(toolbox, about) for about in objects_in_open_grasp(toolbox)]
+        if toolbox.world.at_handle is not None:
+            first.append(leave_handle(toolbox))
+        if first:
+            root = Sequence(root.name, memory=True, children=[*first, root])
     return TaskTree(task, root, toolbox)
 
 
 _HANDS_STAY = (SayTask, WaitTask, CountTask, DescribeTask)
-"""What a robot does without letting go of a handle that a cancelled task left in its hand."""
+"""What a robot does without taking its hand from where a cancelled task left it."""

@@ -17,6 +17,7 @@ class CleanUp(Composite):
 
     Attributes:
         failure: Why ``main`` failed; None otherwise.
+        worth_it: The judgement that it was made with.
         transparent: It structures, and is left out of places in the tree.
     """
 
@@ -36,7 +37,7 @@ class CleanUp(Composite):
         super().__init__(name, [main, after])
         self.failure: Failure | None = None
         self._main, self._after = main, after
-        self._worth_it = worth_it
+        self.worth_it = worth_it
 
     def tick(self) -> Iterator[Behaviour]:
         """Tick the main child, or what follows its failure."""
@@ -51,7 +52,7 @@ class CleanUp(Composite):
             if self._main.status is Status.FAILURE:
                 self.failure = failure_of(self._main)
                 self.feedback_message = "" if self.failure is None else self.failure.message
-                if self.failure is not None and self._worth_it(self.failure):
+                if self.failure is not None and self.worth_it(self.failure):
                     self.current_child = self._after
         if self.current_child is self._after:
             yield from self._after.tick()

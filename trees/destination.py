@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,14 +32,14 @@ class Place:
 
     Attributes:
         name: Its name in the planning scene.
-        category: What sort of thing it is.
+        category: What sort of thing it is; "region" for a part of the floor.
         shape: Its solid.
         odom_T_place: Its pose, shape (4, 4).
         confidence: Of the sighting, in [0, 1].
     """
 
     name: str
-    category: Category
+    category: Category | Literal["region"]
     shape: Shape
     odom_T_place: Transform
     confidence: float

@@ -23,6 +23,7 @@ from py_trees.behaviour import Behaviour
 from trees.toolbox import Toolbox
 
 GROUP = "humanoid_executive.skills"
+LEAVES = "humanoid_executive.leaves"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +56,11 @@ class Extensions:
 
     skills: Mapping[str, SkillExtension]
     complaints: tuple[str, ...] = ()
+
+    @property
+    def packages(self) -> frozenset[str]:
+        """Names of the top-level packages that skills come from."""
+        return frozenset(skill.tree.__module__.partition(".")[0] for skill in self.skills.values())
 
     def for_task(self, task: object) -> SkillExtension | None:
         """The skill that carries a task out, or None."""
@@ -97,3 +103,43 @@ def load(points: Any) -> Extensions:
         else:
             skills[action] = found
     return Extensions(MappingProxyType(skills), tuple(complaints))
+
+
+@cache
+def outside_leaves() -> tuple[type[Any], ...]:
+    """Leaves that trees in documents may use, of the group ``humanoid_executive.leaves``, loaded once."""
+    return load_leaves(importlib.metadata.entry_points(group=LEAVES)).leaves
+
+
+@dataclass(frozen=True, slots=True)
+class OutsideLeaves:
+    """Leaves of other packages.
+
+    Attributes:
+        leaves: Their classes.
+        complaints: Why an entry point was left out, one line each.
+    """
+
+    leaves: tuple[type[Any], ...]
+    complaints: tuple[str, ...] = ()
+
+
+def load_leaves(points: Any) -> OutsideLeaves:
+    """Load entry points of leaves, those with the smaller names first."""
+    from trees.leaf import Leaf  # it loads what leaves act on
+
+    leaves: dict[str, type[Any]] = {}
+    complaints = []
+    for point in sorted(points, key=lambda one: str(one.name)):
+        try:
+            found = point.load()
+        except Exception as broken:
+            complaints.append(f"leaf {point.name!r}: {type(broken).__name__}: {broken}")
+            continue
+        if not (isinstance(found, type) and issubclass(found, Leaf) and hasattr(found, "CONTRACT")):
+            complaints.append(f"leaf {point.name!r} is no leaf with a contract")
+        elif found.__name__ in leaves:
+            complaints.append(f"leaf {point.name!r}: there is a leaf {found.__name__} already")
+        else:
+            leaves[found.__name__] = found
+    return OutsideLeaves(tuple(leaves.values()), tuple(complaints))

@@ -67,6 +67,24 @@ def held_object(toolbox: Toolbox, wanted: Thing | None, hand: Hand | None) -> He
     return held
 
 
+def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
+    """Forget that a hand holds something, and say that it lost it.
+
+    Args:
+        toolbox: Its world model forgets.
+        held: What the hand held; where it is now is not known.
+    """
+    world = toolbox.world
+    body = world.scene.attached.get(held.name)
+    if body is not None:
+        detached = world.scene.with_detached(held.name, body.body.world_T_object)
+        world.update(detached.without_object(held.name))
+    return Failure.postcondition(
+        f"the {held.name} slipped out of the {held.hand} hand, or was taken out of it",
+        opening_m=toolbox.grippers[held.hand].reading().opening_m,
+    )
+
+
 def _is_meant(name: str, wanted: Thing | None) -> bool:
     if not isinstance(wanted, ObjectDescription):
         return wanted is None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import traceback
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 from py_trees.common import Status
 from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
@@ -14,6 +14,7 @@ from trees.contract import Contract
 from trees.events import LeafFailed, Measured
 from trees.failure_chain import place_of
 from trees.failures import Failure, FailureKind, Number
+from trees.leaf_settings import settings_of
 from trees.toolbox import Toolbox
 
 RUNNING = Status.RUNNING
@@ -31,12 +32,20 @@ class Leaf(BehaviourWithPorts):
     Attributes:
         failure: Why it failed or was cancelled, since its last start; None otherwise.
         halt_reason: What a halt is reported with; set by whoever halts the tree.
+        settings: What it was made with, beside name, toolbox and wiring, by the names of the arguments.
         wiring: Port name to the key it is wired to; ports that are left out have a key of their name.
     """
 
     INPUT_PORTS: dict[str, PortInformation]
     OUTPUT_PORTS: dict[str, PortInformation]
     CONTRACT: ClassVar[Contract]
+    settings: Mapping[str, Any]
+
+    def __new__(cls, *arguments: Any, **named: Any) -> Self:
+        """Note what it is made with, so that a tree can be written down and made again."""
+        leaf = super().__new__(cls)
+        leaf.settings = settings_of(cls, arguments, named)
+        return leaf
 
     def __init__(self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None) -> None:
         super().__init__(name=name)
@@ -44,7 +53,7 @@ class Leaf(BehaviourWithPorts):
         self.wiring = dict(wiring or {})
         self.failure: Failure | None = None
         self.halt_reason = "halted"
-        self._started_s = 0.0
+        self._started_s = self._paused_before_s = 0.0
         self._start_error: Exception | None = None
 
     # what a leaf fills in
@@ -72,8 +81,9 @@ class Leaf(BehaviourWithPorts):
 
     @property
     def elapsed_s(self) -> float:
-        """Seconds on the injected clock since this run began."""
-        return self.toolbox.clock.now_s() - self._started_s
+        """Seconds on the injected clock since this run began, pauses left out."""
+        paused_s = self.toolbox.pauses.total_s - self._paused_before_s
+        return self.toolbox.clock.now_s() - self._started_s - paused_s
 
     @property
     def where(self) -> str:
@@ -103,6 +113,7 @@ class Leaf(BehaviourWithPorts):
         self.failure = None
         self._start_error = None
         self._started_s = self.toolbox.clock.now_s()
+        self._paused_before_s = self.toolbox.pauses.total_s
         self.feedback_message = ""
         try:
             self.begin()

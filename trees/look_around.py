@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from typing import ClassVar
 
-import numpy as np
 from py_trees.common import Status
 
-from kinematics.pointing import elbow_frame
-from kinematics.robot_description import HANDS
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.believed_thing import Surroundings, surroundings
 from trees.failures import Failure
+from trees.glimpse_of import glimpse_of
+from trees.in_hand import not_in_hand
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.scene_update import updated_scene
-from trees.sight import Glimpse
 
 
 class LookAround(LookLeaf):
     """Gathers a look, replaces the world model's scene by what it tells, and hands on what was seen.
 
     What is in a hand is left out: it is attached, and must not become an obstacle as well.
+
+    Attributes:
+        LOOKING_ON: Whether it goes with other looks between which nothing moves: a second thing of a kind
+            and colour is another one then, and not the first one that was moved.
     """
+
+    LOOKING_ON: ClassVar[bool] = False
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """What follows from the things seen, by their names in the scene."""
@@ -39,39 +44,17 @@ class LookAround(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then judge what was seen."""
         world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
-        glimpse = self._glimpse(views[-1])
+        estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
+        glimpse = glimpse_of(self.toolbox, views[-1])
         camera, near_m = self.toolbox.model.description.camera, policy.hidden_by_hand_m
         update = updated_scene(
-            world.scene, estimates, policy, lambda point: not glimpse.shows(camera, point, near_m)
+            world.scene,
+            estimates,
+            policy,
+            lambda point: not glimpse.shows(camera, point, near_m),
+            may_have_moved=not self.LOOKING_ON,
         )
         world.update(update.scene)
         world.note_glimpse(glimpse)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         return self.found(update.seen)
-
-    def _not_in_hand(self, estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
-        scene, q = self.toolbox.world.scene, self.toolbox.sensing.state().q
-        held = [
-            (self.toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
-            for body in scene.attached.values()
-        ]
-        near = self.toolbox.policy.same_object_m
-        return [
-            estimate
-            for estimate in estimates
-            if all(float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place)) > near for place in held)
-        ]
-
-    def _glimpse(self, view: View) -> Glimpse:
-        """From where the camera looked, and past which parts of the robot: they hide things."""
-        model = self.toolbox.model
-        q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
-        parts = []
-        for hand in HANDS:
-            names = [elbow_frame(model, hand), model.description.tcp_frames[hand]]
-            elbow, tcp = model.frame_poses(q, names)
-            parts += [tcp[:3, 3], 0.5 * (elbow[:3, 3] + tcp[:3, 3])]
-        held = self.toolbox.world.scene.attached.values()
-        parts += [(model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3] for body in held]
-        return Glimpse(view.odom_T_camera, tuple(parts))

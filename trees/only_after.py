@@ -14,7 +14,11 @@ from trees.ports import ports
 
 
 class OnlyAfter(PortsMixin, Decorator):
-    """Ticks its child when the failure at its port is of one of the kinds; otherwise succeeds at once."""
+    """Ticks its child when the failure at its port is of one of the kinds; otherwise succeeds at once.
+
+    Attributes:
+        kinds: The kinds.
+    """
 
     INPUT_PORTS = ports(failure=Failure)
     OUTPUT_PORTS = ports()
@@ -23,7 +27,7 @@ class OnlyAfter(PortsMixin, Decorator):
     def __init__(self, child: Behaviour, kinds: frozenset[FailureKind]) -> None:
         super().__init__(name=f"{child.name} if it helps", child=child)
         self.wiring: Mapping[str, str] = {}
-        self._kinds = kinds
+        self.kinds = kinds
 
     def wire(self, namespace: str) -> None:
         """Connect the ports inside a tree's namespace."""
@@ -31,7 +35,7 @@ class OnlyAfter(PortsMixin, Decorator):
 
     def tick(self) -> Iterator[Behaviour]:
         """Skip the child, or tick it."""
-        if self.status is Status.RUNNING or self.get_input("failure").kind in self._kinds:
+        if self.status is Status.RUNNING or self.get_input("failure").kind in self.kinds:
             yield from super().tick()
             return
         self.stop(Status.INVALID)

@@ -14,12 +14,13 @@ from kinematics.placing_spots import FreeSpot, footprint_radius_m, spots_beside,
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
+from kinematics.support import support_of
 from trees.believed_thing import surroundings
 from trees.destination import furniture_named
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.grounding import Ambiguous, Found, ground
 from trees.held import HeldObject
-from trees.scene_update import kind_of, support_of
+from trees.scene_update import kind_of
 from trees.sight_of_tops import SightOfTops
 from trees.tasks import Destination, ObjectDescription, Relation
 

@@ -9,6 +9,7 @@ from py_trees.common import Status
 from kinematics.gesture_requests import GestureRequest
 from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, PlannedStep, RetreatRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.view_request import ViewRequest
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.arrival import arrival
 from trees.failures import Failure
@@ -32,7 +33,7 @@ class PlannedMotionLeaf(Leaf):
     _world_version: int = 0
     _refused: Failure | None = None
 
-    def goal(self) -> MoveRequest | RetreatRequest | GestureRequest | Failure | None:
+    def goal(self) -> MoveRequest | RetreatRequest | GestureRequest | ViewRequest | Failure | None:
         """What to plan; None when the robot is there already, or why there is nothing to plan."""
         raise NotImplementedError
 

@@ -68,7 +68,7 @@ class TreePolicy:
         walk_attempts: How often it walks, corrections included.
         move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
-        peering_gazes: Further ones, that put the eyes elsewhere: past what hides something.
+        looks_past: How often, after all gazes, the eyes are taken elsewhere, past what hides something.
         inventory_gazes: The looks that together see everything within reach of the arms.
         wave_swings: How often a waving hand goes from side to side.
         wave_width_m: From one side to the other.
@@ -91,6 +91,7 @@ class TreePolicy:
         pull_s: It has to last so long.
         take_within_s: Nobody has taken it by then: it is taken back.
         after_giving_s: Between letting go and looking where it went.
+        walk_timeout_s: Longest walk to something, looking for it and corrections included.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -141,13 +142,6 @@ class TreePolicy:
         Gaze("level left", tilt_rad=0.15, pan_rad=0.85),
         Gaze("level right", tilt_rad=0.15, pan_rad=-0.85),
     )
-    peering_gazes: tuple[Gaze, ...] = (
-        Gaze("over it", tilt_rad=0.6, lean_rad=0.6),
-        Gaze("from the left", tilt_rad=0.55, pan_rad=-0.75, lean_rad=0.45, turn_rad=0.9),
-        Gaze("from the right", tilt_rad=0.55, pan_rad=0.75, lean_rad=0.45, turn_rad=-0.9),
-        Gaze("from far left", tilt_rad=0.5, pan_rad=-1.0, lean_rad=0.7, turn_rad=1.15),
-        Gaze("from far right", tilt_rad=0.5, pan_rad=1.0, lean_rad=0.7, turn_rad=-1.15),
-    )
     inventory_gazes: tuple[Gaze, ...] = (
         Gaze("ahead", tilt_rad=0.75),
         Gaze("left", tilt_rad=0.7, pan_rad=0.6),
@@ -156,6 +150,7 @@ class TreePolicy:
         Gaze("near left", tilt_rad=0.7, pan_rad=-0.4, lean_rad=0.5, turn_rad=0.7),
         Gaze("near right", tilt_rad=0.7, pan_rad=0.4, lean_rad=0.5, turn_rad=-0.7),
     )
+    looks_past: int = 6
     wave_swings: int = 4
     wave_width_m: float = 0.26
     wave_least_m: float = 0.15
@@ -176,4 +171,5 @@ class TreePolicy:
     pull_s: float = 0.15
     take_within_s: float = 15.0
     after_giving_s: float = 0.8
+    walk_timeout_s: float = 165.0
     task_timeout_s: float = 120.0

@@ -23,6 +23,7 @@ class Retry(PortsMixin, Composite):
     Attributes:
         failure: Why it gave up; None otherwise.
         attempts: Attempts begun.
+        limit, hopeless: How many at most, and the judgement that it was made with.
         transparent: It structures, and is left out of places in the tree.
     """
 
@@ -52,8 +53,8 @@ class Retry(PortsMixin, Composite):
         self.attempts = 0
         self.wiring: Mapping[str, str] = {}
         self._attempt, self._recover = attempt, recover
-        self._limit = attempts
-        self._hopeless = hopeless
+        self.limit = attempts
+        self.hopeless = hopeless
         self._earlier: list[Failure] = []
 
     def wire(self, namespace: str) -> None:
@@ -82,7 +83,7 @@ class Retry(PortsMixin, Composite):
                 child.stop(Status.INVALID)
         self.failure, self.attempts, self._earlier = None, 1, []
         self.current_child = self._attempt
-        self.feedback_message = f"attempt 1 of {self._limit}"
+        self.feedback_message = f"attempt 1 of {self.limit}"
 
     def _advance(self, child: Behaviour) -> bool:
         """Choose what comes after a child that ended; False when this node has ended."""
@@ -92,13 +93,13 @@ class Retry(PortsMixin, Composite):
                 return False
             self.attempts += 1
             self.current_child = self._attempt
-            self.feedback_message = f"attempt {self.attempts} of {self._limit}"
+            self.feedback_message = f"attempt {self.attempts} of {self.limit}"
             return True
         failure = failure_of(child) or Failure.error(f"{child.name} failed without a reason")
         if child is self._attempt:
             before = self._earlier[-1] if self._earlier else None
             self._earlier.append(failure)
-            if self.attempts < self._limit and not self._hopeless(failure, before):
+            if self.attempts < self.limit and not self.hopeless(failure, before):
                 self._set_output("failure", failure)
                 self.current_child = self._recover
                 self.feedback_message = f"recovering from: {failure.message}"
@@ -106,7 +107,7 @@ class Retry(PortsMixin, Composite):
             self.failure = self._chain(failure, self._earlier[:-1])
         else:
             self.failure = self._chain(failure, self._earlier)
-        self.feedback_message = f"gave up after {self.attempts} of {self._limit} attempts"
+        self.feedback_message = f"gave up after {self.attempts} of {self.limit} attempts"
         self.stop(Status.FAILURE)
         return False
 

@@ -10,9 +10,6 @@ from numpy.typing import NDArray
 
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
-from kinematics.support import half_height_m as half_height_m
-from kinematics.support import lowest_point_m as lowest_point_m
-from kinematics.support import support_of as support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
 

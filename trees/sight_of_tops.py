@@ -25,7 +25,7 @@ _DIRECTIONS = 8
 # The hand comes from the robot's side.
 _TOWARDS_ROBOT_M = 0.20
 # What stands on a top is seen a little above it.
-_ABOVE_M = 0.05
+ABOVE_M = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,19 +62,19 @@ class SightOfTops:
 
 
 def _about(place: Array, radius_m: float, top: SceneObject, odom_T_base: Transform) -> Iterator[Array]:
-    middle = place + np.array([0.0, 0.0, _ABOVE_M])
+    middle = place + np.array([0.0, 0.0, ABOVE_M])
     yield middle
     way = odom_T_base[:2, 3] - middle[:2]
     heading = math.atan2(way[1], way[0])
     around = [(radius_m + AROUND_M, 2.0 * math.pi * k / _DIRECTIONS) for k in range(_DIRECTIONS)]
     for far_m, turn in (*around, (_TOWARDS_ROBOT_M, 0.0)):
         offset = far_m * np.array([math.cos(heading + turn), math.sin(heading + turn), 0.0])
-        if _on(top, middle + offset):
+        if is_over(top, middle + offset):
             yield middle + offset
 
 
-def _on(top: SceneObject, point: Array) -> bool:
-    """Nothing stands beside a top."""
+def is_over(top: SceneObject, point: Array) -> bool:
+    """Whether a point, shape (3,), is over a top; beside it nothing stands on it."""
     if not isinstance(top.shape, Box):
         return True
     local = (poses.inverse(top.world_T_object) @ np.append(point, 1.0))[:2]

@@ -9,9 +9,10 @@ import numpy as np
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
+from kinematics.support import support_of
+from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from trees.destination import Place
-from trees.scene_update import support_of
 
 EDGE_M = 0.34
 """From the middle between the feet to a table's edge: picks reach best from 0.29 to 0.36, and the
@@ -20,6 +21,10 @@ PERSON_M = 0.9
 FREE_M = 0.7
 """From something that stands on the floor by itself."""
 _FROM_CORNER_M = 0.25
+_FROM_BORDER_M = 0.4
+"""Who stands in a room stands so far inside it."""
+_ROOM_M = 0.8
+_GRID_M = 0.25
 
 
 def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support_gap_m: float) -> PlanarPose:
@@ -32,6 +37,8 @@ def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support
         support_gap_m: As for ``support_of``.
     """
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
+    if place.category == "region" and isinstance(place.shape, Box):
+        return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
     if place.category == "furniture" and isinstance(place.shape, Box):
         return _before(place.shape, place.odom_T_place, body)
     if place.category == "object":
@@ -42,6 +49,28 @@ def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support
     away_m = PERSON_M if place.category == "person" else FREE_M
     heading = math.atan2(y - body.y_m, x - body.x_m)
     return PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+
+
+def stands_inside(place: Place, body: PlanarPose) -> bool:
+    """Whether the body is well inside a region."""
+    seen = PlanarPose.of(place.odom_T_place).to(body)
+    half_x, half_y = (0.5 * size for size in getattr(place.shape, "size_m", (0.0, 0.0))[:2])
+    return abs(seen.x_m) <= half_x - _FROM_BORDER_M and abs(seen.y_m) <= half_y - _FROM_BORDER_M
+
+
+def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
+    """The place nearest to the middle of a region with room around it, facing as the region does."""
+    known = footprints(scene)
+    reach_x, reach_y = (max(0.0, 0.5 * size - _FROM_BORDER_M) for size in box.size_m[:2])
+    best = (math.inf, middle)
+    for x in np.arange(-reach_x, reach_x + 1e-9, _GRID_M):
+        for y in np.arange(-reach_y, reach_y + 1e-9, _GRID_M):
+            place = middle @ PlanarPose(float(x), float(y))
+            tight_m = max(0.0, _ROOM_M - clearance_m(known, place))
+            cost = math.hypot(x, y) + 10.0 * tight_m
+            if cost < best[0] - 1e-9:
+                best = (cost, place)
+    return best[1]
 
 
 def _before(

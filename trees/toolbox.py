@@ -17,11 +17,15 @@ from kinematics.walking.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle
+from robots.control.yield_order import YieldOrder
+from robots.control.yield_settings import YieldReport
 from robots.gripper_reading import GripperReading
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
+from robots.scene_description import Region
 from robots.sensed_state import SensedState
 from trees.events import TreeSink
+from trees.pauses import Pauses
 from trees.policy import TreePolicy
 from trees.world_model import WorldModel
 
@@ -68,6 +72,32 @@ class Walking(Protocol):
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
         """The same, but the handle is cancelled at once."""
+        ...
+
+
+class YieldingMotion(Protocol):
+    """A hand that leads and yields, under way."""
+
+    @property
+    def handle(self) -> MotionHandle:
+        """The motion's; the streamer cancels it."""
+        ...
+
+    @property
+    def report(self) -> YieldReport:
+        """What was felt so far."""
+        ...
+
+    def finish(self) -> None:
+        """Come to rest where the hand is."""
+        ...
+
+
+class Yielding(Protocol):
+    """The way to a hand that yields to what it holds."""
+
+    def start(self, order: YieldOrder) -> YieldingMotion:
+        """Begin where the robot is commanded to be now; the handle is refused when it may not."""
         ...
 
 
@@ -145,3 +175,6 @@ class Toolbox:
     policy: TreePolicy = field(default_factory=TreePolicy)
     walking: Walking | None = None
     ranging: RangeSensor | None = None
+    pauses: Pauses = field(default_factory=Pauses)
+    yielding: Yielding | None = None
+    places: Mapping[str, Region] = field(default_factory=dict)

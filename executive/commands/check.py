@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.config_option import ConfigOption
+from executive.config import use_config
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 
 
@@ -34,11 +36,13 @@ def check(
         ),
     ] = 0.0,
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
+    config: ConfigOption = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
 ) -> None:
     """Say whether a stored trajectory is safe, or what a sentence would do; moves nothing."""
     from executive.run_log import require_writable, write_report
 
+    use_config(config)
     if report is not None:
         require_writable(report)
     if text.endswith(".json"):

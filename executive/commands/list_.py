@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from enum import StrEnum
 from typing import Annotated
 
@@ -52,10 +52,12 @@ def _lines(what: What) -> Iterator[str]:
             from robots.description import known_robots
 
             yield from known_robots()
+            yield from _left_out(_complaints_about("robots"))
         case What.SCENES:
             from robots.scene_file import known_scenes
 
             yield from known_scenes()
+            yield from _left_out(_complaints_about("scenes"))
         case What.SKILLS:
             yield from _skills()
         case What.WORDS:
@@ -70,7 +72,18 @@ def _skills() -> Iterator[str]:
         yield f"{action:<10} {_EXAMPLES.get(action, '')}".rstrip()
     for action, skill in sorted(extensions().skills.items()):
         yield f"{action:<10} {skill.example}"
-    for complaint in extensions().complaints:
+    yield from _left_out(extensions().complaints)
+
+
+def _complaints_about(kind: str) -> Iterable[str]:
+    from robots.outside import outside_folders
+
+    return outside_folders(f"humanoid_executive.{kind}").complaints
+
+
+def _left_out(complaints: Iterable[str]) -> Iterator[str]:
+    """What other packages bring and nobody can use, with the reason."""
+    for complaint in complaints:
         yield f"left out: {complaint}"
 
 
@@ -78,8 +91,12 @@ def _words() -> Iterator[str]:
     """Canonical words with their synonyms; verb forms and plurals follow from them and are left out."""
     from executive.config import config_files
     from executive.vocabulary import load_vocabulary
+    from executive.vocabulary.outside import outside_words
 
-    for name, word_class in sorted(load_vocabulary(config_files()).classes.items()):
+    classes = load_vocabulary(config_files()).classes
+    usable = frozenset(name for name, word_class in classes.items() if not word_class.derived)
+    yield from _left_out(outside_words(usable).complaints)
+    for name, word_class in sorted(classes.items()):
         if word_class.derived:
             continue
         note = " (understood, and refused)" if word_class.refusal else ""

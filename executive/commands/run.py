@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.config import runs_directory
+from executive.commands.config_option import ConfigOption
+from executive.config import runs_directory, use_config
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
 from executive.trust import THRESHOLD, Trust
 
@@ -58,6 +59,7 @@ def run(
         PolicyChoice, typer.Option(help="Below the confidence: ask, or do the other steps only.")
     ] = PolicyChoice.ASK,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
+    config: ConfigOption = None,
     plain: Annotated[
         bool, typer.Option("--plain", help="Lines instead of a drawing; automatic in a pipe.")
     ] = False,
@@ -67,6 +69,7 @@ def run(
     from executive.performance import perform
     from executive.task_script import is_script, script_for
 
+    use_config(config)
     trust = Trust(confidence, policy.value)
     script = script_for(text, trust)
     request = RunRequest(

@@ -7,7 +7,14 @@ from typing import Annotated
 
 import typer
 
-from executive.config import leave_opengl_to_the_renderer, runs_directory, runtime_directory
+from executive.commands.config_option import ConfigOption
+from executive.config import (
+    config_files,
+    leave_opengl_to_the_renderer,
+    runs_directory,
+    runtime_directory,
+    use_config,
+)
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 
 FolderOption = Annotated[
@@ -29,13 +36,17 @@ def serve(
     evaluation: Annotated[
         bool, typer.Option("--evaluation", help="Let evaluations read the simulator's truth.")
     ] = False,
+    config: ConfigOption = None,
     folder: FolderOption = None,
 ) -> None:
     """Serve a robot: its control in one process, the executive in another."""
+    from executive.command_parser import parser_with
     from executive.diagnosis import compile_kernel
     from executive.live.service import Service, ServiceRequest
     from robots.description import load_description_for_tasks
     from robots.scene_file import load_scene
+
+    use_config(config)
 
     def say(line: str) -> None:
         typer.echo(line, err=True)
@@ -43,6 +54,7 @@ def serve(
     leave_opengl_to_the_renderer()
     load_description_for_tasks(robot)
     load_scene(scene)
+    parser_with(config_files())  # a file of words with a mistake is said here, not by the executive
     compile_kernel(say)
     where = folder or runtime_directory()
     request = ServiceRequest(

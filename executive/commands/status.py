@@ -43,6 +43,7 @@ def _lines(control: dict[str, Any], executive: dict[str, Any]) -> list[str]:
         f"robot      {control['robot']} in {control['scene']}, {control['t_s']:.1f} s, {moving}",
         f"emergency  {(control['emergency'] or {}).get('engaged') or 'not engaged'}",
         f"executive  {executive.get('silent') or executive.get('task') or 'waits for a task'}"
+        f"{', paused' if executive.get('paused') else ''}"
         f"{', ' + executive['state'] if 'state' in executive else ''}",
         f"commander  {control['commander'] or 'nobody'}",
         f"control    {control['scheduling']}; late p50 {lateness['p50_ms']:.2f} ms, "

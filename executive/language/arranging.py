@@ -92,9 +92,11 @@ def unfit() -> _UnfitError:
     return _UnfitError()
 
 
-def trouble(message: str, word: str | None = None, *, asks: bool = False) -> _TroubleError:
+def trouble(
+    message: str, word: str | None = None, *, asks: bool = False, rivals: bool = False
+) -> _TroubleError:
     """They do, and cannot be acted on."""
-    return _TroubleError(Trouble(message, word, asks))
+    return _TroubleError(Trouble(message, word, asks, rivals=rivals))
 
 
 def checked(value: Nominal | Trouble) -> Nominal:

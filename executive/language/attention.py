@@ -1,8 +1,7 @@
-"""People, looking, pointing, finding, counting, describing and speaking."""
+"""People, looking, pointing, finding, counting and describing."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
@@ -11,7 +10,7 @@ from typing import Any
 from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
 from executive.language.going import target
 from executive.language.lattice import Word
-from executive.language.nominals import words
+from executive.language.nominals import SUPERLATIVES, words
 from executive.language.phrases import (
     Bundle,
     Clause,
@@ -24,24 +23,7 @@ from executive.language.phrases import (
     Trouble,
     draft,
 )
-
-_NO_SPEECH = """
-to not that your my what whatever how why who whom where when whether if which something anything nothing
-about it them so a an in the\\stime the\\sdate the\\sday the\\sweather the\\struth the\\snames? the\\snumber
-the\\scolou?r the\\slocation the\\sposition the\\sway the\\snews the\\sanswer the\\sresult yes\\sor\\sno
-"""
-_IS_NO_SPEECH = re.compile(rf"(?:{'|'.join(_NO_SPEECH.split())})\b")
-"""How free text begins that asks for something else than repeating these words."""
-
-_LANGUAGES = "english|german|french|spanish|italian|chinese|japanese"
-_SAID_HOW = re.compile(rf"\b(?:twice|again|\w+ times|loudly|softly|quietly|slowly|in (?:{_LANGUAGES}))$")
-_VERB = re.compile(
-    r"\b(?:is|are|was|were|has|have|will|can|could|should|must|may|needs?|i|we|you|\w+s|hello|hi|goodbye|thanks?"
-    r"|welcome|please)\b"
-)
-"""What a message has that somebody is told without "that"."""
-
-_SUPERLATIVES = frozenset({"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"})
+from executive.vocabulary.inflection import plural
 
 
 def _side(parts: Parts) -> str | None:
@@ -102,7 +84,10 @@ def _look_around(_parts: Parts) -> Clause:
     raise trouble("what shall be looked at?", asks=True)
 
 
-def _asked(parts: Parts, action: str, source: Nominal | None = None) -> list[Bundle]:
+def _asked(
+    parts: Parts, action: str, source: Nominal | None = None, *, existing: bool = False
+) -> list[Bundle]:
+    """What is asked about; ``existing`` is whether there is any such thing, be it one or several."""
     bundles: list[Bundle] = []
     for one in arranged(parts):
         nominal = one.object
@@ -115,6 +100,7 @@ def _asked(parts: Parts, action: str, source: Nominal | None = None) -> list[Bun
             raise unfit()
         if source is not None and one.source is not None:
             raise unfit()
+        whole = action == "describe" and nominal.sort == "any" and nominal.kind is None and nominal.is_plain
         if nominal.sort in ("me", "you") and action != "find":
             raise unfit()
         if nominal.sort == "you" or nominal.reference == "this":
@@ -127,15 +113,28 @@ def _asked(parts: Parts, action: str, source: Nominal | None = None) -> list[Bun
             and action == "find"
         ):
             raise trouble("which object is meant?", asks=True)
-        slot = "person" if action == "find" and nominal.is_person else "object"
-        bundles.append((draft(action, **{slot: replace(nominal, count=1)}, source=one.source or source),))
+        if nominal.count == "some" and action != "find":
+            raise unfit()
         if nominal.counted and not (action in ("count", "describe") and nominal.count == "all"):
             raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
+        if (
+            nominal.plural
+            and nominal.determined
+            and action != "count"
+            and not existing
+            and not nominal.reference
+            and not whole
+        ):
+            message = f"which one of the {plural(nominal.kind or 'thing')}? {action} is for one"
+            raise trouble(message, asks=True, rivals=True)
+        slot = "person" if action == "find" and nominal.is_person else "object"
+        bundles.append((draft(action, **{slot: replace(nominal, count=1)}, source=one.source or source),))
     return bundles
 
 
 def _find(parts: Parts) -> Clause:
-    return clause(parts, _asked(parts, "find"))
+    existing = bool(words(parts, "IS_THERE", "IF_THERE"))
+    return clause(parts, _asked(parts, "find", existing=existing))
 
 
 def _is_it(parts: Parts) -> Clause:
@@ -157,18 +156,12 @@ def _count(parts: Parts) -> Clause:
         nominal = one.get("object")
         if nominal.reference:
             raise trouble("name what shall be counted", nominal.reference)
-        if not nominal.plural and nominal.kind not in (
-            "scissors",
-            "keys",
-            "glasses",
-            "clothes",
-            "chips",
-            "fruit",
-            "food",
-        ):
+        if not (nominal.plural or nominal.paired or nominal.kind in ("fruit", "food")):
             raise unfit()
         if nominal.sort in ("me", "name"):
             raise unfit()
+    if any("there" in word.said.split() for word in words(parts, "THERE_ARE")):
+        bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
     return clause(parts, bundles)
 
 
@@ -213,54 +206,9 @@ def _everything(one: Draft) -> Draft:
 
 def _describe_superlative(parts: Parts) -> Clause:
     item = parts[-1]
-    if not isinstance(item, Item) or (
-        item.of.size not in ("smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest")
-        and not item.of.ordinal
-    ):
+    if not isinstance(item, Item) or (item.of.size not in SUPERLATIVES and not item.of.ordinal):
         raise unfit()
     return _describe(parts)
-
-
-def _words(parts: Parts) -> Word:
-    word: Word = parts[0]
-    return word
-
-
-def _speech(parts: Parts, *, told: bool) -> str:
-    word = words(parts, "QUOTED", "TEXT")[-1]
-    text = word.meaning.strip()
-    lowered = text.lower()
-    if not text:
-        raise unfit()
-    if word.word_class == "QUOTED":
-        return text
-    if not told and not words(parts, "THAT") and " to " in lowered:
-        raise unfit()
-    if _SAID_HOW.search(lowered) or '"' in text or text.startswith("'"):
-        raise unfit()
-    if words(parts, "THAT") or any(one.said.endswith(" that") for one in words(parts, "SAY")):
-        if lowered.startswith("you"):
-            raise unfit()
-        return text
-    if lowered in ("something", "anything"):
-        raise trouble("what shall be said?", asks=True)
-    if _IS_NO_SPEECH.match(lowered) or (told and not _VERB.search(lowered)):
-        raise unfit()
-    return text
-
-
-def _say(parts: Parts) -> Clause:
-    return clause(parts, [(draft("say", text=_speech(parts, told=False)),)])
-
-
-def _say_to(parts: Parts) -> Clause:
-    person = next(part for part in parts if isinstance(part, Nominal))
-    if not person.is_person or person.plural:
-        raise unfit()
-    told = bool(words(parts, "TELL"))
-    if told and person.sort == "me":
-        raise unfit()
-    return clause(parts, [(draft("say", text=_speech(parts, told=told), person=person),)])
 
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
@@ -277,9 +225,6 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "describe_scene": _describe_scene,
     "describe": _describe,
     "describe_superlative": _describe_superlative,
-    "words": _words,
-    "say": _say,
-    "say_to": _say_to,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

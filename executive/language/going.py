@@ -149,6 +149,8 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
     wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
     if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):
         raise unfit()
+    if not measures and [one.said for one in words(parts, "MOVE", "FORWARD")] == ["go", "ahead"]:
+        raise trouble("walk ahead, or go on with what?", asks=True)
     if _is_return(parts, measures):
         raise trouble("back to where, or backward?", asks=True)
     if not said:

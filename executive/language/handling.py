@@ -9,7 +9,7 @@ from typing import Any
 
 from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
 from executive.language.lattice import Word
-from executive.language.nominals import words
+from executive.language.nominals import shared_adjective, words
 from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Pair, Relative, Where, draft
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
@@ -92,7 +92,9 @@ def _fetch(parts: Parts) -> Clause:
     for one in each:
         person = one.person
         if one.goal is not None:
-            if not (one.goal.of.is_person or one.goal.of.reference == "here"):
+            if one.goal.relation is not None or not (
+                one.goal.of.is_person or one.goal.of.reference == "here"
+            ):
                 raise unfit()
             person = one.goal.of
         taken = _pick_bundle(one)
@@ -115,12 +117,19 @@ def _handed(one: Arranged, taken: Any, person: Nominal) -> Bundle:
     return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
 
 
+def _is_beside_somebody(relation: Relative) -> bool:
+    return relation.to.is_person and relation.to.sort != "me" and relation.kind != "nearest"
+
+
 def _transport(one: Arranged) -> Bundle:
     taken = _pick_bundle(one, doing="taking away", fetched=True)
-    goal = one.goal
+    goal, relation = one.goal, one.object.relation
+    if goal is None and one.person is None and relation is not None and _is_beside_somebody(relation):
+        where = f"{relation.kind.replace('_', ' ')} {relation.to.kind}"
+        raise trouble(f"is it {where}, or shall it go there?", asks=True)
     if goal is None:
         return _handed(one, taken, one.person or ME)
-    if goal.of.is_person or goal.of.reference == "here":
+    if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
         return _handed(one, taken, goal.of)
     if goal.of.reference == "there":
         return (taken, draft("place", object=PREVIOUS, there=goal))
@@ -162,6 +171,10 @@ def _more(parts: Parts) -> list[Arranged]:
     loose = tuple(part for part in parts if isinstance(part, Item))
     if not loose:
         return []
+    paired = [part.item for part in parts if isinstance(part, Pair)]
+    unclear = shared_adjective((*paired, *loose))
+    if unclear is not None:
+        raise trouble(unclear.message, asks=True)
     each = arranged(loose)
     if any(one.goal is not None or one.person is not None for one in each):
         raise unfit()
@@ -180,6 +193,8 @@ def _give(parts: Parts) -> Clause:
     over = bool(words(parts, "OVER")) or any("over" in part.said for part in parts if isinstance(part, Word))
     bundles = []
     for one in each:
+        if one.goal is not None and one.goal.relation is not None:
+            raise unfit()
         person = one.goal.of if one.goal is not None else one.person
         if person is None:
             if not over and not one.back:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from executive.language.tokens import Piece
@@ -10,7 +11,8 @@ from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", *_AT_FIRST})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", "ADDRESSED", *_AT_FIRST})
+_BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
     {
         *("KIND", "KINDS", "SUBSTANCE", "PAIR", "THING", "THINGS", "ONE", "ONES", "FURNITURE", "FURNITURES"),
@@ -19,7 +21,10 @@ _COMPLETE = frozenset(
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
+_NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
+_DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
+_SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
 
@@ -60,6 +65,7 @@ class Lattice:
         self._covered = [False] * size
         self.ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
+        self._after_say = self._right_after("SAY", texts, vocabulary)
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
 
@@ -75,10 +81,27 @@ class Lattice:
                         reached[start + length] = True
         return reached
 
+    def _right_after(self, word_class: str, texts: Sequence[str], vocabulary: Vocabulary) -> list[bool]:
+        """For each place, whether a phrase of a class ends there."""
+        after = [False] * (len(texts) + 1)
+        for start in range(len(texts)):
+            for length, reading in vocabulary.matches(texts, start):
+                if reading.word_class == word_class:
+                    after[start + length] = True
+        return after
+
     def _is_passed_over(self, word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
-        """Whether a word says nothing where it stands; after a thing "er" may correct what was said."""
+        """Whether a word says nothing where it stands.
+
+        After a thing "er" may correct what was said; "thank you" after "say" is what to say; a robot that
+        is addressed stands beside a mark or at the beginning, else it is a thing such as a toy robot.
+        """
+        if word.word_class == "ADDRESSED":
+            return self._nothing_said[word.start] or self.pieces[word.start - 1].is_mark
         if word.word_class == FILLER:
-            return True
+            return not self._after_say[word.start] and not (
+                word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
+            )
         if word.word_class in _AT_FIRST:
             return self._nothing_said[word.start]
         if word.word_class != "HESITATION":
@@ -113,9 +136,12 @@ class Lattice:
             found.append(Word("NUM", piece.text, start, start + 1))
         at = self._words[start]
         fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
+        compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
         for word in found:
             for index in range(start, word.end):
                 self._covered[index] = True
+            if word.word_class in _DESCRIBING and word.end < compound:
+                continue  # "orange juice" is no juice that is orange
             if word not in fillers:
                 at.setdefault(word.word_class, []).append(word)
         self._own[start] = found
@@ -149,13 +175,32 @@ class Lattice:
         """The first piece that belongs to no phrase."""
         return next((index for index, covered in enumerate(self._covered) if not covered), None)
 
-    def free_text(self, start: int) -> list[Word]:
-        """What may be words to say: from a place up to each separator, and to the end."""
+    def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
+        """What may be words to say: from a place up to each separator, and to the end.
+
+        Args:
+            start: The place.
+            commands: Word classes that a command begins with. What was ``said`` of a text that goes on
+                after a separator with one of them is that separator: it may be a command of its own.
+        """
         size = len(self.pieces)
         if start >= size or self.pieces[start].is_mark:
             return []
         stops = [end for end in range(start + 1, size + 1) if self._may_end(end)]
-        return [Word("TEXT", self.text(start, end), start, end) for end in stops]
+        goes_on = self._goes_on(start, commands)
+        return [
+            Word("TEXT", self.text(start, end), start, end, goes_on[1] if end > goes_on[0] else "")
+            for end in stops
+        ]
+
+    def _goes_on(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
+        """Where after a place the first separator stands that a command may follow, and its text."""
+        for position in range(start + 1, len(self.pieces)):
+            for word in self._own[position]:
+                follows = word.end < len(self.pieces) and self._words[word.end]
+                if word.word_class in _SEPARATES and follows and not commands.isdisjoint(follows):
+                    return position, word.said or self.pieces[position].text
+        return len(self.pieces), ""
 
     def _may_end(self, end: int) -> bool:
         return self.ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])

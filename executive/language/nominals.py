@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -9,6 +10,9 @@ from typing import Any
 
 from executive.language.lattice import Word
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Sort, Trouble, Where
+
+SUPERLATIVES = frozenset({"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"})
+"""Sizes that one thing has among those in view."""
 
 MAX_COUNT = 20
 """More things at once than anybody means; beyond it the number is taken for a mistake."""
@@ -70,7 +74,9 @@ def _noun(parts: Parts) -> Nominal | None:
     sort = _SORTS[word.word_class]
     anaphoric = word.word_class in ("ONE", "ONES")
     kind = None if sort == "any" else word.meaning
-    return Nominal(sort, kind, plural=word.word_class in _PLURAL, anaphoric=anaphoric)
+    return Nominal(
+        sort, kind, plural=word.word_class in _PLURAL, anaphoric=anaphoric, paired=word.word_class == "PAIR"
+    )
 
 
 def _filled(parts: Parts) -> Nominal | None:
@@ -79,8 +85,10 @@ def _filled(parts: Parts) -> Nominal | None:
     return Nominal("thing", vessel.meaning, name=name, plural=vessel.word_class == "KINDS")
 
 
-def _door_of(parts: Parts) -> Nominal:
+def _door_of(parts: Parts) -> Nominal | None:
     of, door = parts
+    if of.word_class == "CONTAINER" and door.meaning != "door":
+        return None
     if of.word_class == "CONTAINER":
         return Nominal("container", of.meaning)
     return Nominal("door", door.meaning, name=f"{of.meaning} {door.meaning}")
@@ -153,6 +161,9 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
         return Trouble(
             f"{amount:g} things at once: a whole number from 1 to {MAX_COUNT} is understood", f"{amount:g}"
         )
+    extreme = nominal.size if nominal.size in SUPERLATIVES else None
+    if amount > 1 and extreme:
+        return Trouble(f"{amount:g} things that are each the {extreme} one", extreme)
     if amount > 1 and nominal.ordinal not in (None, "other"):
         return Trouble(f"{amount:g} things that are each the {nominal.ordinal} one", nominal.ordinal)
     return replace(nominal, count=int(amount), counted=True, determined=True)
@@ -257,6 +268,10 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     ):
         return None
     told = described(nominal, parts[1:])
+    if isinstance(told, Nominal) and told.plural and not told.counted and told.count == 1:
+        only = told.size if told.size in SUPERLATIVES else told.ordinal
+        if only not in (None, "other"):
+            return Trouble(f"several things that are each the {only} one", only)
     if (
         isinstance(told, Nominal)
         and isinstance(nominal, Nominal)
@@ -267,8 +282,12 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     return told
 
 
-def _on_side(parts: Parts) -> Feature | None:
+def _on_side(parts: Parts) -> Feature | Trouble | None:
     sides = words(parts, "LEFT_RIGHT")
+    whose = [word for word in words(parts, "DET") if word.said in ("my", "our")]
+    if whose:
+        side = f"{whose[0].said} {sides[0].said}" if sides else whose[0].said
+        return Trouble(f"{side!r}: left and right are seen from the robot; which side is meant?", asks=True)
     if sides:
         return Feature("ordinal", _SIDES[sides[0].meaning])
     ordinal = words(parts, "ORDINAL")[0].meaning
@@ -321,7 +340,18 @@ def _items(parts: Parts) -> Items | Trouble:
                 f"{spoken(before)}, {spoken(last)}: is this one thing or two? say 'and' between two",
                 asks=True,
             )
-    return Items(each)
+    return shared_adjective(each) or Items(each)
+
+
+def shared_adjective(each: Iterable[Item]) -> Trouble | None:
+    """The red cup and bottle: whether the bottle is red too is not said."""
+    for first, second in itertools.pairwise(one.of for one in each):
+        told = first.color or first.size or first.material
+        bare = second.is_plain and not (second.determined or second.plural or second.reference)
+        if told and first.determined and bare and second.sort == "thing" and not second.paired:
+            question = f"shall the {second.kind} be {told} too? say 'the' before it"
+            return Trouble(f"{spoken(first)} and {second.kind}: {question}", asks=True)
+    return None
 
 
 def _only_item(parts: Parts) -> Item:

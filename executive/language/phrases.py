@@ -13,12 +13,16 @@ Preposition = Literal["on", "in", "at", "to"]
 
 @dataclass(frozen=True, slots=True)
 class Trouble:
-    """A part that is understood and cannot be acted on: a refusal, or with ``asks`` a question."""
+    """A part that is understood and cannot be acted on: a refusal, or with ``asks`` a question.
+
+    With ``rivals`` it is as likely as a reading that can be acted on, so that it is asked all the same.
+    """
 
     message: str
     word: str | None = None
     asks: bool = False
     choices: tuple[str, ...] = ()
+    rivals: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +56,7 @@ class Nominal:
         reference: What it points back to, instead of a noun.
         anaphoric: Whether the noun is "one": the kind that was named before.
         determined: Whether an article or the like was there.
+        paired: Whether it is one thing with a plural name: scissors.
     """
 
     sort: Sort
@@ -68,6 +73,7 @@ class Nominal:
     reference: Reference | None = None
     anaphoric: bool = False
     determined: bool = False
+    paired: bool = False
 
     def described(self, feature: Feature) -> Nominal | Trouble:
         """With one more feature; a contradiction is trouble."""
@@ -94,6 +100,11 @@ class Nominal:
     def is_place(self) -> bool:
         """Whether it is somewhere to put things or to go."""
         return self.sort in ("furniture", "container", "door", "room")
+
+    @property
+    def is_single(self) -> bool:
+        """Whether nobody would call it "them"."""
+        return self.count == 1 and not self.plural and not self.paired
 
     @property
     def is_plain(self) -> bool:

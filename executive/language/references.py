@@ -78,6 +78,7 @@ class Resolver:
         self._people: list[Nominal] = []
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []
+        self._given: set[int] = set()
         self._mentioned: list[Nominal] = []
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
@@ -111,7 +112,7 @@ class Resolver:
             return
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
         roots = list(dict.fromkeys(entity.task for entity in recent))
-        if not roots or (len(roots) == 1 and recent[0].of.count == 1 and not recent[0].of.plural):
+        if not roots or (len(roots) == 1 and recent[0].of.is_single):
             raise _ask("what does 'them' stand for?")
         for root in roots:
             first, *rest = bundle
@@ -152,7 +153,11 @@ class Resolver:
         if one.action == "pick" and root in self._held:
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         slots: dict[str, Any] = {}
+        if one.get("there_are") and one.get("source") is None and self._places:
+            raise _ask("only there, or in all that is in view?", [f"the {self._places[-1].kind}"])
         for name, value in one.slots:
+            if name == "there_are":
+                continue
             if name == "object":
                 slots["object"] = resolved
             elif name == "there":
@@ -189,8 +194,11 @@ class Resolver:
             self._again(resolved.task)
         if action == "pick":
             self._held.append(root)
+            self._given.discard(root)
         elif action in _PUTS_DOWN and root in self._held:
             self._held.remove(root)
+        if action == "hand_over":
+            self._given.add(root)
         return ObjectOf(root)
 
     def _again(self, root: int) -> None:
@@ -231,6 +239,8 @@ class Resolver:
             raise _ask("which of them does 'it' stand for?", names)
         if action in _PUTS_DOWN and self._held and root not in self._held:
             raise _ask("which of them does 'it' stand for?")
+        if action in _PUTS_DOWN and root in self._given:
+            raise _ask("it is given away by then: shall it be taken back first?")
         if recent[0].of.count != 1:
             raise _ask("which of them does 'it' stand for?")
         return ObjectOf(root)

@@ -43,6 +43,9 @@ _LINK = "LINK"
 _NEVER_USED = frozenset({"NEGATION", "CONDITION", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"})
 """Word classes that decide a refusal wherever they stand before the place that broke the parse."""
 
+_DECIDING = frozenset({"HARM", "THROW"})
+"""Word classes that explain a refusal better than the place that broke the parse."""
+
 _SHOWN = 40
 """Characters of an offending word that are repeated to the user."""
 
@@ -76,6 +79,9 @@ class Explainer:
             shown = printable(lattice.pieces[0].text)
             message = f"a command begins with what to do, not with {shown!r}"
             return Refusal(message, shown, self.nearest_example(plain))
+        decided = self._refused(lattice, chart, only=_DECIDING)
+        if decided is not None:
+            return Refusal(decided[1], decided[0], None)
         if position >= len(lattice.pieces) or lattice.ends[position]:
             return self._incomplete(lattice, chart)
         found = self._refused(lattice, chart)
@@ -108,15 +114,20 @@ class Explainer:
                 return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
         return Refusal(message, shown, self.nearest_example(lattice.plain)), False
 
-    def _refused(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:
-        """The first words, up to where the parse broke off, that are known and never acted on."""
+    def _refused(
+        self, lattice: Lattice, chart: Chart, only: frozenset[str] | None = None
+    ) -> tuple[str, str] | None:
+        """The first words, up to where the parse broke off, that are known and never acted on.
+
+        With ``only`` they are of one of these classes.
+        """
         last = min(chart.furthest, len(lattice.pieces) - 1)
         phrases = [
             word
             for position in range(last + 1)
             for word in sorted(lattice.phrase(position), key=lambda one: -one.end)
         ]
-        harmful = [word for word in phrases if word.word_class == "HARM"]
+        harmful = [word for word in phrases if word.word_class in _DECIDING]
         here = [
             word for word in phrases if word.start <= chart.furthest < word.end and word.word_class != _LINK
         ]
@@ -124,7 +135,7 @@ class Explainer:
         before = [word for word in phrases if word.start < chart.furthest and word.word_class in _NEVER_USED]
         rest = [word for word in phrases if word.start == chart.furthest]
         for word in (*harmful, *here, *before, *rest):
-            if word.word_class in self._vocabulary.classes:
+            if word.word_class in self._vocabulary.classes and (only is None or word.word_class in only):
                 said = printable(word.said)
                 message = self._vocabulary.refusal_of(word.word_class, word.meaning, said)
                 if message is not None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language import attention, going, handling, nominals, places
+from executive.language import attention, going, handling, nominals, places, speech
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 
 Parts = tuple[Any, ...]
@@ -185,6 +185,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **handling.MEANINGS,
         **going.MEANINGS,
         **attention.MEANINGS,
+        **speech.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
         "clause": _clause,

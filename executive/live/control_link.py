@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
+
+import numpy as np
 
 import robots.control.events as control_events
 from kinematics.robot_model import RobotModel
@@ -13,6 +16,7 @@ from robots.clock import WallClock
 from robots.control.emergency_stop import EmergencyStop
 from robots.control.events import ControlEvent
 from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.yield_settings import YieldReport
 from robots.live.connection import Connection
 from robots.live.errors import LiveError, ProtocolError
 from robots.live.frame_message import read_frame
@@ -20,24 +24,34 @@ from robots.live.framing import FrameKind
 from robots.live.messages import (
     Admit,
     CancelMotion,
+    ControlMessage,
+    FinishMotion,
     Guarded,
     Heartbeat,
     Hello,
+    Lead,
+    Pause,
+    Resume,
     Start,
+    Steer,
     Stop,
+    Walk,
     read_object,
     write_control_message,
 )
 from robots.live.robot_report import ReportLayout, RobotReport
 from robots.live.runtime_folder import RuntimeFolder
+from robots.live.scan_message import RangeScan, read_scan
 from robots.live.state_slot import StateSlotReader
-from robots.live.unix_socket import connect_to
+from robots.live.unix_socket import UnixSocket, connect_to
 from robots.perception.detector import PerceptionFrame
 
 _ANSWER_WITHIN_S = 10.0
 """Wall time in which a greeting is answered; the machine may be busy."""
 
 _KEPT_VERDICTS = 64
+_REMEMBERED = 256
+"""Commands that may still be refused: those of the last seconds."""
 
 
 class ControlLostError(LiveError):
@@ -51,6 +65,8 @@ class AttachRefusedError(LiveError):
 Verdict = bool | Unsafe | str
 """Admitted, unsafe, or why it was not judged."""
 
+M = TypeVar("M", Start, Guarded, Lead, Walk)
+
 
 class ControlLink:
     """A commander's connection.
@@ -61,12 +77,18 @@ class ControlLink:
         emergency: The emergency stop that is engaged, or None.
         defects, reservations: What is wrong with the robot, so that it must not move, or takes no new task.
         frame: The newest perception frame, or None.
+        scan: The newest range scan, or None.
         verdicts: Of trajectories by their number, as they come.
         lost: Why the connection ended, or empty.
     """
 
-    def __init__(self, folder: RuntimeFolder, model: RobotModel) -> None:
-        """Attach as the commander.
+    def __init__(
+        self,
+        folder: RuntimeFolder,
+        model: RobotModel,
+        connection: Callable[[UnixSocket], Connection] = Connection,
+    ) -> None:
+        """Attach as the commander, through a connection of this kind.
 
         Raises:
             NotServedError: No control process listens there.
@@ -74,11 +96,14 @@ class ControlLink:
             ProtocolError: It serves another robot.
         """
         self._wall = WallClock()
-        self._connection = Connection(connect_to(folder.control_socket))
+        self._connection = connection(connect_to(folder.control_socket))
         self._number = 0
         self._motions: dict[int, MotionHandle] = {}
+        self._felt: dict[int, Callable[[YieldReport], None]] = {}
+        self._refusals: OrderedDict[int, Callable[[str], None]] = OrderedDict()
         self._listen: Callable[[ControlEvent], None] = lambda _event: None
         self.frame: PerceptionFrame | None = None
+        self.scan: RangeScan | None = None
         self.verdicts: dict[int, Verdict] = {}
         self.emergency: EmergencyStop | None = None
         self.defects: tuple[str, ...] = ()
@@ -131,30 +156,71 @@ class ControlLink:
 
     # ---------------------------------------------------------------- what a commander may say
 
-    def beat(self, busy: bool, looking: bool, world_version: int) -> None:
+    def beat(self, busy: bool, looking: bool, ranging: bool, world_version: int) -> None:
         """Send the heartbeat of one tick."""
-        self._say(Heartbeat(self._next(), self.now_s, busy, looking, world_version))
+        self._say(Heartbeat(self._next(), self.now_s, busy, looking, ranging, world_version))
 
     def admit(self, trajectory: int, world_version: int, document: str) -> None:
         """Ask for a trajectory to be checked by the other side; the verdict comes later."""
-        head = write_control_message(Admit(self._next(), self.now_s, trajectory, world_version))
-        self._connection.send(head + b"\n" + document.encode(), FrameKind.DOCUMENT)
+        message = Admit(self._next(), self.now_s, trajectory, world_version)
+        self._when_refused(message.number, lambda reason: self._rejected(trajectory, reason))
+        self._say(message, document)
 
     def start(self, handle: MotionHandle, motion: int, trajectory: int) -> None:
         """Start an admitted trajectory; the handle follows what becomes of it."""
-        self._motions[motion] = handle
-        self._say(Start(self._next(), self.now_s, motion, trajectory))
+        self._say(self._begin(handle, motion, Start(self._next(), self.now_s, motion, trajectory)))
 
     def start_guarded(self, handle: MotionHandle, motion: int, name: str, hand: str) -> None:
         """Start a guarded motion that the other side makes."""
-        self._motions[motion] = handle
-        self._say(Guarded(self._next(), self.now_s, motion, name, hand))
+        self._say(self._begin(handle, motion, Guarded(self._next(), self.now_s, motion, name, hand)))
+
+    def lead(
+        self,
+        handle: MotionHandle,
+        motion: int,
+        world_version: int,
+        document: str,
+        felt: Callable[[YieldReport], None],
+    ) -> None:
+        """Start a yielding hand; what it feels is told on the way."""
+        self._felt[motion] = felt
+        message = Lead(self._next(), self.now_s, motion, world_version)
+        self._say(self._begin(handle, motion, message), document)
+
+    def walk(self, handle: MotionHandle, motion: int, document: str) -> None:
+        """Set out."""
+        self._say(self._begin(handle, motion, Walk(self._next(), self.now_s, motion)), document)
+
+    def steer(self, handle: MotionHandle, document: str) -> None:
+        """Go somewhere else with a walk; one that has ended is left alone."""
+        for number in self._numbers_of(handle):
+            self._say(Steer(self._next(), self.now_s, number), document)
+
+    def finish(self, handle: MotionHandle) -> None:
+        """Bring a walk or a yielding hand to its end; one that has ended is left alone."""
+        for number in self._numbers_of(handle):
+            message = FinishMotion(self._next(), number)
+            self._when_refused(message.number, lambda _reason: self.finish(handle))
+            self._say(message)
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
         """Brake a motion and hold."""
-        for number, known in self._motions.items():
-            if known is handle:
-                self._say(CancelMotion(self._next(), number, reason[:500]))
+        for number in self._numbers_of(handle):
+            message = CancelMotion(self._next(), number, reason[:500])
+            self._when_refused(message.number, lambda _reason: self.cancel(handle, reason))
+            self._say(message)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        message = Pause(self._next(), reason[:500])
+        self._when_refused(message.number, lambda _reason: self.pause(reason))
+        self._say(message)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        message = Resume(self._next(), self.now_s)
+        self._when_refused(message.number, lambda _reason: self.resume())
+        self._say(message)
 
     def stop(self, category: int, reason: str) -> None:
         """Engage the emergency stop."""
@@ -166,8 +232,40 @@ class ControlLink:
         self._number += 1
         return self._number
 
-    def _say(self, message: Heartbeat | Start | Guarded | CancelMotion) -> None:
-        self._connection.send(write_control_message(message))
+    def _say(self, message: ControlMessage, document: str = "") -> None:
+        payload = write_control_message(message)
+        if document:
+            self._connection.send(payload + b"\n" + document.encode(), FrameKind.DOCUMENT)
+        else:
+            self._connection.send(payload)
+
+    def _numbers_of(self, handle: MotionHandle) -> list[int]:
+        return [number for number, known in self._motions.items() if known is handle]
+
+    def _begin(self, handle: MotionHandle, motion: int, message: M) -> M:
+        """Follow a motion from now on; a command that is refused, or lost, refuses it."""
+        self._motions[motion] = handle
+
+        def refused(reason: str) -> None:
+            self._follow({"motion": motion, "status": "refused", "progress": 0.0, "reason": reason})
+
+        self._when_refused(message.number, refused)
+        return message
+
+    def _when_refused(self, number: int, call: Callable[[str], None]) -> None:
+        self._refusals[number] = call
+        while len(self._refusals) > _REMEMBERED:
+            self._refusals.popitem(last=False)
+
+    def _refused(self, number: int, reason: str) -> None:
+        """A command was not obeyed; a refusal of nothing in particular comes before the end."""
+        if number == 0:
+            self.lost = self.lost or reason
+        elif (call := self._refusals.pop(number, None)) is not None:
+            call(reason)
+
+    def _rejected(self, trajectory: int, reason: str) -> None:
+        self._note_verdict({"type": "rejected", "trajectory": trajectory, "reason": reason})
 
     def _await_welcome(self) -> None:
         until_s = self._wall.now_s() + _ANSWER_WITHIN_S
@@ -201,13 +299,19 @@ class ControlLink:
                 self._follow(message)
             case "frame":
                 self.frame = read_frame(message)
+            case "scan":
+                self.scan = read_scan(message)
+            case "felt":
+                self._feel(message)
             case "event":
                 event = _event(message)
                 if event is not None:
                     self._listen(event)
             case "admitted" | "unsafe" | "rejected":
                 self._note_verdict(message)
-            case "refused" | "error":
+            case "refused":
+                self._refused(int(message["number"]), str(message["reason"]))
+            case "error":
                 self.lost = self.lost or str(message["reason"])
             case _:
                 pass
@@ -226,6 +330,19 @@ class ControlLink:
         while len(self.verdicts) > _KEPT_VERDICTS:  # of jobs that nobody asks for any more
             del self.verdicts[next(iter(self.verdicts))]
 
+    def _feel(self, message: Mapping[str, Any]) -> None:
+        tell = self._felt.get(message["motion"])
+        if tell is not None:
+            tell(
+                YieldReport(
+                    outcome=message["outcome"],
+                    s=float(message["s"]),
+                    peak_force_n=float(message["peak_force_n"]),
+                    peak_pull_n=float(message["peak_pull_n"]),
+                    bias=np.array(message["bias"], dtype=np.float64),
+                )
+            )
+
     def _follow(self, message: Mapping[str, Any]) -> None:
         handle = self._motions.get(message["motion"])
         if handle is None:
@@ -234,6 +351,7 @@ class ControlLink:
         status = MotionStatus(message["status"])
         if status is not MotionStatus.RUNNING:
             del self._motions[message["motion"]]
+            self._felt.pop(message["motion"], None)
             if not handle.finished:
                 handle.reason = str(message["reason"])
                 handle.status = status

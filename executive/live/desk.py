@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from executive.exit_codes import ExitCode
 from robots.live.connection import Connection
@@ -42,8 +42,47 @@ class Answer:
     text: str
 
 
-DeskMessage = Say | Cancel | Answer | GetStatus
-_MESSAGES: Mapping[str, type] = {"say": Say, "cancel": Cancel, "answer": Answer, "status": GetStatus}
+@dataclass(frozen=True, slots=True)
+class PauseTask:
+    """Hold what is under way where it is."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class ResumeTask:
+    """Go on with what was paused."""
+
+
+DeskMessage = Say | Cancel | Answer | PauseTask | ResumeTask | GetStatus
+_MESSAGES: Mapping[str, type] = {
+    "say": Say,
+    "cancel": Cancel,
+    "answer": Answer,
+    "pause": PauseTask,
+    "resume": ResumeTask,
+    "status": GetStatus,
+}
+
+
+class Attended(Protocol):
+    """Who carries out what the desk takes in."""
+
+    def cancel(self, reason: str) -> None:
+        """Halt what is under way, and hold."""
+        ...
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        ...
+
+    def resume(self) -> None:
+        """Go on with it."""
+        ...
+
+    def status(self) -> Mapping[str, Any]:
+        """How things stand, as JSON values."""
+        ...
 
 
 def write_desk_message(message: DeskMessage) -> bytes:
@@ -61,6 +100,10 @@ def write_desk_message(message: DeskMessage) -> bytes:
             return write_message("cancel", reason=reason)
         case Answer(text):
             return write_message("answer", text=text)
+        case PauseTask(reason):
+            return write_message("pause", reason=reason)
+        case ResumeTask():
+            return write_message("resume")
         case GetStatus():
             return write_message("status")
 
@@ -87,8 +130,7 @@ class Desk:
 
     Args:
         path: Where to listen.
-        cancel: Called with the reason when what is under way shall be halted.
-        status: Gives the answer to the question how things stand.
+        attended: Halts, holds and goes on with what is under way, and says how things stand.
         is_stop: Whether a sentence is the spoken stop, which cancels what is under way.
 
     Attributes:
@@ -100,11 +142,10 @@ class Desk:
     def __init__(
         self,
         path: Path,
-        cancel: Callable[[str], None],
-        status: Callable[[], Mapping[str, Any]],
+        attended: Attended,
         is_stop: Callable[[str], bool],
     ) -> None:
-        self._cancel, self._status, self._is_stop = cancel, status, is_stop
+        self._attended, self._is_stop = attended, is_stop
         self._server = SocketServer(path, self._take, self._ended)
         self._waiting: deque[Order] = deque()
         self.current: Order | None = None
@@ -132,12 +173,21 @@ class Desk:
         message: DeskMessage = strictly(_MESSAGES, read_object(frame.payload))
         match message:
             case GetStatus():
-                connection.send(write_message("status", **self._status()))
+                connection.send(write_message("status", **self._attended.status()))
             case Cancel(reason):
                 under_way = self.current is not None
                 if under_way:
-                    self._cancel(reason or "cancelled")
+                    self._attended.cancel(reason or "cancelled")
                 connection.send(write_message("done", under_way=under_way))
+            case PauseTask(reason):
+                under_way = self.current is not None
+                if under_way:
+                    self._attended.pause(reason or "paused")
+                connection.send(write_message("done", under_way=under_way))
+            case ResumeTask():
+                paused = bool(self._attended.status()["paused"])
+                self._attended.resume()
+                connection.send(write_message("done", paused=paused))
             case Answer(text):
                 if self.asking:
                     self.given.append(text)
@@ -147,7 +197,7 @@ class Desk:
 
     def _queue(self, order: Order) -> None:
         if self.current is not None and self._is_stop(order.said.text):
-            self._cancel("stop was said")
+            self._attended.cancel("stop was said")
             order.end("done: what was under way is halted", "done", ExitCode.DONE)
         elif self.current is not None or len(self._waiting) >= MAX_WAITING:
             busy = "the robot is busy; `executive cancel` halts what is under way"
@@ -158,4 +208,4 @@ class Desk:
     def _ended(self, connection: Connection) -> None:
         self._waiting = deque(order for order in self._waiting if order.connection is not connection)
         if self.current is not None and self.current.connection is connection:
-            self._cancel("who gave the task has gone")
+            self._attended.cancel("who gave the task has gone")

@@ -1,25 +1,30 @@
-"""The executive of a served robot: ``python -m executive.live.executive_process FOLDER RECORD``.
+"""The executive of a served robot: ``python -m executive.live.executive_process FOLDER ROBOT RECORD``.
 
 It attaches as the robot's commander and carries out what it is told. When the control process lets it go
-(it hung, and has woken up) it attaches again; when that is gone, it ends.
+(it hung, and has woken up) it attaches again; when that is gone, it ends. Evaluations add a fault of the
+connection and a seed, and let it strike with SIGUSR1.
 """
 
 from __future__ import annotations
 
 import signal
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
 
 from executive.command_parser import parse
 from executive.live.control_link import AttachRefusedError, ControlLostError
 from executive.live.live_executive import LiveExecutive
+from executive.live.struck_connections import StruckConnections
 from kinematics.robot_model import RobotModel
 from robots.clock import WallClock
 from robots.description import load_description
 from robots.live.child_process import ChildProcess
+from robots.live.connection import Connection
 from robots.live.errors import LiveError, NotServedError
 from robots.live.runtime_folder import RuntimeFolder
+from robots.live.unix_socket import UnixSocket
 from trees.world_model import WorldModel
 
 _FIRST_SENTENCE = "pick up the red cup on the table"
@@ -28,7 +33,12 @@ _PATIENCE = 40
 """Attempts to become the commander, half a second apart."""
 
 
-def serve(folder: RuntimeFolder, robot: str, record: Path) -> int:
+def serve(
+    folder: RuntimeFolder,
+    robot: str,
+    record: Path,
+    connection: Callable[[UnixSocket], Connection] = Connection,
+) -> int:
     """Serve until the control process ends; 0 then, 1 when it never took this process."""
     wall = WallClock()
     model = RobotModel(load_description(robot))
@@ -39,7 +49,7 @@ def serve(folder: RuntimeFolder, robot: str, record: Path) -> int:
     try:
         while refused < _PATIENCE:
             try:
-                executive = LiveExecutive(folder, model, planning, world, record)
+                executive = LiveExecutive(folder, model, planning, world, record, connection)
             except NotServedError:
                 return 0
             except AttachRefusedError as wrong:
@@ -72,8 +82,10 @@ def main() -> int:
     """Serve."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _terminated)
+    folder, robot, record, *fault = sys.argv[1:]
+    connection = StruckConnections(fault[0], int(fault[1])) if fault else Connection
     try:
-        return serve(RuntimeFolder(Path(sys.argv[1])), sys.argv[2], Path(sys.argv[3]))
+        return serve(RuntimeFolder(Path(folder)), robot, Path(record), connection)
     except LiveError as wrong:
         _say(str(wrong))
         return 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO, Any, cast
 
@@ -15,9 +15,11 @@ from executive.live.control_link import ControlLink, ControlLostError
 from executive.live.desk import Desk, Order, Say
 from executive.live.live_attendant import LiveAttendant
 from executive.live.live_guard import LiveGuard
-from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps
+from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
 from executive.live.motion_client import GripperClient, MotionClient
 from executive.live.planning_client import LivePlanning, Worker
+from executive.live.walking_client import WalkingClient
+from executive.live.yielding_client import YieldingClient
 from executive.meaning import Parsed, StopCommand
 from executive.outputs.display import PlainDisplay
 from executive.outputs.report import Report, SafetyCounts
@@ -29,7 +31,9 @@ from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
 from executive.understanding import understand
 from kinematics.robot_model import RobotModel
+from robots.live.connection import Connection
 from robots.live.runtime_folder import RuntimeFolder
+from robots.live.unix_socket import UnixSocket
 from trees.build import TaskTree
 from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
@@ -47,17 +51,24 @@ class LiveExecutive:
         planning: The planning process.
         world: What is believed of the world; outlives an attachment.
         record: Folder of the recorded runs.
+        connection: Kind of the connection; a faulty one for evaluations.
     """
 
     def __init__(
-        self, folder: RuntimeFolder, model: RobotModel, planning: Worker, world: WorldModel, record: Path
+        self,
+        folder: RuntimeFolder,
+        model: RobotModel,
+        planning: Worker,
+        world: WorldModel,
+        record: Path,
+        connection: Callable[[UnixSocket], Connection] = Connection,
     ) -> None:
         """Attach.
 
         Raises:
             LiveError: The control process does not take this process as its commander.
         """
-        self._link = link = ControlLink(folder, model)
+        self._link = link = ControlLink(folder, model, connection)
         self._record = record
         self._order: Order | None = None
         self._log: RunLog | None = None
@@ -66,8 +77,9 @@ class LiveExecutive:
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
-        self._desk = Desk(folder.executive_socket, self._cancel, self.status, _is_stop)
-        self._steps = LiveSteps(link, detector, world, self._meanwhile)
+        self._desk = Desk(folder.executive_socket, self, _is_stop)
+        ranging = RangingClient(link)
+        self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
         rng = np.random.default_rng(np.random.SeedSequence(int(link.about["seed"])).spawn(3)[2])
         toolbox = Toolbox(
@@ -81,6 +93,9 @@ class LiveExecutive:
             world=world,
             events=self._note,
             rng=rng,
+            walking=WalkingClient(link, motion),
+            ranging=ranging,
+            yielding=YieldingClient(link, motion, model, world),
         )
         self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
         self._engaged = self._cancelled = False
@@ -91,6 +106,7 @@ class LiveExecutive:
             self._note,
             on_tick=self._show,
             supervisor=self._supervisor,
+            pausing=link,
         )
 
     def run(self) -> None:
@@ -125,7 +141,8 @@ class LiveExecutive:
         """How things stand, as JSON values."""
         current = self._order.said.text if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
-        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state}
+        paused = self._session.paused
+        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state, "paused": paused}
 
     # ---------------------------------------------------------------- an order
 
@@ -180,9 +197,18 @@ class LiveExecutive:
             self._supervisor.reset("a person")
         self._engaged = engaged
 
-    def _cancel(self, reason: str) -> None:
+    def cancel(self, reason: str) -> None:
+        """Halt what is under way, and hold."""
         self._cancelled = True
         self._session.cancel(reason)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        self._session.pause(reason)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        self._session.resume()
 
     def _note(self, event: Event) -> None:
         if self._log is not None:

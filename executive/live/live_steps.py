@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+from numpy.typing import NDArray
+
 from executive.live.control_link import ControlLink, ControlLostError
 from executive.session import PERIOD_S, PERIODS_A_TICK
 from robots.clock import WallClock
@@ -16,6 +19,8 @@ _STANDSTILL_S = 20.0
 """Wall time without control time after which nobody is there any more."""
 _LOOKS_FOR_S = 0.4
 """So long after the last question for a frame, frames are wanted."""
+_SCAN_IS_OLD_S = 0.35
+"""Three scans in a row that did not come: 0.3 m at the fastest walk."""
 
 
 class LiveClock:
@@ -49,6 +54,28 @@ class DetectorClient:
         return self._link.frame
 
 
+class RangingClient:
+    """Range scans from the control process; satisfies ``robots.perception.range_sensor.RangeSensor``."""
+
+    def __init__(self, link: ControlLink) -> None:
+        """Take them from a link."""
+        self._link = link
+        self._asked_s = -_LOOKS_FOR_S
+
+    @property
+    def wanted(self) -> bool:
+        """Whether somebody has asked for a scan a short while ago."""
+        return self._link.now_s - self._asked_s < _LOOKS_FOR_S
+
+    def scan(self) -> NDArray[np.float64] | None:
+        """The newest scan, or None when none has come for a while."""
+        self._asked_s = self._link.now_s
+        newest = self._link.scan
+        if newest is None or self._link.now_s - newest.stamp_s > _SCAN_IS_OLD_S:
+            return None
+        return newest.points_m
+
+
 class LiveSteps:
     """Lets time pass for the session: satisfies ``executive.session.Steps``.
 
@@ -63,11 +90,12 @@ class LiveSteps:
         self,
         link: ControlLink,
         detector: DetectorClient,
+        ranging: RangingClient,
         world: WorldModel,
         meanwhile: Callable[[], None] = lambda: None,
     ) -> None:
         """Wait on a link; ``meanwhile`` is called again and again while it waits."""
-        self._link, self._detector, self._world = link, detector, world
+        self._link, self._detector, self._ranging, self._world = link, detector, ranging, world
         self._meanwhile = meanwhile
         self._wall = WallClock()
         self._due_s = link.now_s
@@ -82,7 +110,8 @@ class LiveSteps:
             ControlLostError: The control process is gone, or its time stands still.
         """
         if self._steps % PERIODS_A_TICK == 0:
-            self._link.beat(self.busy, self._detector.looking, self._world.scene.version)
+            looking, ranging = self._detector.looking, self._ranging.wanted
+            self._link.beat(self.busy, looking, ranging, self._world.scene.version)
         self._steps += 1
         self._due_s += PERIOD_S
         tick_s = PERIOD_S * PERIODS_A_TICK

@@ -37,19 +37,19 @@ class MotionClient:
     def start(self, motion: CheckedTrajectory | GuardedMotion) -> MotionHandle:
         """Start what the other side has admitted; anything else is refused."""
         if not isinstance(motion, CheckedTrajectory):
-            handle = self._new(motion.name)
-            return _refused(handle, "live mode knows no such guarded motion")
-        handle = self._new("trajectory")
+            _, handle = self.new(motion.name)
+            return refused(handle, "the control process makes guarded motions itself, and knows no such one")
+        count, handle = self.new("trajectory")
         number = next((number for known, number in self._admitted if known is motion), None)
         if number is None:
-            return _refused(handle, "the control process has not admitted it")
-        self._link.start(handle, self._count, number)
+            return refused(handle, "the control process has not admitted it")
+        self._link.start(handle, count, number)
         return handle
 
     def start_guarded(self, name: str, hand: Hand) -> MotionHandle:
         """Ask for a guarded motion that the other side makes."""
-        handle = self._new(f"{name} ({hand})")
-        self._link.start_guarded(handle, self._count, name, hand)
+        count, handle = self.new(f"{name} ({hand})")
+        self._link.start_guarded(handle, count, name, hand)
         return handle
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
@@ -67,9 +67,10 @@ class MotionClient:
         """Where the feet stand."""
         return self._link.report.stance
 
-    def _new(self, name: str) -> MotionHandle:
+    def new(self, name: str) -> tuple[int, MotionHandle]:
+        """Number and handle of a motion that is about to be asked for."""
         self._count += 1
-        return MotionHandle(name, f"remote-{self._count}")
+        return self._count, MotionHandle(name, f"remote-{self._count}")
 
 
 class GripperClient:
@@ -92,6 +93,7 @@ class GripperClient:
         return self._link.report.grippers[self._hand]
 
 
-def _refused(handle: MotionHandle, reason: str) -> MotionHandle:
+def refused(handle: MotionHandle, reason: str) -> MotionHandle:
+    """A handle of what was not even asked for."""
     handle.status, handle.reason = MotionStatus.REFUSED, reason
     return handle

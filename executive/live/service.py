@@ -30,7 +30,10 @@ class ServiceError(UserError):
 
 @dataclass(frozen=True, slots=True)
 class ServiceRequest:
-    """What to serve; as the control process's options."""
+    """What to serve; as the control process's options.
+
+    ``fault`` is one of the connection's, for evaluations: it strikes at a signal.
+    """
 
     folder: Path
     robot: str
@@ -40,6 +43,7 @@ class ServiceRequest:
     pace: float = 1.0
     realtime: bool = True
     evaluation: bool = False
+    fault: str = ""
 
 
 class Service:
@@ -71,7 +75,7 @@ class Service:
             _control_command(request), stdin=subprocess.DEVNULL, start_new_session=True
         )
         self._await_control()
-        self.executive = self._start_executive()
+        self.executive = self._start_executive(request.fault)
         self._started = 1
 
     def watch(self) -> int:
@@ -92,7 +96,7 @@ class Service:
     def start_another_executive(self) -> None:
         """Start a new executive in the place of one that is gone, or does nothing any more."""
         self._started += 1
-        self.executive = self._start_executive()
+        self.executive = self._start_executive("")
 
     def close(self) -> None:
         """End what is still there."""
@@ -135,9 +139,10 @@ class Service:
         self.control.kill()
         raise ServiceError(f"the control process did not begin to serve within {_READY_WITHIN_S:.0f} s")
 
-    def _start_executive(self) -> subprocess.Popen[bytes]:
+    def _start_executive(self, fault: str) -> subprocess.Popen[bytes]:
         request = self._request
         arguments = [os.fspath(request.folder), request.robot, os.fspath(request.record)]
+        arguments += [fault, str(request.seed)] if fault else []
         return subprocess.Popen(
             [sys.executable, "-m", "executive.live.executive_process", *arguments],
             stdin=subprocess.DEVNULL,

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 from robots.errors import RobotsError
 from robots.simulated import rendering
 from robots.simulated.world import SimulatedWorld
+
+_POINT_EVERY_M = 0.04
+_WALKED_POINTS = 8
+"""A robot that has gone so far is shown from above, with its way; one that has only leaned over is not."""
 
 
 class Pictures:
@@ -24,15 +29,19 @@ class Pictures:
         rendering.require_rendering(video=video is not None)
         self._snapshot, self._video = snapshot, video
         self._recorder: rendering.VideoRecorder | None = None
+        self._world: SimulatedWorld | None = None
+        self._path: list[tuple[float, float]] = []
         self.complaints: list[str] = []
 
     def begin(self, world: SimulatedWorld) -> None:
-        """Start the film."""
+        """Start the film, and note the way that the robot goes."""
+        self._world = world
         if self._video is not None:
             self._recorder = rendering.VideoRecorder(world, self._video)
 
     def tick(self) -> None:
         """Draw a frame of the film if one is due; call it after each control period."""
+        self._note_place()
         if self._recorder is not None:
             try:
                 self._recorder.tick()
@@ -46,6 +55,20 @@ class Pictures:
             if self._recorder is not None:
                 self._recorder.close()
             if self._snapshot is not None:
-                rendering.snapshot(world, self._snapshot)
+                walked = len(self._path) > _WALKED_POINTS
+                rendering.snapshot(
+                    world,
+                    self._snapshot,
+                    camera="plan" if walked else "overview",
+                    walked=self._path if walked else (),
+                )
         except (RobotsError, OSError) as failed:
             self.complaints.append(f"no picture: {failed}")
+
+    def _note_place(self) -> None:
+        """Keep a point of the path each few centimetres."""
+        if self._world is None:
+            return
+        x, y = (float(value) for value in self._world.truth.world_T_base()[:2, 3])
+        if not self._path or math.dist((x, y), self._path[-1]) > _POINT_EVERY_M:
+            self._path.append((x, y))

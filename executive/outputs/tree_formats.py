@@ -1,13 +1,13 @@
-"""A behavior tree as text, Graphviz, XML in the manner of BehaviorTree.CPP, or JSON."""
+"""A behavior tree as text, Graphviz, a picture, or JSON."""
 
 from __future__ import annotations
 
 import json
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator
 from itertools import count
 
 from executive.events import plain
+from executive.outputs.tree_drawing import as_svg
 from executive.outputs.tree_lines import tree_lines
 from trees.snapshot import NodeKind, NodeSnapshot, TreeSnapshot
 
@@ -17,13 +17,6 @@ _SHAPES: dict[NodeKind, str] = {
     "parallel": "parallelogram",
     "decorator": "ellipse",
     "leaf": "ellipse",
-}
-_TAGS: dict[NodeKind, str] = {
-    "sequence": "Sequence",
-    "selector": "Fallback",
-    "parallel": "Parallel",
-    "decorator": "Decorator",
-    "leaf": "Action",
 }
 
 
@@ -52,24 +45,9 @@ def as_dot(snapshot: TreeSnapshot) -> str:
     return "\n".join(["digraph tree {", *rows(snapshot.root, None), "}"])
 
 
-def as_xml(snapshot: TreeSnapshot) -> str:
-    """XML in the manner of BehaviorTree.CPP 4, for its viewers."""
-
-    def element(node: NodeSnapshot) -> ElementTree.Element:
-        made = ElementTree.Element(_TAGS[node.kind], name=node.name)
-        made.extend(map(element, node.children))
-        return made
-
-    root = ElementTree.Element("root", BTCPP_format="4", main_tree_to_execute=snapshot.root.name)
-    tree = ElementTree.SubElement(root, "BehaviorTree", ID=snapshot.root.name)
-    tree.append(element(snapshot.root))
-    ElementTree.indent(root)
-    return ElementTree.tostring(root, encoding="unicode")
-
-
 FORMATS: dict[str, Callable[[TreeSnapshot], str]] = {
     "text": as_text,
     "json": as_json,
     "dot": as_dot,
-    "xml": as_xml,
+    "svg": as_svg,
 }

@@ -19,6 +19,7 @@ from typing import Any
 
 from executive.errors import VocabularyError
 from executive.vocabulary.inflection import gerund, participle, plural
+from executive.vocabulary.outside import outside_words
 
 Words = tuple[str, ...]
 
@@ -112,7 +113,7 @@ class Vocabulary:
 
 
 def load_vocabulary(user_files: Sequence[Path] = ()) -> Vocabulary:
-    """Read the word lists that travel with the package, and a user's own.
+    """Read the word lists that travel with the package, those of other packages, and a user's own.
 
     Args:
         user_files: TOML files of the same form; their words are added to the classes of these names.
@@ -125,6 +126,9 @@ def load_vocabulary(user_files: Sequence[Path] = ()) -> Vocabulary:
     own = sorted((item.name, item) for item in folder.iterdir() if item.name.endswith(".toml"))
     for file_name, file in own:
         _add(tables, tomllib.loads(file.read_text("utf-8")), file_name, new_classes=True)
+    usable = frozenset(name for name, table in tables.items() if not table.get("irregular"))
+    for source, words in outside_words(usable).words:
+        _add(tables, words, source, new_classes=False)
     for path in user_files:
         _add(tables, _user_tables(path), str(path), new_classes=False)
     irregular = {

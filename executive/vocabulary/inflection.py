@@ -9,7 +9,7 @@ _PLURAL_LINES = """
 knife:knives shelf:shelves bookshelf:bookshelves man:men woman:women person:people child:children
 mouse:mice potato:potatoes tomato:tomatoes mango:mangoes gentleman:gentlemen dice:dice tooth:teeth
 scissors:scissors glasses:glasses somebody:people someone:people anyone:people anybody:people
-fish:fish leaf:leaves loaf:loaves shelves:shelves pringles:pringles
+fish:fish leaf:leaves loaf:loaves shelves:shelves
 """
 _PLURALS = dict(pair.split(":") for pair in _PLURAL_LINES.split())
 """Plurals that no rule gives."""

@@ -6,6 +6,7 @@ import heapq
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,15 +76,30 @@ def clearance_m(obstacles: Iterable[Footprint], point: PlanarPose) -> float:
 
 
 def plan_path(
-    start: PlanarPose, goal: PlanarPose, obstacles: Sequence[Footprint], clearance: float
+    start: PlanarPose,
+    goal: PlanarPose,
+    obstacles: Sequence[Footprint],
+    clearance: float,
+    points: Array | None = None,
 ) -> tuple[PlanarPose, ...] | None:
     """The shortest way that keeps a distance from all obstacles, or None.
 
     Where the start or the goal is nearer to something than that, the distance grows up to it from there.
+
+    Args:
+        start, goal: Its ends.
+        obstacles: What is known to stand on the floor.
+        clearance: The distance, m.
+        points: Further places where something is, shape (n, 2).
     """
-    least = min(clearance, clearance_m(obstacles, start) - _CELL_M, clearance_m(obstacles, goal) - _CELL_M)
+    points = np.zeros((0, 2)) if points is None else points
+    nearest = [
+        min(clearance_m(obstacles, end), float(_apart(points, end).min(initial=math.inf)))
+        for end in (start, goal)
+    ]
+    least = min(clearance, *(near - _CELL_M for near in nearest))
     places = [(p.pose.x_m, p.pose.y_m) for p in obstacles]
-    around = np.array([(start.x_m, start.y_m), (goal.x_m, goal.y_m), *places])
+    around = np.array([(start.x_m, start.y_m), (goal.x_m, goal.y_m), *places, *points])
     low, high = around.min(axis=0) - _ROOM_ROUND_M, around.max(axis=0) + _ROOM_ROUND_M
     size = np.ceil((high - low) / _CELL_M).astype(int) + 1
     xs, ys = low[0] + _CELL_M * np.arange(size[0]), low[1] + _CELL_M * np.arange(size[1])
@@ -91,6 +107,7 @@ def plan_path(
     distance = np.full(len(cells), np.inf)
     for obstacle in obstacles:
         distance = np.minimum(distance, obstacle.distance_m(cells))
+    distance = np.minimum(distance, _distance_to(points, xs, ys, clearance).ravel())
     from_ends = np.minimum(
         np.hypot(cells[:, 0] - start.x_m, cells[:, 1] - start.y_m),
         np.hypot(cells[:, 0] - goal.x_m, cells[:, 1] - goal.y_m),
@@ -102,8 +119,24 @@ def plan_path(
     way = _search(free, first, last)
     if way is None:
         return None
-    points = [start, *(PlanarPose(float(xs[i]), float(ys[j])) for i, j in way[1:-1]), goal]
-    return tuple(_cut(points, free, low))
+    corners = [start, *(PlanarPose(float(xs[i]), float(ys[j])) for i, j in way[1:-1]), goal]
+    return tuple(_cut(corners, free, low))
+
+
+def _apart(points: Array, end: PlanarPose) -> Array:
+    return np.hypot(points[:, 0] - end.x_m, points[:, 1] - end.y_m)
+
+
+def _distance_to(points: Array, xs: Array, ys: Array, within_m: float) -> Array:
+    """Distance of each cell to the nearest of some points, as far as it is small, shape of the grid."""
+    found = np.full((len(xs), len(ys)), np.inf)
+    reach = math.ceil(within_m / _CELL_M) + 1
+    for x, y in points:
+        i, j = round((x - xs[0]) / _CELL_M), round((y - ys[0]) / _CELL_M)
+        rows, columns = slice(max(i - reach, 0), i + reach + 1), slice(max(j - reach, 0), j + reach + 1)
+        away = np.hypot(xs[rows, None] - x, ys[None, columns] - y)
+        found[rows, columns] = np.minimum(found[rows, columns], away)
+    return found
 
 
 def _cell(point: PlanarPose, low: Array) -> tuple[int, int]:
@@ -138,6 +171,18 @@ def _search(
                 cost[there], came[there] = new, here
                 heapq.heappush(queue, (new + math.dist(there, last), there))
     return None
+
+
+def blocked(path: Sequence[PlanarPose], points: Array, within_m: float) -> bool:
+    """Whether one of some points, shape (n, 2), is nearer to a path than a distance."""
+    for a, b in pairwise(path):
+        dx, dy = b.x_m - a.x_m, b.y_m - a.y_m
+        length = max(dx * dx + dy * dy, 1e-12)
+        share = np.clip(((points[:, 0] - a.x_m) * dx + (points[:, 1] - a.y_m) * dy) / length, 0.0, 1.0)
+        away = np.hypot(points[:, 0] - a.x_m - share * dx, points[:, 1] - a.y_m - share * dy)
+        if bool((away < within_m).any()):
+            return True
+    return False
 
 
 def _cut(points: list[PlanarPose], free: NDArray[np.bool_], low: Array) -> list[PlanarPose]:

@@ -109,6 +109,7 @@ class WalkingPattern:
         self._queue: list[ComMotion] = []
         self._since_s = 0.0
         self._swing_s = 0.0
+        self._last_landing = False
         self._now = ComSample(com, com, com, com)
         self._motion: ComMotion = SettlingCom(self._now, com, 1.0, omega)
 
@@ -162,9 +163,9 @@ class WalkingPattern:
             self._before, self._standing, self._swing = self._advance, side, None
             self._body = self._next_body
             self.steps += 1
-            if self._plan():
+            if not self._last_landing and self._plan():
                 self._land()
-            else:
+            else:  # the DCM comes to rest between the feet: no further step can be made before that
                 self._close()
         elif self.phase in (Phase.SHIFT, Phase.LAND):
             self._lift()
@@ -199,6 +200,7 @@ class WalkingPattern:
         swing_s = self._settings.single_support_s
         self._swing = Swing(self.feet[side], steps[0].pose, self._settings.lift_m, swing_s)
         self.phase, self._swing_s = Phase.SWING, 0.0
+        self._last_landing = len(steps) == 1
         self._balance_on_one(steps)
 
     def _land(self) -> None:
@@ -232,6 +234,7 @@ class WalkingPattern:
             swing.redirect(before, self._swing_s)
             return
         self._advance, self._next_body = PlanarPose(), body
+        self._last_landing = True
         self._balance_on_one(after)
 
     # ---------------------------------------------------------------- the DCM's way

@@ -103,13 +103,18 @@ class StretchSteering:
 
 
 class PathSteering:
-    """Follow a path and stop at its end, with the heading that is wanted there."""
+    """Follow a path and stop at its end, with the heading that is wanted there.
+
+    Attributes:
+        path: Poses in the odometry frame.
+        goal: The last of them.
+    """
 
     def __init__(self, settings: WalkingSettings, path: Sequence[PlanarPose]) -> None:
         """Follow poses in the odometry frame; headings of all but the last one are not used."""
         self._settings = settings
-        self._path = tuple(path)
-        self.goal = self._path[-1]
+        self.path = tuple(path)
+        self.goal = self.path[-1]
 
     def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:
         """A step along the path."""
@@ -118,7 +123,7 @@ class PathSteering:
         if distance_m < _ARRIVED_M and abs(left.yaw_rad) < _ARRIVED_RAD:
             return None
         carrot, to_go_m = self._carrot(body)
-        if to_go_m < _NEAR_M:
+        if min(to_go_m, distance_m) < _NEAR_M:  # a path may come by its end earlier on
             return self._straight_to(left)
         s = self._settings
         seen = body.to(carrot)
@@ -150,7 +155,7 @@ class PathSteering:
         Returns:
             The point, and the length of the path from the nearest place to its end.
         """
-        path = self._path
+        path = self.path
         if len(path) == 1:
             return path[0], body.distance_m(path[0])
         best = (math.inf, 0, 0.0)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.lead_in import lead_in
+from kinematics.resuming import rest_of
 from kinematics.robot_model import RobotModel
 from kinematics.stance import standing_at
 from kinematics.trajectory import Stance, Trajectory
@@ -42,6 +44,9 @@ class BodyTrack:
         self._row = 0
         self._next: MotionSample | None = None
         self._playing_out = False
+        self._trajectory: Trajectory | None = None
+        self._paused_at_s: float | None = None
+        self._passed = 0.0
         self.now = self._at_rest(q)
 
     @property
@@ -58,8 +63,13 @@ class BodyTrack:
     def progress(self) -> float:
         """Share of the trajectory that has passed, 0 to 1."""
         if self._sampler is None:
-            return 1.0
-        return min(1.0, self._elapsed_s / self._sampler.duration_s)
+            return self._passed if self.paused else 1.0
+        return self._passed + (1.0 - self._passed) * min(1.0, self._elapsed_s / self._sampler.duration_s)
+
+    @property
+    def paused(self) -> bool:
+        """Whether a trajectory waits to go on from where it was braked to."""
+        return self._paused_at_s is not None
 
     @property
     def destination(self) -> Array:
@@ -72,12 +82,48 @@ class BodyTrack:
 
     def play(self, trajectory: Trajectory) -> None:
         """Begin a trajectory; the first instant of it is the present one."""
+        self._passed, self._paused_at_s = 0.0, None
+        self._begin(trajectory)
+
+    def _begin(self, trajectory: Trajectory) -> None:
+        self._trajectory = trajectory
         self._sampler = TrajectorySampler(trajectory)
         self._profile = self._ahead = None
         self._elapsed_s, self._periods = 0.0, 0
 
+    def pause(self) -> bool:
+        """Brake along the path, to go on from there; tells whether that is possible now.
+
+        Near the end, and where the path turns too sharply, it is not: try again later.
+        """
+        sampler = self._sampler
+        if sampler is None or self._playing_out:
+            return sampler is None
+        at_s, braking_s = self._elapsed_s, 0.0
+        if at_s > 0.0:
+            profile = StopProfile.along_path(self._model, self._stance, sampler, at_s, self._period_s)
+            if profile is None:
+                return False
+            self._start(profile)
+            braking_s = 0.5 * self._period_s * len(profile)  # a brake takes half its time of the path
+        self._passed += (1.0 - self._passed) * min(1.0, (at_s + braking_s) / sampler.duration_s)
+        self._paused_at_s, self._sampler = at_s, None
+        return True
+
+    def go_on(self) -> bool:
+        """Begin with what a pause left of a trajectory; tells whether there is a way to. Call it at rest."""
+        at_s, trajectory, self._paused_at_s = self._paused_at_s, self._trajectory, None
+        if at_s is None or trajectory is None:
+            return False
+        rest = rest_of(self._model, trajectory, self.now.q, at_s, self._period_s)
+        if rest is None:
+            return False
+        self._begin(lead_in(rest, self.now.q, self._model.acceleration))
+        return True
+
     def brake(self, along_path: bool) -> None:
         """Begin to stop: along the path if there is one, else every joint on its own."""
+        self._paused_at_s = None
         if self.resting:
             return
         if along_path and self.braking:
@@ -101,7 +147,7 @@ class BodyTrack:
     def halt(self) -> None:
         """Rest right here: the robot was told so already."""
         self._sampler = self._profile = self._next = None
-        self._playing_out = False
+        self._playing_out, self._paused_at_s = False, None
         self.now = self._at_rest(standing_at(self._model, self.now.q, self._stance))
 
     def place(self, joints: NDArray[np.intp], q: Array, v: Array) -> MotionSample:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 from functools import partial
 from types import MappingProxyType
 
@@ -18,63 +17,47 @@ from robots.clock import ManualClock
 from robots.control.authority import Authority
 from robots.control.balance import Balance
 from robots.control.contact_watch import ContactWatch
+from robots.control.control_record import ControlRecord, ControlStatistics
 from robots.control.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset, require_category
 from robots.control.events import (
     ControlSink,
     EmergencyReset,
     EmergencyStopped,
-    HealthChanged,
+    MotionPaused,
+    MotionResumed,
     ResetRefused,
-    SetpointRefused,
-    StopStarted,
 )
 from robots.control.grip_keeper import GripKeeper
 from robots.control.gripper_control import GripperControl
-from robots.control.health.finding import Finding, Response
+from robots.control.health.finding import Response
 from robots.control.health.health_monitor import HealthMonitor
 from robots.control.motion_handle import MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
 from robots.control.refusal import Refusal
+from robots.control.resting_start import resting_start
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
 from robots.control.walking.walker import Walker
+from robots.control.yielding import YieldingControl
 from robots.interface import JointSetpoint, Robot, RobotState
 from robots.sensed_state import SensedState
 
 Array = NDArray[np.float64]
-
-_AT_HOME_RAD = 0.02
-"""Joints found nearer to the home posture than this are taken to rest there: sag and noise."""
 
 _FORGIVEN_PERIODS = 75
 """For so long after a period without a decision (0.15 s) efforts are no sign of contact: a moving joint
 came to rest, and gathers speed again."""
 
 
-@dataclass(frozen=True, slots=True)
-class ControlStatistics:
-    """What happened since the start.
-
-    Attributes:
-        accepted: Setpoints that reached the robot.
-        refused: Setpoints refused by the gate or the online checker.
-        checked_trajectories: Trajectories that were streamed.
-        stops: Stops that were made, in order.
-    """
-
-    accepted: int
-    refused: int
-    checked_trajectories: int
-    stops: tuple[StopStarted, ...]
-
-
 class ControlLoop:
     """The control loop; ``step`` is its unit, whoever calls it.
 
     Attributes:
+        model: The robot's.
         motion: Starts and cancels motions.
         walking: Starts and cancels walks.
+        yielding: Starts hands that yield to what they hold.
         sensing: What the robot knows about itself.
         grippers: One control for each hand.
     """
@@ -103,7 +86,7 @@ class ControlLoop:
         self._period_s = period_s
         self._bodies = len(model.joints)
         readings = robot.read()
-        q, fingers = _resting(model, readings.q)
+        q, fingers = resting_start(model, readings.q)
         stance = stance_at(model, q)
         authority = Authority(model.description.actuated)
         keepers = {
@@ -119,16 +102,17 @@ class ControlLoop:
         self._streamer = MotionStreamer(model, stance, q, keepers, authority, clock, sink, period_s)
         self._keepers = tuple(keepers.values())
         self._tau = np.zeros(len(actuated))
-        self._stops: list[StopStarted] = []
-        self._refused_online = 0
+        self._record = ControlRecord(clock, sink)
         self._stuck = False
         self._limp = False
         self._walker = Walker(model, self._streamer, authority, clock, sink, period_s)
         self._latch = EmergencyLatch()
         self._forgiven = 0
         self._health = HealthMonitor(model, period_s)
+        self.model = model
         self.motion = self._streamer
         self.walking = self._walker
+        self.yielding = YieldingControl(model, self._streamer)
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
             {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}
@@ -139,9 +123,9 @@ class ControlLoop:
         """Counts since the start."""
         return ControlStatistics(
             self._gate.accepted,
-            self._gate.refused + self._refused_online,
+            self._gate.refused + self._record.refused_online,
             self._streamer.trajectories,
-            tuple(self._stops),
+            tuple(self._record.stops),
         )
 
     @property
@@ -198,13 +182,39 @@ class ControlLoop:
             ValueError: There is no such category.
         """
         require_category(category)
-        self._note_stop(category, reason)
+        self._record.stop(category, reason)
         self._streamer.stop(reason, along_path=category == 1)
         self._walker.stop(reason)
         if category == 0:
             self._limp = True
             self._walker.abandon()
             self._streamer.latch(f"the power was taken away: {reason}")
+
+    def pause(self, reason: str) -> None:
+        """Brake, and hold until ``resume``; what is under way stays under way, and balance goes on.
+
+        Arms brake along their path, a walk makes its last steps, fingers finish their way. A stop ends the
+        pause, and with it what was paused.
+
+        Args:
+            reason: For people.
+        """
+        if not self.paused:
+            self._sink(MotionPaused(self._clock.now_s(), reason))
+            self._streamer.pause()
+            self._walker.pause()
+
+    def resume(self) -> None:
+        """Go on with what was paused."""
+        if self.paused:
+            self._sink(MotionResumed(self._clock.now_s()))
+            self._streamer.resume()
+            self._walker.resume()
+
+    @property
+    def paused(self) -> bool:
+        """Whether motions wait for ``resume``."""
+        return self._streamer.paused
 
     @property
     def emergency(self) -> EmergencyStop | None:
@@ -260,7 +270,8 @@ class ControlLoop:
             None when motions are taken again; else what stands against it.
         """
         if self.still:
-            self._tell_health([], self._health.acknowledge())
+            self._record.health([], self._health.acknowledge())
+            self._close_or_open()
         reason = self._latch.why_not_open(self.still, self.defects)
         if reason is not None:
             self._sink(ResetRefused(self._clock.now_s(), request.person, reason))
@@ -282,8 +293,9 @@ class ControlLoop:
         watched = self._streamer.carrying_out and self._forgiven == 0
         contact = self._contact.judge(state.effort, self._gate.last.tau, watched)
         if contact is not None:
-            self._note_stop(2, str(contact))
+            self._record.stop(2, str(contact))
             self._streamer.interrupt(str(contact))
+        self._walker.go_on()
         if self._walker.active:
             self._command_walk(state)
             return
@@ -342,29 +354,14 @@ class ControlLoop:
         )
         if not new and not over:
             return
-        self._tell_health(new, over)
+        self._record.health(new, over)
+        self._close_or_open()
         stopping = [finding for finding in new if finding.response is Response.STOP]
         if stopping:
             reason = str(stopping[0])
-            self._note_stop(1, reason)
+            self._record.stop(1, reason)
             self._streamer.stop(reason, along_path=True)
             self._walker.stop(reason)
-
-    def _tell_health(self, new: Sequence[Finding], over: Sequence[Finding]) -> None:
-        now_s = self._clock.now_s()
-        for finding, present in [*((one, True) for one in new), *((one, False) for one in over)]:
-            self._sink(
-                HealthChanged(
-                    now_s,
-                    finding.ailment.value,
-                    finding.part,
-                    finding.value,
-                    finding.bound,
-                    finding.response.value,
-                    present,
-                )
-            )
-        self._close_or_open()
 
     def _close_or_open(self) -> None:
         """Refuse motions while the emergency stop is engaged or the robot is not well, else take them."""
@@ -378,7 +375,7 @@ class ControlLoop:
 
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""
-        self._note_stop(2, reason)
+        self._record.stop(2, reason)
         self._streamer.stop(reason, along_path=False, status=MotionStatus.REFUSED)
         self._streamer.revert()
         self._streamer.halt()
@@ -387,7 +384,7 @@ class ControlLoop:
 
     def _submit(self, proposal: Proposal) -> Refusal | None:
         if proposal.refusal is not None:
-            self._refused_online += 1
+            self._record.refused_online += 1
             return proposal.refusal
         tau = self._tau.copy()
         efforts = proposal.efforts
@@ -400,17 +397,7 @@ class ControlLoop:
         """Report a refusal and the stop that follows; once, while the same state lasts."""
         if self._stuck:
             return
-        self._sink(
-            SetpointRefused(
-                self._clock.now_s(), owner, refusal.limit.value, refusal.joint, refusal.value, refusal.bound
-            )
-        )
-        self._note_stop(1, str(refusal))
-
-    def _note_stop(self, category: int, reason: str) -> None:
-        stop = StopStarted(self._clock.now_s(), category, reason)
-        self._stops.append(stop)
-        self._sink(stop)
+        self._record.refusal(owner, refusal)
 
     def _pass_period(self) -> None:
         self._robot.advance(self._period_s)
@@ -427,16 +414,3 @@ class ControlLoop:
         return SensedState(
             readings, partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
         )
-
-
-def _resting(model: RobotModel, measured: Array) -> tuple[Array, dict[Hand, float]]:
-    """What the robot is taken to be commanded at the start: configuration, and finger positions."""
-    description = model.description
-    home = np.array([description.home[name] for name in description.actuated])
-    limits = np.array([description.limits[name].position for name in description.actuated])
-    inside = np.clip(measured, limits[:, 0], limits[:, 1])
-    joints = np.where(np.abs(measured - home) <= _AT_HOME_RAD, home, inside)
-    by_name = dict(zip(description.actuated, joints.tolist(), strict=True))
-    q = model.on_the_floor({name: by_name[name] for name in model.joints})
-    fingers = {hand: by_name[description.grippers[hand].joint] for hand in HANDS}
-    return q, fingers

@@ -27,6 +27,21 @@ class MotionEnded:
 
 
 @dataclass(frozen=True, slots=True)
+class MotionPaused:
+    """What is under way brakes and waits."""
+
+    t_s: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class MotionResumed:
+    """What was paused goes on."""
+
+    t_s: float
+
+
+@dataclass(frozen=True, slots=True)
 class SetpointRefused:
     """The gate or the online checker refused a setpoint; a stop profile follows."""
 
@@ -89,6 +104,8 @@ class HealthChanged:
 ControlEvent = (
     MotionStarted
     | MotionEnded
+    | MotionPaused
+    | MotionResumed
     | SetpointRefused
     | StopStarted
     | EmergencyStopped

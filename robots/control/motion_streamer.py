@@ -28,6 +28,9 @@ from robots.interface import RobotState
 
 Array = NDArray[np.float64]
 
+_TRY_EVERY = 25
+"""Control periods from one attempt at a pause to the next: an attempt costs a period's time."""
+
 
 class MotionStreamer:
     """Streams motions: satisfies ``trees.toolbox.MotionControl``.
@@ -79,6 +82,8 @@ class MotionStreamer:
         self._bodies = len(model.joints)
         self._closed_for = ""
         self._latched_for = ""
+        self._pause_wanted = False
+        self._periods_to_try = 0
         self.trajectories = 0
         for keeper in self._keepers.values():
             authority.claim(_grip(keeper), [keeper.joint])
@@ -139,6 +144,41 @@ class MotionStreamer:
         """
         self._stance = stance
         self._track = BodyTrack(self._model, stance, q, self._period_s)
+
+    # ---------------------------------------------------------------- pausing
+
+    def pause(self) -> None:
+        """Brake what moves the body along its path, and hold until ``resume``; fingers finish their way.
+
+        What is under way stays under way, and what is begun meanwhile waits at its start. A hand that yields
+        to what it holds, which no pause may stop halfway, goes on to its end.
+        """
+        self._pause_wanted, self._periods_to_try = True, 0
+        self._try_to_pause()
+
+    def resume(self) -> None:
+        """Let what was paused go on, as soon as it has come to rest."""
+        self._pause_wanted = False
+
+    @property
+    def paused(self) -> bool:
+        """Whether it was told to pause, and nothing has ended that since."""
+        return self._pause_wanted
+
+    def _try_to_pause(self) -> None:
+        """While a pause is wanted: where it is not possible now, try again a little later."""
+        if self._body_handle is None or self._track.paused:
+            return
+        if self._periods_to_try > 0:
+            self._periods_to_try -= 1
+        elif not self._track.pause():
+            self._periods_to_try = _TRY_EVERY
+
+    def _go_on(self, handle: MotionHandle) -> None:
+        """The body rests where a pause has braked it to, and no pause is wanted any more."""
+        if not self._track.go_on():
+            self._body_handle = None
+            self._end(handle, MotionStatus.REFUSED, "it cannot be taken up again from where it was paused")
 
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
@@ -210,10 +250,14 @@ class MotionStreamer:
         handle = self._body_handle
         if handle is not None:
             handle.progress = self._track.progress
-            if self._track.resting:
+            if self._pause_wanted:
+                self._try_to_pause()
+            elif self._track.paused and self._track.resting:
+                self._go_on(handle)
+            if self._track.resting and not self._track.paused and self._body_handle is not None:
                 self._body_handle = None
                 self._end(handle, MotionStatus.DONE, "")
-        if self._track.resting and self._body_owner:
+        if self._track.resting and not self._track.paused and self._body_owner:
             self._authority.release(self._body_owner)
             self._body_owner = ""
             self._closed_for = ""
@@ -230,6 +274,7 @@ class MotionStreamer:
             status: How the motions end.
         """
         ended = [track.handle for track in self._guarded]
+        self._pause_wanted = False
         for track in list(self._guarded):
             self._drop(track)
         if self._waiting is not None:
@@ -296,6 +341,8 @@ class MotionStreamer:
         self._track.play(lead_in(checked.trajectory, self._track.now.q, self._model.acceleration))
         self.trajectories += 1
         self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
+        if self._pause_wanted:
+            self._track.pause()
 
     def _start_guarded(self, motion: GuardedMotion) -> MotionHandle:
         handle = self._new_handle(motion.name)

@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 
 from kinematics.gaze import gaze_joints
 from kinematics.gesture_planner import GesturePlanner
-from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandRequest, SwingRequest
+from kinematics.gesture_requests import (
+    CarryRequest,
+    OfferRequest,
+    PointRequest,
+    RaiseHandRequest,
+    SwingRequest,
+)
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
     CheckRequest,
@@ -31,6 +37,7 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import AttachedBody, PlanningScene
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
+from kinematics.view_request import ViewRequest
 from robots.clock import Clock
 from robots.fake.scripted_world import diameter_m
 
@@ -127,7 +134,7 @@ class FakePlanning:
             return self._pick(request)
         if isinstance(request, OfferRequest):
             return self._offer(request)
-        if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest):
+        if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest | CarryRequest):
             return self._quick(GesturePlanner(self._model).plan(replace(request, scene=_bare(request.scene))))
         if isinstance(request, PlaceRequest):
             return self._place(request)
@@ -137,6 +144,8 @@ class FakePlanning:
             goal = self._reach(request.q_start, request.hand, place)
         elif isinstance(request, MoveRequest):
             goal = self._posture(request)
+        elif isinstance(request, ViewRequest):
+            goal = self._looking_at(request.q_start, request.points_m[int(np.argmax(request.worth))])
         else:
             return NoPlan(f"a fake planner has no answer to {type(request).__name__}", {"fake": 1})
         return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))

@@ -48,6 +48,7 @@ class FakeWorld:
         check: Callable[[CheckRequest], CheckedTrajectory | Unsafe],
         objects: Iterable[TrueObject],
         period_s: float = 0.02,
+        dynamics: StandingDynamics | None = None,
     ) -> None:
         """Put everything together.
 
@@ -56,12 +57,13 @@ class FakeWorld:
             check: Judges trajectories.
             objects: What is in the world.
             period_s: Time that ``step`` lets pass.
+            dynamics: Of the model, standing at home, when somebody has them already.
         """
         self.model, self.clock = model, ManualClock()
         self.pull_n: dict[Hand, tuple[float, float, float]] = {}
         self.robot = FakeRobot(model.description, self.clock)
         self.motion = FakeMotion(model, self.clock)
-        self._dynamics = StandingDynamics(model, self.motion.stance())
+        self._dynamics = dynamics or StandingDynamics(model, self.motion.stance())
         camera = model.description.camera
         self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
         self.grippers: Mapping[Hand, FakeGripper] = {
@@ -72,6 +74,7 @@ class FakeWorld:
         self.planning = FakePlanning(model, self.clock, check)
         self.sensing = StateHistory(self._sense(), period_s)
         self._period_s = period_s
+        self._carried_out: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None = None
 
     def step(self) -> None:
         """Let one period pass."""
@@ -95,7 +98,7 @@ class FakeWorld:
     def _body_efforts(self) -> NDArray[np.float64]:
         """What holds the posture, less what supports and people carry."""
         q = self.motion.reference()
-        efforts = self._dynamics.efforts(q, np.zeros(self.model.nv), self.motion.acceleration())
+        efforts = self._motion_efforts(q, self.motion.acceleration())
         for hand, gripper in self.grippers.items():
             force = np.array(self.pull_n.get(hand, (0.0, 0.0, 0.0)))
             if gripper.holding is not None and self.world.carried_by(gripper.holding) is not None:
@@ -104,6 +107,14 @@ class FakeWorld:
             if force.any():
                 efforts -= self._lever(q, hand).T @ force
         return efforts
+
+    def _motion_efforts(self, q: NDArray[np.float64], a: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What the motion alone asks for; kept, since a robot that holds asks for the same again."""
+        known = self._carried_out
+        if known is None or not (np.array_equal(known[0], q) and np.array_equal(known[1], a)):
+            known = q, a, self._dynamics.efforts(q, np.zeros(self.model.nv), a)
+            self._carried_out = known
+        return known[2].copy()
 
     def _lever(self, q: NDArray[np.float64], hand: Hand) -> NDArray[np.float64]:
         """How a TCP moves with the joints of its arm, by differences, m/rad, shape (3, n)."""

@@ -29,10 +29,13 @@ from robots.errors import RobotsError
 from robots.live.child_process import ChildProcess
 from robots.live.control_server import ControlServer
 from robots.live.evaluation_server import EvaluationServer
+from robots.live.hold_back import HoldBack
 from robots.live.pacer import Pacer
+from robots.live.processor_use import processor_use
 from robots.live.robot_report import ReportLayout, RobotReport
 from robots.live.runtime_folder import RuntimeFolder
 from robots.live.state_slot import StateSlotWriter
+from robots.live.warming import warm_up
 from robots.perception.stub import PerceptionStub
 from robots.scene_file import load_scene
 from robots.simulated.world import SimulatedWorld, build_world
@@ -44,6 +47,7 @@ PUBLISH_EVERY = 5
 _END_WITHIN_S = 3.0
 """Control time after which a shutdown does not wait for rest any longer."""
 _PRIORITY = 20
+_HELD_S = 0.005
 _FIRST_PERIODS = 50
 """Periods before anybody may connect."""
 
@@ -100,8 +104,10 @@ class ControlProcess:
         self._layout = ReportLayout(model)
         self._slot = StateSlotWriter(folder.state_slot, self._layout.count)
         self._scheduling = _real_time_scheduling() if options.realtime else "ordinary, as asked"
-        self._defects, self._periods = 0, 0
-        self._terminated = False
+        self._defects, self._periods, self._told_defect = 0, 0, ""
+        self._hold = HoldBack(WallClock(), processor_use)
+        self._terminated = self._told_moving = False
+        warm_up(description, model)
         for _ in range(_FIRST_PERIODS):  # compiled code is loaded when it is first called
             self._step()
         self._publish()
@@ -121,6 +127,7 @@ class ControlProcess:
             self._checker,
             about,
             self._health,
+            self._world.ranging,
         )
         self._evaluation = (
             EvaluationServer(folder.evaluation_socket, self._truth, self._pacer)
@@ -143,6 +150,7 @@ class ControlProcess:
         ending_s: float | None = None
         while True:
             missed = self._pacer.wait()
+            self._hold_back(server)
             self._loop.catch_up(missed, self._perception.tick)
             # within a period it is in time, as far as the robot can tell
             self._loop.note_late((missed + 1) * PERIOD_S if missed else 0.0)
@@ -155,7 +163,7 @@ class ControlProcess:
                 if ending_s is None:
                     ending_s = self._clock.now_s()
                     self._loop.stop(1, "the robot is being shut down")
-                if self._loop.motion.resting or self._clock.now_s() > ending_s + _END_WITHIN_S:
+                if not self._moving or self._clock.now_s() > ending_s + _END_WITHIN_S:
                     server.poll()
                     break
 
@@ -169,22 +177,38 @@ class ControlProcess:
         self._slot.close()
         os.close(self._lock)
 
+    def _hold_back(self, server: ControlServer) -> None:
+        """Let the world stand still while the commander gets no processor; everyone is heard meanwhile."""
+        while self._hold.wanted(*server.silent_commander()):
+            self._pacer.hold(_HELD_S)
+            server.poll()
+
     def _step(self) -> None:
         try:
             self._loop.step()
         except Exception as defect:  # the loop has told the robot to stay where it is, and it must go on
             self._defects += 1
-            _say(f"a defect of the control loop: {defect!r}")
+            if repr(defect) != self._told_defect:  # it may come again each period
+                self._told_defect = repr(defect)
+                _say(f"a defect of the control loop: {defect!r}")
         self._perception.tick()
         self._periods += 1
-        if self._periods % PUBLISH_EVERY == 0:
+        # what has come to its end is in the slot before anybody is told of it
+        if self._periods % PUBLISH_EVERY == 0 or self._moving != self._told_moving:
             self._publish()
+
+    @property
+    def _moving(self) -> bool:
+        """Whether the body is commanded to move."""
+        return not self._loop.motion.resting or self._loop.walking.active
 
     def _publish(self) -> None:
         motion, sensing = self._loop.motion, self._loop.sensing
+        self._told_moving = self._moving
         report = RobotReport(
             t_s=self._clock.now_s(),
-            resting=motion.resting,
+            resting=not self._told_moving,
+            walking=self._loop.walking.active,
             sensed=sensing.state(),
             reference=motion.reference(),
             stance=motion.stance(),

@@ -12,13 +12,12 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from kinematics.robot_description import Hand
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.clock import Clock
 from robots.control.control_loop import ControlLoop
 from robots.control.emergency_stop import PersonsReset
 from robots.control.events import ControlEvent
-from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.motion_handle import MotionStatus
 from robots.control.watchdog import Watchdog
 from robots.live.admission import AdmissionDesk, Asks, Verdict
 from robots.live.connection import Connection
@@ -29,35 +28,42 @@ from robots.live.messages import (
     Admit,
     CancelMotion,
     ControlMessage,
+    FinishMotion,
     GetStatus,
     Guarded,
+    Headed,
     Heartbeat,
     Hello,
+    Lead,
+    Pause,
     Reset,
+    Resume,
     Shutdown,
     Start,
+    Steer,
     Stop,
+    Walk,
     read_control_message,
     write_message,
 )
+from robots.live.motion_desk import MotionDesk, motion_message
+from robots.live.scan_message import RangeScan, write_scan
 from robots.live.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector
+from robots.perception.range_sensor import RangeSensor
 
 MAX_AGE_S = 0.5
 """A command that is older was meant for a world that is gone; also the age at which a heartbeat is none."""
 MAX_AHEAD_S = 0.01
 IDLE_SILENCE_S = 3.0
 """A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""
-MAX_MOTIONS = 32
 _PROGRESS_EVERY = 25
 """Polls between two reports of a motion's progress."""
 
-GuardedMaker = Callable[[ControlLoop, Hand], MotionHandle]
-GUARDED: Mapping[str, GuardedMaker] = {
-    "open gripper": lambda loop, hand: loop.grippers[hand].open(),
-    "close gripper": lambda loop, hand: loop.grippers[hand].close(),
-}
-"""Guarded motions that may be asked for by name; they are made and judged on this side."""
+_SCAN_EVERY = 50
+"""Polls between two range scans."""
+_TOLD_LOST = 64
+"""Of so many messages that never arrived their sender is told."""
 
 
 class ControlServer:
@@ -76,6 +82,7 @@ class ControlServer:
         checker: Asks,
         about: Mapping[str, Any],
         health: Callable[[], Mapping[str, Any]] = dict,
+        ranging: RangeSensor | None = None,
     ) -> None:
         """Listen.
 
@@ -87,18 +94,20 @@ class ControlServer:
             checker: The admission process.
             about: What everyone who connects is told: robot, scene, seed, period.
             health: Further facts for the status.
+            ranging: Range scans for the commander.
         """
         self._loop, self._clock, self._detector = loop, clock, detector
         self._about, self._health = dict(about), health
+        self._ranging = ranging
         self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
         self._commander: Connection | None = None
         self._listeners: list[Connection] = []
-        self._motions: dict[int, MotionHandle] = {}
+        self._motions = MotionDesk(loop)
         self._events: list[ControlEvent] = []
         self._number, self._world_version = 0, 0
-        self._busy = self._looking = False
+        self._busy = self._looking = self._scanning = False
         self._frame, self._polls = -1, 0
         self._heard_s = clock.now_s()
         self._told_emergency, self._told_health = self._emergency(), self._health_now()
@@ -111,7 +120,12 @@ class ControlServer:
     @property
     def under_way(self) -> bool:
         """Whether anything moves, or the commander is carrying something out."""
-        return self._busy or not self._loop.motion.resting or bool(self._running())
+        return self._busy or self._moves or bool(self._motions.running)
+
+    @property
+    def _moves(self) -> bool:
+        """Whether the body is commanded to move."""
+        return not self._loop.motion.resting or self._loop.walking.active
 
     def poll(self) -> None:
         """Read, obey, watch, tell."""
@@ -129,6 +143,13 @@ class ControlServer:
         self._tell_events()
         self._tell_motions()
         self._show_frame()
+        self._show_scan()
+
+    def silent_commander(self) -> tuple[int | None, float]:
+        """Process of the commander and the control time since it spoke; None when nobody has to speak."""
+        if self._commander is None or not self.under_way or self.ending or self._loop.emergency is not None:
+            return None, 0.0
+        return self._commander.peer.pid, self._clock.now_s() - self._heard_s
 
     def close(self) -> None:
         """Stop listening."""
@@ -141,14 +162,13 @@ class ControlServer:
             self._listeners.remove(connection)
         if connection is not self._commander:
             return
-        if self.under_way and not self._loop.motion.resting:
+        if self._moves or self._loop.paused:
             self._loop.stop(1, "the connection to the executive ended")
-        elif running := self._running():
-            for handle in running:
-                self._loop.motion.cancel(handle, "the connection to the executive ended")
+        else:
+            self._motions.cancel_all("the connection to the executive ended")
         self._commander = None
-        self._busy = self._looking = False
-        self._motions.clear()
+        self._busy = self._looking = self._scanning = False
+        self._motions.forget()
         self._admission.forget()
 
     def _rank(self, connection: Connection) -> int:
@@ -168,16 +188,36 @@ class ControlServer:
     def _take(self, connection: Connection, frame: Frame) -> None:
         if frame.kind is FrameKind.DOCUMENT:
             head, _, document = frame.payload.partition(b"\n")
-            message = read_control_message(head)
-            if not isinstance(message, Admit):
-                raise ProtocolError("only a trajectory has a document")
-            if self._may_command(connection, message.number, message.stamp_s):
-                self._world_version = max(self._world_version, message.world_version)
-                wrong = self._admission.submit(message.trajectory, message.world_version, document)
-                if wrong is not None:
-                    self._tell_verdict(Verdict(message.trajectory, wrong))
+            self._take_document(connection, read_control_message(head), document)
             return
         self._obey(connection, read_control_message(frame.payload))
+
+    def _take_document(self, connection: Connection, message: ControlMessage, document: bytes) -> None:
+        if not isinstance(message, Headed):
+            raise ProtocolError("a message of this type has no document")
+        if not self._may_command(connection, message.number, message.stamp_s):
+            return
+        if isinstance(message, Admit | Lead):
+            self._world_version = max(self._world_version, message.world_version)
+        wrong: str | None
+        match message:
+            case Admit(_, _, trajectory, version):
+                wrong = self._admission.submit(trajectory, version, document)
+                if wrong is not None:
+                    self._tell_verdict(Verdict(trajectory, wrong))
+                return
+            case Steer(_, _, motion):
+                if (wrong := self._motions.steer(motion, document)) is not None:
+                    connection.send(_refused(message.number, wrong))
+                return
+            case Lead(_, _, motion, version) if version < self._world_version:
+                wrong = f"stale: made for version {version} of the scene, at {self._world_version} now"
+            case Lead(_, _, motion, _):
+                wrong = self._why_not(motion) or self._motions.lead(motion, document)
+            case Walk(_, _, motion):
+                wrong = self._why_not(motion) or self._motions.walk(motion, document)
+        if wrong is not None:
+            connection.send(motion_message(motion, MotionStatus.REFUSED, 0.0, wrong))
 
     def _obey(self, connection: Connection, message: ControlMessage) -> None:
         match message:
@@ -196,16 +236,25 @@ class ControlServer:
                 self._greet(connection, role)
             case Heartbeat():
                 self._hear(connection, message)
-            case CancelMotion():
+            case CancelMotion(number, motion, reason):
                 self._require_commander(connection)
-                if self._in_order(connection, message.number):
-                    handle = self._motions.get(message.motion)
-                    if handle is not None:
-                        self._loop.motion.cancel(handle, message.reason)
+                if self._in_order(connection, number):
+                    self._motions.cancel(motion, reason)
+            case FinishMotion(number, motion):
+                self._require_commander(connection)
+                if self._in_order(connection, number):
+                    self._motions.finish(motion)
+            case Pause(number, reason):
+                self._require_commander(connection)
+                if self._in_order(connection, number):
+                    self._loop.pause(reason)
+            case Resume(number, stamp_s):
+                if self._may_command(connection, number, stamp_s):
+                    self._loop.resume()
             case Start() | Guarded():
                 self._start(connection, message)
-            case Admit():
-                raise ProtocolError("a trajectory comes as a document")
+            case Admit() | Lead() | Walk() | Steer():
+                raise ProtocolError("a message of this type comes with a document")
 
     def _greet(self, connection: Connection, role: str) -> None:
         if connection in self._listeners:
@@ -227,11 +276,10 @@ class ControlServer:
 
     def _hear(self, connection: Connection, message: Heartbeat) -> None:
         self._require_commander(connection)
-        if not self._fresh(message.stamp_s) or message.number <= self._number:
+        if not self._next_in_order(connection, message.number) or not self._fresh(message.stamp_s):
             return  # one that comes late or twice is no sign of life
-        self._number = message.number
         self._hear_of_it()
-        self._busy, self._looking = message.busy, message.looking
+        self._busy, self._looking, self._scanning = message.busy, message.looking, message.ranging
         self._world_version = max(self._world_version, message.world_version)
 
     def _require_commander(self, connection: Connection) -> None:
@@ -241,11 +289,22 @@ class ControlServer:
     def _fresh(self, stamp_s: float) -> bool:
         return -MAX_AHEAD_S <= self._clock.now_s() - stamp_s <= MAX_AGE_S
 
-    def _in_order(self, connection: Connection, number: int) -> bool:
+    def _next_in_order(self, connection: Connection, number: int) -> bool:
+        """Whether a number is a new one; of those that were left out their sender is told."""
         if number <= self._number:
-            connection.send(_refused(number, f"number {number} after {self._number}"))
             return False
+        for missing in range(max(self._number + 1, number - _TOLD_LOST), number):
+            connection.send(_refused(missing, "it was lost on its way"))
         self._number = number
+        return True
+
+    def _in_order(self, connection: Connection, number: int) -> bool:
+        before = self._number
+        if not self._next_in_order(connection, number):
+            # the one that came before it may have been obeyed: this says nothing of that one
+            told = {"number": number, "reason": f"number {number} after {before}"}
+            connection.send(write_message("ignored", **told))
+            return False
         self._hear_of_it()
         return True
 
@@ -264,32 +323,20 @@ class ControlServer:
     def _start(self, connection: Connection, message: Start | Guarded) -> None:
         if not self._may_command(connection, message.number, message.stamp_s):
             return
-        wrong = self._why_not(message)
+        wrong = self._why_not(message.motion)
         if wrong is None and isinstance(message, Start):
             checked = self._admission.take(message.trajectory, self._world_version)
             if isinstance(checked, CheckedTrajectory):
-                self._motions[message.motion] = self._loop.motion.start(checked)
+                self._motions.stream(message.motion, checked)
                 return
             wrong = checked
         elif wrong is None and isinstance(message, Guarded):
-            hand: Hand = "left" if message.hand == "left" else "right"
-            self._motions[message.motion] = GUARDED[message.name](self._loop, hand)
-            return
-        connection.send(_motion(message.motion, MotionStatus.REFUSED, 0.0, wrong or ""))
+            wrong = self._motions.guard(message.motion, message.name, message.hand)
+        if wrong is not None:
+            connection.send(motion_message(message.motion, MotionStatus.REFUSED, 0.0, wrong))
 
-    def _why_not(self, message: Start | Guarded) -> str | None:
-        if self._loop.emergency is not None:
-            return str(self._loop.emergency)
-        if self.ending:
-            return "the robot is being shut down"
-        if message.motion in self._motions or len(self._motions) >= MAX_MOTIONS:
-            return f"motion {message.motion} is there already, or there are too many"
-        if isinstance(message, Guarded):
-            if message.name not in GUARDED:
-                return f"no guarded motion {message.name!r}; there are {', '.join(GUARDED)}"
-            if message.hand not in self._loop.grippers:
-                return f"no gripper in the {message.hand!r} hand"
-        return None
+    def _why_not(self, motion: int) -> str | None:
+        return "the robot is being shut down" if self.ending else self._motions.why_not(motion)
 
     def _emergency(self) -> dict[str, Any]:
         """The latch as it is told; ``engaged`` is empty when it is not."""
@@ -302,9 +349,6 @@ class ControlServer:
         """What is wrong with the robot: so that it must not move, so that it takes no new task."""
         return {"defects": list(self._loop.defects), "reservations": list(self._loop.reservations)}
 
-    def _running(self) -> list[MotionHandle]:
-        return [handle for handle in self._motions.values() if not handle.finished]
-
     # ---------------------------------------------------------------- telling
 
     def status(self) -> dict[str, Any]:
@@ -315,9 +359,9 @@ class ControlServer:
             "t_s": round(self._clock.now_s(), 3),
             "emergency": None if self._loop.emergency is None else self._emergency(),
             **self._health_now(),
-            "resting": self._loop.motion.resting,
+            "resting": not self._moves,
             "under_way": self.under_way,
-            "motions": [handle.name for handle in self._running()],
+            "motions": [handle.name for handle in self._motions.running],
             "commander": None if self._commander is None else self._commander.peer.pid,
             "setpoints": {"accepted": statistics.accepted, "refused": statistics.refused},
             "stops": [f"{stop.t_s:.3f} s: {stop.reason}" for stop in statistics.stops[-5:]],
@@ -357,14 +401,9 @@ class ControlServer:
                 listener.send(told)
 
     def _tell_motions(self) -> None:
-        if self._commander is None:
-            return
-        for number, handle in list(self._motions.items()):
-            if handle.finished:
-                del self._motions[number]
-            elif self._polls % _PROGRESS_EVERY != 0:
-                continue
-            self._commander.send(_motion(number, handle.status, handle.progress, handle.reason))
+        for message in self._motions.told(self._polls % _PROGRESS_EVERY == 0):
+            if self._commander is not None:
+                self._commander.send(message)
 
     def _show_frame(self) -> None:
         """Send a new frame, if it is wanted and the one before has left; a late one is of no use."""
@@ -375,10 +414,16 @@ class ControlServer:
             self._frame = frame.sequence
             self._commander.send(write_frame(frame))
 
+    def _show_scan(self) -> None:
+        """The same with what the range sensor sees."""
+        if not self._scanning or self._ranging is None or self._polls % _SCAN_EVERY != 0:
+            return
+        if self._commander is None or not self._commander.idle:
+            return
+        points_m = self._ranging.scan()
+        if points_m is not None:
+            self._commander.send(write_scan(RangeScan(self._clock.now_s(), points_m)))
+
 
 def _refused(number: int, reason: str) -> bytes:
     return write_message("refused", number=number, reason=reason)
-
-
-def _motion(number: int, status: MotionStatus, progress: float, reason: str) -> bytes:
-    return write_message("motion", motion=number, status=status.value, progress=progress, reason=reason)

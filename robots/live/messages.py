@@ -29,12 +29,16 @@ class Hello:
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
-    """A tick of the commander. ``busy``: a task is under way; ``looking``: it wants pictures."""
+    """A tick of the commander.
+
+    ``busy``: a task is under way; ``looking``: it wants pictures; ``ranging``: it wants range scans.
+    """
 
     number: int
     stamp_s: float
     busy: bool
     looking: bool
+    ranging: bool
     world_version: int
 
 
@@ -70,12 +74,64 @@ class Guarded:
 
 
 @dataclass(frozen=True, slots=True)
+class Lead:
+    """Begin a yielding hand; the head of a document frame, its order follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+    world_version: int
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """Set out; the head of a document frame, where to follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+
+
+@dataclass(frozen=True, slots=True)
+class Steer:
+    """Go somewhere else with a walk; the head of a document frame, where to follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+
+
+@dataclass(frozen=True, slots=True)
+class FinishMotion:
+    """Bring a walk or a yielding hand to its end; never too late."""
+
+    number: int
+    motion: int
+
+
+@dataclass(frozen=True, slots=True)
 class CancelMotion:
     """Brake one motion and hold; never too late."""
 
     number: int
     motion: int
     reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pause:
+    """Hold what is under way where it is, until ``Resume``; never too late."""
+
+    number: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Resume:
+    """Go on with what was paused."""
+
+    number: int
+    stamp_s: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,8 +159,23 @@ class Shutdown:
     """End it, once the robot is at rest."""
 
 
+Headed = Admit | Lead | Walk | Steer
+"""What comes with a document; as a message of its own it is none."""
+
 ControlMessage = (
-    Hello | Heartbeat | Admit | Start | Guarded | CancelMotion | Stop | Reset | GetStatus | Shutdown
+    Hello
+    | Heartbeat
+    | Headed
+    | Start
+    | Guarded
+    | FinishMotion
+    | CancelMotion
+    | Pause
+    | Resume
+    | Stop
+    | Reset
+    | GetStatus
+    | Shutdown
 )
 _CONTROL: Mapping[str, type] = {
     "hello": Hello,
@@ -112,7 +183,13 @@ _CONTROL: Mapping[str, type] = {
     "admit": Admit,
     "start": Start,
     "guarded": Guarded,
+    "lead": Lead,
+    "walk": Walk,
+    "steer": Steer,
+    "finish": FinishMotion,
     "cancel": CancelMotion,
+    "pause": Pause,
+    "resume": Resume,
     "stop": Stop,
     "reset": Reset,
     "status": GetStatus,

@@ -32,6 +32,7 @@ class Lateness:
         periods: How many there were.
         late: How many began a whole period late or more.
         lost_s: Control time that was given up because nothing could catch up with it.
+        held_s: Control time that stood still for a commander who got no processor.
         p50_ms, p99_ms, worst_ms: Percentiles (upper edges of the histogram's bins) and the worst.
         histogram: Upper edge in ms, and how many were below it and not below the one before.
     """
@@ -39,6 +40,7 @@ class Lateness:
     periods: int
     late: int
     lost_s: float
+    held_s: float
     p50_ms: float
     p99_ms: float
     worst_ms: float
@@ -60,7 +62,7 @@ class Pacer:
     def __init__(self, wall: RealTime, period_s: float, pace: float = 1.0) -> None:
         self._wall, self._period_s = wall, period_s
         self._counts = [0] * (_EDGES_PER_DECADE * _DECADES + 2)
-        self._worst_s, self._late, self._lost_s = 0.0, 0, 0.0
+        self._worst_s, self._late, self._lost_s, self._held_s = 0.0, 0, 0.0, 0.0
         self._step_s, self._due_s = 0.0, 0.0
         self.set_pace(pace)
 
@@ -91,6 +93,12 @@ class Pacer:
         self._due_s += (missed + 1) * self._step_s
         return missed
 
+    def hold(self, seconds: float) -> None:
+        """Let wall time pass that is none of control time's; the next period is due afterwards."""
+        self._wall.sleep(seconds)
+        self._held_s += seconds * self.pace
+        self._due_s = self._wall.now_s()
+
     def lateness(self) -> Lateness:
         """How late the periods were until now."""
         total = sum(self._counts)
@@ -99,6 +107,7 @@ class Pacer:
             periods=total,
             late=self._late,
             lost_s=round(self._lost_s, 6),
+            held_s=round(self._held_s, 6),
             p50_ms=self._percentile_ms(0.50, total),
             p99_ms=self._percentile_ms(0.99, total),
             worst_ms=1e3 * self._worst_s,

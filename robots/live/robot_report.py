@@ -25,6 +25,7 @@ class RobotReport:
     Attributes:
         t_s: Control time.
         resting: Whether nothing moves the body.
+        walking: Whether a walk is under way, its last steps included.
         sensed: Readings and estimated configuration.
         reference: Commanded configuration, shape (nq,).
         stance: Where the feet stand.
@@ -33,6 +34,7 @@ class RobotReport:
 
     t_s: float
     resting: bool
+    walking: bool
     sensed: SensedState
     reference: Array
     stance: Stance
@@ -52,7 +54,7 @@ class ReportLayout:
         n, feet = len(description.actuated), len(description.soles)
         self._soles = tuple(sole.frame for sole in description.soles)
         self._hands = tuple(description.grippers)
-        sizes = (2, n, n, n, 3, 3, 6 * feet, model.nq, model.nq, 16 * feet, 4 * len(self._hands))
+        sizes = (3, n, n, n, 3, 3, 6 * feet, model.nq, model.nq, 16 * feet, 4 * len(self._hands))
         self._ends = np.cumsum(sizes)[:-1]
         self.count = sum(sizes)
 
@@ -65,7 +67,8 @@ class ReportLayout:
         readings, poses = report.sensed.readings, dict(report.stance.soles)
         if tuple(poses) != self._soles:
             raise ProtocolError(f"the report stands on {tuple(poses)}, the robot on {self._soles}")
-        parts = [np.array([report.t_s, float(report.resting)]), readings.q, readings.v, readings.effort]
+        head = np.array([report.t_s, float(report.resting), float(report.walking)])
+        parts = [head, readings.q, readings.v, readings.effort]
         parts += [readings.gyro, readings.accelerometer, readings.foot_wrench.ravel()]
         parts += [report.sensed.q, report.reference, *(poses[frame].ravel() for frame in self._soles)]
         for hand in self._hands:
@@ -93,6 +96,7 @@ class ReportLayout:
         return RobotReport(
             t_s=float(head[0]),
             resting=bool(head[1]),
+            walking=bool(head[2]),
             sensed=SensedState(readings, estimate.copy),
             reference=reference,
             stance=Stance(tuple(zip(self._soles, poses, strict=True))),

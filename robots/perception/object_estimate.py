@@ -22,6 +22,8 @@ _OBJECT_GATE_M = 0.03
 _FURNITURE_GATE_M = 0.06
 # Two estimates of objects so near are one thing that was named in two ways.
 _SAME_PLACE_M = 0.02
+# Unless one is so much wider than the other: then that is a box or bowl with the other inside.
+_HOLDS_FACTOR = 1.6
 # Something that leans less stands, and the rest is noise; more, and it lies.
 _STANDING_TILT_RAD = 0.5
 # Detections farther from the median than this, and than three times the usual distance, do not count.
@@ -203,18 +205,28 @@ def _mean_shape(shapes: Sequence[Shape]) -> Shape:
 
 
 def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
-    """Of objects estimated at the same place (a flickering kind or colour) keep the one seen most."""
+    """Of objects of like size at the same place (a flickering kind or colour) keep the one seen most."""
     kept: list[ObjectEstimate] = []
     for estimate in sorted(estimates, key=lambda e: (-e.frames_seen, -e.confidence, *_order(e))):
         taken = estimate.category == "object" and any(
             other.category == "object"
             and float(np.linalg.norm(other.odom_T_object[:3, 3] - estimate.odom_T_object[:3, 3]))
             < _SAME_PLACE_M
+            and not _could_hold(other.shape, estimate.shape)
             for other in kept
         )
         if not taken:
             kept.append(estimate)
     return kept
+
+
+def _could_hold(a: Shape, b: Shape) -> bool:
+    small, large = sorted((_width_m(a), _width_m(b)))
+    return large > _HOLDS_FACTOR * small
+
+
+def _width_m(shape: Shape) -> float:
+    return min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
 
 
 def _order(estimate: ObjectEstimate) -> tuple[str, str, str, float, float, float]:

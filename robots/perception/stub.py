@@ -4,6 +4,7 @@ Every error is a number of ``PerceptionModel``:
 
 - *bias*, along the world's axes, and *size error*, drawn once for each object or piece of furniture
   and episode: another look does not average them away;
+  Beyond 4 m it grows with the square of the distance, as the noise of positions does;
 - *noise* of position and orientation, *dropout*, *false* and *merged* detections, drawn anew for each
   frame;
 - *latency*: a frame is delivered that long after its picture was taken;
@@ -48,6 +49,8 @@ _FALSE_KINDS: tuple[tuple[str, Shape], ...] = (
     ("ball", Ball(0.035)),
     ("can", Cylinder(0.033, 0.12)),
 )
+# Depth by triangulation: its error grows with the square of the distance, and shows from here on.
+_SHARP_M = 4.0
 # When nobody has asked for a frame for so long, none is taken: a fifth of a run's time is saved.
 _IDLE_S = 0.5
 _FALSE_COLORS = ("red", "blue", "green", "yellow", "white")
@@ -169,10 +172,12 @@ class PerceptionStub:
         # a row for each detection: position, orientation, confidence
         noise = self._frame_rng.standard_normal((len(seen), 7))
         world_T_object = np.array([solid.world_T_object for solid in solids])
-        world_T_object[:, :3, 3] += model.noise_m * noise[:, :3]
+        away_m = np.linalg.norm(world_T_object[:, :3, 3] - world_T_camera[:3, 3], axis=1)
+        worse = np.maximum(1.0, (away_m / _SHARP_M) ** 2)
+        world_T_object[:, :3, 3] += model.noise_m * worse[:, None] * noise[:, :3]
         world_T_object[:, :3, 3] += [
-            self._episode(solid).bias_m + self.faults.offset_m(solid.category, solid.kind, stamp_s)
-            for solid in solids
+            grown * self._episode(solid).bias_m + self.faults.offset_m(solid.category, solid.kind, stamp_s)
+            for solid, grown in zip(solids, worse, strict=True)
         ]
         world_T_object[:, :3, :3] @= _turns(model.orientation_noise_rad * noise[:, 3:6])
         camera_T_object = poses.inverse(world_T_camera) @ world_T_object

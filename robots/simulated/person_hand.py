@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
-from robots.simulated.person_model import HAND_REST_M, PINCH_M, hand_body, hand_joint
+from robots.simulated.geom_roles import Role
+from robots.simulated.person_model import HAND_REST_M, PINCH_M, hand_body, hand_joint, pad_geom
 from robots.simulated.physics import Physics
 
 Array = NDArray[np.float64]
@@ -20,6 +21,7 @@ SPEED_M_S = 0.35
 PINCH_N = 22.0
 ROLL_STIFFNESS_NM = 4.0
 _GAP_STIFFNESS_N_M = 400.0
+_FAR_M = 0.05
 
 
 class PersonHand:
@@ -50,6 +52,10 @@ class PersonHand:
         self.pinching = False
         self.open_m = PINCH_M[1]
         self.roll_rad = 0.0
+        self._pads = [physics.geom_id(pad_geom(person, side)) for side in ("upper", "lower")]
+        mine = np.isin(physics.geom_role, (Role.BODY, Role.FINGER, Role.PAD))
+        self._robot = [int(i) for i in np.flatnonzero(mine)]
+        self._elsewhere = mujoco.MjData(physics.model)
         self._rest = (self._world_T_person @ [*HAND_REST_M, 1.0])[:3]
         self._goal, self._anchor = self._rest.copy(), self._rest.copy()
 
@@ -61,6 +67,31 @@ class PersonHand:
     def move_to(self, point: Array) -> None:
         """Have the spring's other end go to a world point."""
         self._goal = np.asarray(point, dtype=np.float64)
+
+    def room_m(self, point: Array, roll_rad: float, gap_m: float) -> float:
+        """Distance of the pads to the robot, 5 cm at most, if the hand were somewhere else.
+
+        Args:
+            point: Where the middle of the hand would be, in the world, shape (3,).
+            roll_rad: Its turn.
+            gap_m: From there to each pad.
+        """
+        model, data = self._physics.model, self._elsewhere
+        data.qpos[:] = self._physics.data.qpos
+        own = self._world_T_person[:3, :3].T @ (np.asarray(point) - self._rest)
+        for axis, value in zip("xyz", own, strict=True):
+            data.qpos[self._dof[axis][0]] = value
+        data.qpos[self._dof["roll"][0]] = roll_rad
+        for axis in ("upper", "lower"):
+            data.qpos[self._dof[axis][0]] = gap_m
+        mujoco.mj_kinematics(model, data)
+        room_m = _FAR_M
+        for pad in self._pads:
+            reach = np.linalg.norm(data.geom_xpos[self._robot] - data.geom_xpos[pad], axis=1)
+            near = reach - model.geom_rbound[self._robot] - model.geom_rbound[pad] < room_m
+            for other in np.array(self._robot)[near].tolist():
+                room_m = min(room_m, mujoco.mj_geomDistance(model, data, pad, other, _FAR_M, None))
+        return room_m
 
     def tick(self, period_s: float) -> None:
         """Apply the forces of the next period."""

@@ -6,7 +6,8 @@ import math
 import shutil
 import subprocess
 import tempfile
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
 from typing import Literal
@@ -20,10 +21,14 @@ from kinematics.robot_description import HANDS, Hand
 from robots.errors import RenderingUnavailableError
 from robots.simulated.geom_roles import DRAWN_GROUP, FINGER_DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.opengl import make_context, require_opengl
+from robots.simulated.person_model import draw_forearms
+from robots.simulated.plan_view import Point, draw_path, plan_camera
+from robots.simulated.point_of_view import clearest_view
 from robots.simulated.world import SimulatedWorld
 
-Camera = Literal["overview", "grasp"]
-"""The whole robot with what is in front of it; or the hand that holds something, else the higher one."""
+Camera = Literal["overview", "grasp", "plan"]
+"""The whole robot with what is in front of it; the hand that holds something, else the higher one; or the
+whole scene from above."""
 
 Picture = NDArray[np.uint8]
 
@@ -86,12 +91,18 @@ class Renderer:
         self._scene = mujoco.MjvScene(model, maxgeom=2000)
         self._drawing = mujoco.MjrContext(model, int(mujoco.mjtFontScale.mjFONTSCALE_100))
         mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._drawing)
+        self._clearest: tuple[float, float] | None = None
         self._option = mujoco.MjvOption()
         self._option.geomgroup[:] = 0
         self._option.geomgroup[[WORLD_GROUP, FINGER_DRAWN_GROUP, DRAWN_GROUP]] = 1
 
-    def draw(self, camera: Camera = "overview") -> Picture:
-        """Draw the world as it is now, shape (height, width, 3)."""
+    def draw(self, camera: Camera = "overview", path: Sequence[Point] = ()) -> Picture:
+        """Draw the world as it is now, shape (height, width, 3).
+
+        Args:
+            camera: From where.
+            path: A line on the floor, in the world: where the robot went.
+        """
         physics = self._world.physics
         physics.refresh()
         self._context.make_current()
@@ -100,10 +111,12 @@ class Renderer:
             physics.data,
             self._option,
             None,
-            self._camera(camera),
+            self._camera(camera, path),
             int(mujoco.mjtCatBit.mjCAT_ALL),
             self._scene,
         )
+        draw_path(self._scene, path)
+        draw_forearms(self._scene, physics.model, physics.data, physics.scene.people)
         flags = self._scene.flags
         flags[mujoco.mjtRndFlag.mjRND_SHADOW] = self._fine
         flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = False
@@ -134,7 +147,11 @@ class Renderer:
         """Close it."""
         self.close()
 
-    def _camera(self, name: Camera) -> mujoco.MjvCamera:
+    def _camera(self, name: Camera, path: Sequence[Point]) -> mujoco.MjvCamera:
+        if name == "plan":
+            physics = self._world.physics
+            fovy_deg = float(physics.model.vis.global_.fovy)
+            return plan_camera(physics.scene, path, self._width, self._height, fovy_deg)
         truth = self._world.truth
         world_T_base = truth.world_T_base()
         heading = math.atan2(world_T_base[1, 0], world_T_base[0, 0])
@@ -144,6 +161,10 @@ class Renderer:
             view, side = _OVERVIEW, 1.0
             ahead = np.array([0.25 * math.cos(heading), 0.25 * math.sin(heading), 0.0])
             camera.lookat = world_T_base[:3, 3] * (1.0, 1.0, 0.0) + ahead + (0.0, 0.0, 0.88)
+            if self._clearest is None:  # a film keeps the view that it began with
+                aspect = self._width / self._height
+                self._clearest = clearest_view(self._world, camera.lookat, view.elevation_rad, aspect)
+            view = replace(view, azimuth_rad=self._clearest[0], distance_m=self._clearest[1])
         else:
             hand = self._busy_hand()
             view, side = _GRASP, 1.0 if hand == "left" else -1.0
@@ -168,6 +189,7 @@ def snapshot(
     path: Path | str,
     size: tuple[int, int] = SNAPSHOT_SIZE,
     camera: Camera = "overview",
+    walked: Sequence[Point] = (),
 ) -> None:
     """Write a picture of a world as it is now, as PNG.
 
@@ -176,13 +198,14 @@ def snapshot(
         path: Where to.
         size: Width and height in pixels.
         camera: From where.
+        walked: A line on the floor, in the world: where the robot went.
 
     Raises:
         RenderingUnavailableError: No OpenGL library works here.
         OSError: The file cannot be written.
     """
     with Renderer(world, size) as renderer:
-        Image.fromarray(renderer.draw(camera)).save(path, format="PNG")
+        Image.fromarray(renderer.draw(camera, walked)).save(path, format="PNG")
 
 
 class VideoRecorder:

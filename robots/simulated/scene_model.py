@@ -110,7 +110,7 @@ def _add_floor(spec: mujoco.MjSpec) -> None:
     floor = spec.worldbody.add_geom(
         name=FLOOR,
         type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=[6.0, 6.0, 0.1],
+        size=[12.0, 12.0, 0.1],
         material=FLOOR,
         friction=[FLOOR_FRICTION, 0.01, 0.0001],
         group=WORLD_GROUP,

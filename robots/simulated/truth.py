@@ -230,10 +230,12 @@ class SimulatorTruth:
         x, y, z = self.world_T_object(name)[:3, 3]
         height = 0.0
         for piece in self._physics.scene.furniture:
-            local = poses.inverse(furniture.floor_pose(piece)) @ np.array([x, y, 0.0, 1.0])
-            depth, width, top = piece.size_m
-            if abs(local[0]) <= 0.5 * depth and abs(local[1]) <= 0.5 * width and top <= z:
-                height = max(height, top)
+            for solid in furniture.solids(piece):
+                local = poses.inverse(solid.world_T_solid) @ np.array([x, y, 0.0, 1.0])
+                depth, width, thick = solid.shape.size_m
+                top = float(solid.world_T_solid[2, 3]) + 0.5 * thick
+                if abs(local[0]) <= 0.5 * depth and abs(local[1]) <= 0.5 * width and top <= z:
+                    height = max(height, top)
         return height
 
     # --- balance ----------------------------------------------------------------------------

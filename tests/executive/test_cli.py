@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 
 from executive import cli
 from executive.commands import runs as runs_command
+from executive.config import CONFIG_VARIABLE
 from executive.exit_codes import ExitCode
 
 ROOT = Path(__file__).parents[2]
@@ -210,12 +211,57 @@ def test_parse_of_a_file_answers_every_line(executive, tmp_path):
     assert [document["outcome"] for document in documents] == ["tasks", "refused", "tasks"]
 
 
-@pytest.mark.parametrize("form", ["text", "json", "dot", "xml"])
+@pytest.mark.parametrize("form", ["text", "json", "dot", "svg", "xml"])
 def test_the_tree_of_a_sentence_is_printed_without_a_robot(executive, form):
     result = executive("tree", "pick up the red cup", "--format", form)
 
     assert result.exit_code == 0
     assert "plan pick" in result.stdout
+
+
+@pytest.mark.parametrize("command", ["tree", "check"])
+def test_words_of_ones_own_are_taken_from_the_given_file(executive, tmp_path, monkeypatch, command):
+    monkeypatch.setenv(CONFIG_VARIABLE, "")  # what the command sets is taken back after the test
+    words = tmp_path / "words.toml"
+    words.write_text('[vocabulary.KIND]\nwords.cup = ["zorbl"]\n')
+
+    assert executive(command, "pick up the zorbl").exit_code == 2
+    assert "zorbl" not in executive(command, "look at the zorbl", "--config", str(words)).output
+
+
+@pytest.mark.parametrize("command", ["run", "serve", "check", "tree"])
+def test_a_file_of_words_with_a_mistake_is_one_line_and_exit_code_2(
+    executive, tmp_path, monkeypatch, command
+):
+    monkeypatch.setenv(CONFIG_VARIABLE, "")
+    words = tmp_path / "words.toml"
+    words.write_text("vocabulary = [")
+
+    said = [] if command == "serve" else ["pick up the cup"]
+    result = executive(command, *said, "--config", str(words))
+
+    assert result.exit_code == 2
+    assert "words.toml: is no TOML" in one_line(result)
+
+
+def test_a_tree_that_was_printed_as_xml_is_read_back_from_its_file(executive, tmp_path):
+    printed = executive("tree", "pick up the red cup", "--format", "xml").stdout
+    file = tmp_path / "pick.xml"
+    file.write_text(printed)
+
+    assert executive("tree", str(file), "--format", "xml").stdout == printed
+    assert executive("tree", str(file)).stdout == executive("tree", "pick up the red cup").stdout
+
+
+def test_a_file_that_is_no_tree_is_refused_with_its_name_and_the_reason(executive, tmp_path):
+    file = tmp_path / "bad.xml"
+    file.write_text('<root BTCPP_format="4"><BehaviorTree ID="A"><Fly/></BehaviorTree></root>')
+
+    result = executive("tree", str(file))
+
+    assert result.exit_code == 2
+    assert "bad.xml: A/Fly: there is no node 'Fly'" in result.stderr
+    assert executive("tree", str(tmp_path / "none.xml")).exit_code == 2
 
 
 def test_the_tree_of_a_refused_sentence_is_refused(executive):

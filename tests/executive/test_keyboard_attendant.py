@@ -50,6 +50,12 @@ class Session:
     def emergency_stop(self, reason, category=1):
         self.done.append(("stop", reason))
 
+    def pause(self, reason):
+        self.done.append(("pause", reason))
+
+    def resume(self):
+        self.done.append(("resume",))
+
 
 def at(keys, line=None):
     screen, session = Screen(), Session()
@@ -72,18 +78,33 @@ def test_c_cancels():
 def test_e_is_the_emergency_stop_also_while_paused(keys):
     attendant, _, session = at(keys)
 
-    attendant.attend(session)
+    for _ in keys:
+        attendant.attend(session)
 
-    assert session.done == [("stop", "stopped from the keyboard")]
+    assert session.done[-1] == ("stop", "stopped from the keyboard")
 
 
 def test_p_pauses_until_p_again():
     attendant, screen, session = at("pxp")
 
     attendant.attend(session)
+    attendant.attend(session)
+    assert session.done == [("pause", "paused from the keyboard")]
+    attendant.attend(session)
 
     assert screen.told == [("pause", True), ("pause", False)]
-    assert not session.done
+    assert session.done[1:] == [("resume",)]
+
+
+@pytest.mark.requirement("S7")
+def test_c_in_a_pause_ends_it_and_cancels():
+    attendant, screen, session = at("pc")
+
+    attendant.attend(session)
+    attendant.attend(session)
+
+    assert session.done[1:] == [("resume",), ("cancel", "cancelled from the keyboard")]
+    assert screen.told[-1] == ("pause", False)
 
 
 def test_other_keys_and_no_key_do_nothing():

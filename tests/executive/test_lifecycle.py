@@ -56,8 +56,12 @@ class Loop:
 class Supervised(RuleBasedStateMachine):
     """Whatever happens in whatever order."""
 
+    made = []
+
     def __init__(self):
         super().__init__()
+        Supervised.made.append(self)
+        self.steps = 0
         self.loop, self.events = Loop(), []
         self.supervisor = Supervisor(self.loop, ManualClock(), self.events.append)
         self.asked_resets = 0
@@ -106,6 +110,7 @@ class Supervised(RuleBasedStateMachine):
 
     @invariant()
     def only_allowed_transitions(self):
+        self.steps += 1
         assert {(event.before, event.after) for event in self.events} <= ALLOWED
         assert all(event.reason for event in self.events)
 
@@ -126,9 +131,19 @@ class Supervised(RuleBasedStateMachine):
         assert left == self.loop.resets <= self.asked_resets
 
 
+STEPS = 10_000
+
+
 @pytest.mark.requirement("S5", "S2")
-def test_no_order_of_events_leads_to_an_illegal_state():
-    run_state_machine_as_test(Supervised, settings=settings(stateful_step_count=20))
+def test_no_order_of_ten_thousand_events_leads_to_an_illegal_state():
+    Supervised.made.clear()
+    while sum(machine.steps - 1 for machine in Supervised.made) < STEPS:
+        run_state_machine_as_test(
+            Supervised, settings=settings(stateful_step_count=100, max_examples=150, deadline=None)
+        )
+    events = [event for machine in Supervised.made for event in machine.events]
+
+    assert {(event.before, event.after) for event in events} == ALLOWED  # all of them were tried
 
 
 @pytest.mark.requirement("S5")

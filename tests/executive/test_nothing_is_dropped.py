@@ -20,6 +20,7 @@ pytestmark = pytest.mark.requirement("L2", "L5")
         ("whisper hello to Ana", "whisper"),
         ("pick up the cup real quick", "real quick"),
         ("throw the ball into the box", "throw"),
+        ("throw the cup at Ana", "throw"),
         ("wave to Ana in the kitchen", "Ana"),
         ("go under the table", "under"),
         ("walk into the table", "into"),
@@ -90,3 +91,66 @@ def test_there_is_the_place_that_was_named():
     tasks = parse("walk to the table and pick up the cup there").to_json()["tasks"]
 
     assert tasks[1] == {"action": "pick", "object": {"kind": "cup"}, "from": "table"}
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "say hello before going home",
+        "say hello in the kitchen",
+        "say thank you to Ana for the cup",
+        "say hi and jump",
+        "tell Ana that dinner is ready and open the door quickly",
+        "speak louder",
+        "say the magic word",
+        "let Ben have the cup",
+        "greet Ana and say her name",
+    ],
+)
+def test_free_words_to_say_hold_nothing_that_may_be_meant_otherwise(sentence):
+    assert parse(sentence).commands == ()
+
+
+@pytest.mark.parametrize(
+    ("sentence", "words"),
+    [
+        ("say hello", "hello"),
+        ("say happy birthday, Ana", "happy birthday, Ana"),
+        ("tell Ana the cup is on the table", "the cup is on the table"),
+        ('say "hello before going home"', "hello before going home"),
+    ],
+)
+def test_greetings_statements_and_quotations_are_said(sentence, words):
+    (command,) = parse(sentence).commands
+
+    assert command.words == words
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "pick up the toy robot",
+        "pick up the cup on my left",
+        "find the cups",
+        "describe the boxes",
+        "bring me the red cup and bottle",
+        "bring the cup next to Ana",
+        "go to the kitchen and tell me how many cups are there",
+        "I need to go to the bathroom",
+        "before I go home, open the door",
+        "go ahead",
+        "go back to where you were",
+        "pick up the biggest cups",
+        "put the fork to the left and the knife to the right of the plate",
+        "bring me the cup and put it on the table",
+        "how many different cups are on the table",
+    ],
+)
+def test_number_side_speaker_and_place_are_never_passed_over(sentence):
+    assert parse(sentence).commands == ()
+
+
+def test_a_place_beside_a_person_is_no_hand_over():
+    tasks = parse("take the cup and bring it to behind the chair").to_json()["tasks"]
+
+    assert [task["action"] for task in tasks] == ["pick", "place"]

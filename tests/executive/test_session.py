@@ -13,6 +13,7 @@ from robots.clock import ManualClock
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
 from trees.failures import Failure, FailureKind
+from trees.pauses import Pauses
 from trees.tasks import GoHomeTask
 
 HOME = GoHomeTask("go home")
@@ -38,7 +39,7 @@ class Loop:
 
 class Toolbox:
     def __init__(self, clock):
-        self.clock, self.walking = clock, None
+        self.clock, self.walking, self.pauses = clock, None, Pauses()
 
 
 class Tree:
@@ -201,3 +202,64 @@ def test_a_task_can_be_let_go_on_a_tick_at_a_time(stage):
 
     assert on.loop.steps == before + PERIODS_A_TICK
     assert ended(steps).outcome == "done"
+
+
+class Held:
+    """Notes when the robot is to be held."""
+
+    def __init__(self):
+        self.told = []
+
+    def pause(self, reason):
+        self.told.append(("pause", reason))
+
+    def resume(self):
+        self.told.append(("resume",))
+
+
+def test_a_paused_task_is_not_ticked_until_it_goes_on_and_its_time_does_not_count(stage):
+    held, tree = Held(), Tree(ticks=20)
+    made = stage(tree, pausing=held)
+    steps = made.session.task_steps(HOME, timeout_s=1.0)
+    for _ in range(5):
+        next(steps)
+    ticked = tree.ticks
+    made.session.pause("by the test")
+    for _ in range(200):  # four seconds, far longer than the task may take
+        next(steps)
+
+    assert tree.ticks == ticked
+    assert made.session.paused
+    assert held.told == [("pause", "by the test")]
+
+    made.session.resume()
+    result = ended(steps)
+
+    assert result.outcome == "done"
+    assert held.told[1:] == [("resume",)]
+    inputs = [(event.what, event.value) for event in made.events if isinstance(event, InputTaken)]
+    assert inputs == [("pause", "by the test"), ("resume", "")]
+
+
+@pytest.mark.requirement("S7")
+def test_a_paused_task_can_be_cancelled_and_the_pause_ends_with_it(stage):
+    held = Held()
+    made = stage(Tree(), pausing=held)
+    steps = made.session.task_steps(HOME)
+    next(steps)
+    made.session.pause("by the test")
+    for _ in range(3):
+        next(steps)
+    made.session.cancel("enough")
+
+    assert ended(steps).outcome == "cancelled"
+    assert not made.session.paused
+    assert held.told[-1] == ("resume",)
+
+
+def test_a_pause_while_nothing_is_under_way_is_forgotten(stage):
+    made = stage(Tree(ticks=3), pausing=Held())
+    made.session.pause("by the test")
+    made.session.hold(0.1)
+
+    assert made.session.run_task(HOME).outcome == "done"

@@ -9,9 +9,10 @@ from kinematics import poses
 from kinematics.errors import TrajectoryDocumentError
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
+from kinematics.solid_document import HeldObject
 from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajectory
 from kinematics.trajectory_check import TrajectoryChecker
-from kinematics.trajectory_document import HeldObject, StoredTrajectory, read_trajectory, write_trajectory
+from kinematics.trajectory_document import StoredTrajectory, read_trajectory, write_trajectory
 from kinematics.trajectory_fit import fit, stored_from
 
 

@@ -88,3 +88,11 @@ def test_a_scene_survives_being_written_again():
     again = read_episode_scene(dump(SCENES[3]), 3)
 
     assert again.furniture == SCENES[3].furniture
+
+
+def test_the_sentence_names_the_furniture_that_the_cup_is_on():
+    from robots.scene_file import load_scene
+    from tools.evaluate.scenes import sentence_for
+
+    assert sentence_for(load_scene("tabletop")) == "pick up the red cup on the table"
+    assert sentence_for(load_scene("shelf")) == "pick up the red cup on the shelf"

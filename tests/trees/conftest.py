@@ -5,7 +5,9 @@ import pytest
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
+from kinematics.dynamics import StandingDynamics
 from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
 from kinematics.trajectory import CheckedTrajectory
 from robots.description import load_description
 from robots.fake.fake_world import FakeWorld, cup, table
@@ -50,8 +52,9 @@ def believed(request):
 class Stage:
     """The fake world with a toolbox around it, and ways to run nodes in it."""
 
-    def __init__(self, model, objects=None, policy=QUICK):
-        self.fake = FakeWorld(model, believed, [table(), cup()] if objects is None else objects)
+    def __init__(self, model, objects=None, policy=QUICK, period_s=0.02, dynamics=None):
+        things = [table(), cup()] if objects is None else objects
+        self.fake = FakeWorld(model, believed, things, period_s, dynamics)
         self.events = []
         self.told = WorldModel()
         self.toolbox = Toolbox(
@@ -140,7 +143,8 @@ def model():
 @pytest.fixture(scope="session")
 def new_stage(model):
     """Makes stages; whoever takes it clears the blackboard himself."""
-    return lambda *objects, **options: Stage(model, list(objects) or None, **options)
+    dynamics = StandingDynamics(model, stance_at(model, model.q_home))
+    return lambda *objects, **options: Stage(model, list(objects) or None, dynamics=dynamics, **options)
 
 
 @pytest.fixture

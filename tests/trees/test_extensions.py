@@ -1,5 +1,6 @@
-"""A skill of another package: the very one of the documentation, found, understood, built and run."""
+"""A package from outside: the very one of the documentation, built, installed, found, understood and run."""
 
+import json
 import os
 import re
 import subprocess
@@ -11,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from trees.extensions import SkillExtension, extensions, load
+from trees.extensions import SkillExtension, extensions, load, load_leaves
 
 ROOT = Path(__file__).parents[2]
 GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
-CODE, TOML = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)
+PROJECT, WORDS, CODE = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)
 
 
 @pytest.fixture
@@ -27,18 +28,24 @@ def bowing(monkeypatch):
     return module
 
 
-@pytest.fixture
-def installed(tmp_path):
-    """A folder that holds the guide's package with its metadata."""
-    package, info = tmp_path / "bowing", tmp_path / "bowing-1.0.dist-info"
-    package.mkdir()
-    info.mkdir()
-    (package / "__init__.py").write_text("")
-    (package / "bow.py").write_text(CODE)
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: bowing\nVersion: 1.0\n")
-    points = re.search(r'\[project.entry-points."(.*?)"\]\n(.*)', TOML, re.DOTALL)
-    (info / "entry_points.txt").write_text(f"[{points[1]}]\n{points[2]}".replace('"', ""))
-    return tmp_path
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """A folder into which pip installed the guide's package; the environment of a process that sees it."""
+    source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("target")
+    (source / "bowing").mkdir()
+    (source / "pyproject.toml").write_text(PROJECT)
+    (source / "bowing" / "__init__.py").write_text("")
+    (source / "bowing" / "theatre.toml").write_text(WORDS)
+    (source / "bowing" / "bow.py").write_text(CODE)
+    options = ["--quiet", "--no-deps", "--no-build-isolation", "--no-index", "--target", str(target)]
+    subprocess.run([sys.executable, "-m", "pip", "install", *options, str(source)], check=True)
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([str(target), str(ROOT)])}
+
+
+def run(environment, *arguments):
+    return subprocess.run(
+        [sys.executable, *arguments], env=environment, capture_output=True, text=True, cwd=ROOT, check=False
+    )
 
 
 def test_the_guide_is_short():
@@ -46,26 +53,48 @@ def test_the_guide_is_short():
 
 
 def test_an_installed_package_is_listed_understood_and_drawn(installed):
-    path = os.pathsep.join([str(installed), str(ROOT)])
     script = (
         "import json; from executive.command_parser import parse; from executive.commands.list_ import *;"
-        "from executive.tree_preview import preview; from executive.commands import list_ as shown;"
+        "from executive.tree_preview import preview, preview_document, preview_of_document;"
+        "from executive.commands import list_ as shown;"
         "print(list(shown._lines(What.SKILLS))); parsed = parse('Take a bow!');"
-        "print(json.dumps(parsed.to_json())); print(preview(parsed.commands[0]).root.name)"
+        "print(json.dumps(parsed.to_json())); print(preview(parsed.commands[0]).root.name);"
+        "document = preview_document(parsed.commands[0]);"
+        "print(preview_of_document(document, 'bow.xml').root == preview(parsed.commands[0]).root);"
+        "print(json.dumps(parse('pick up the bunch of flowers').to_json()))"
     )
 
-    done = subprocess.run(
-        [sys.executable, "-c", script],
-        env={**os.environ, "PYTHONPATH": path},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    done = run(installed, "-c", script)
 
-    listed, parsed, root = done.stdout.splitlines()
+    listed, parsed, root, same, words = done.stdout.splitlines()
     assert "bow        take a bow" in listed
+    assert "left out" not in listed
     assert '"action": "bow"' in parsed
     assert root == "bow"
+    assert same == "True"
+    assert json.loads(words)["tasks"] == [{"action": "pick", "object": {"kind": "bouquet"}}]
+
+
+def test_the_leaf_of_an_installed_package_is_held_to_the_contract(installed):
+    contract = "tests/trees/test_leaf_contract.py"
+
+    done = run(
+        installed, "-m", "pytest", "-q", "-n0", "-p", "no:cacheprovider", contract, "-k", "LeanForward"
+    )
+
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert int(re.search(r"(\d+) passed", done.stdout)[1]) >= 15
+
+
+def test_nothing_of_other_packages_is_loaded_before_it_is_asked_for(installed):
+    script = (
+        "import sys, executive.cli, trees.extensions, robots.scene_file;"
+        "print('bowing' in sys.modules);"
+        "from executive.command_parser import parse; parse('go home');"
+        "print('bowing.bow' in sys.modules)"
+    )
+
+    assert run(installed, "-c", script).stdout.split() == ["False", "False"]
 
 
 def test_the_guides_skill_runs(stage, bowing):
@@ -92,6 +121,20 @@ def test_what_cannot_be_loaded_is_left_out_and_told(bowing):
     assert list(found.skills) == ["bow"]
     assert len(found.complaints) == 3
     assert any("no_such_module" in line for line in found.complaints)
+
+
+def test_a_leaf_that_is_none_is_left_out_and_told(bowing):
+    points = [
+        EntryPoint("lean", "bowing_bow:LeanForward", "humanoid_executive.leaves"),
+        EntryPoint("task", "bowing_bow:BowTask", "humanoid_executive.leaves"),
+        EntryPoint("twice", "bowing_bow:LeanForward", "humanoid_executive.leaves"),
+        EntryPoint("gone", "bowing_bow:Nothing", "humanoid_executive.leaves"),
+    ]
+
+    found = load_leaves(points)
+
+    assert found.leaves == (bowing.LeanForward,)
+    assert len(found.complaints) == 3
 
 
 def test_a_phrase_is_matched_whole_and_makes_the_task(bowing):

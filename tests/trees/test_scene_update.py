@@ -6,9 +6,10 @@ from hypothesis import strategies as st
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.support import lowest_point_m, support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
-from trees.scene_update import kind_of, lowest_point_m, support_of, updated_scene
+from trees.scene_update import kind_of, updated_scene
 
 POLICY = TreePolicy()
 

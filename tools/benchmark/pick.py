@@ -40,7 +40,8 @@ def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
         (found_s if solved else refused_s).append(time.process_time() - began_s)
         if not solved:
             unsolved.append(request)
-    notes, possible = [], 0
+    count = len(found_s) + len(refused_s)
+    notes, possible = [f"{len(found_s)} of {count} picks were planned and checked, seed 0."], 0
     if environment.is_ready:
         with peer_process(environment, RUNNER) as process:
             search = LongSearch(process, model, cache / "talos")

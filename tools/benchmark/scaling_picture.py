@@ -72,8 +72,7 @@ def _diagram(lines: Sequence[Line], subject: str, offset: int) -> str:
             _stroke([(offset + _LEFT, level), (offset + _WIDTH - _RIGHT, level)], "#dddddd", "", 1.0)
         )
         parts.append(_text(offset + _LEFT - 6, level + 4, f"{10.0**power:g}", "end"))
-    for count in lines[0].counts:
-        parts.append(_text(x(count), _TOP + high + 16, str(count), "middle"))
+    parts += [_text(x(count), _TOP + high + 16, str(count), "middle") for count in lines[0].counts]
     for k, line in enumerate(lines):
         color, dashes = _STROKES[k % len(_STROKES)]
         points = [(x(count), y(time)) for count, time in zip(line.counts, line.median_ms, strict=True)]

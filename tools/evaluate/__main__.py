@@ -14,13 +14,17 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from robots.description import known_robots, load_description
 from robots.errors import RobotsError
+from robots.live.faulty_connection import CONNECTION_FAULTS
 from robots.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
+from tools.evaluate.connection import run_connection
+from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.kill import run_kill
+from tools.evaluate.load import run_load
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import run_question_episode
@@ -28,6 +32,7 @@ from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.skills.episode import run_skill_episode
+from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.soak import run_soak
@@ -42,10 +47,13 @@ SUITES = (
     "cancel",
     "fault",
     "kill",
+    "connection",
+    "load",
     "fuzz",
     "soak",
     *OPENING_SUITES,
     *SKILL_SUITES,
+    *DISTURBED_SUITES,
 )
 
 _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
@@ -76,9 +84,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_soak(options, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
+    if options.suite == "connection":
+        return run_connection(options, messages)
+    if options.suite == "load":
+        return run_load(options, messages)
+    if options.suite in DISTURBED_SUITES:
+        return run_disturbed_suite(options, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
-    if options.fault is not None and options.fault not in FAULTS:
+    faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS
+    if options.fault is not None and options.fault not in FAULTS and not faulted:
         messages.print(f"error: {options.fault} is a fault of the suite 'fault'", style="bold")
         return 2
     orders = [
@@ -86,8 +101,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for i in range(options.episodes)
     ]
     skill = options.suite in (*SKILL_SUITES, *_RUNS)
-    if skill and (options.fault or options.scene):
-        messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
+    if skill and ((options.fault and not faulted) or options.scene):
+        messages.print(f"error: the suite {options.suite} takes no such fault and no scene", style="bold")
         return 2
     run: Run = partial(run_skill_episode, options.suite) if skill else run_episode
     run = _RUNS.get(options.suite, run)
@@ -122,14 +137,14 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--episodes", type=_positive, default=200)
     parser.add_argument("--seed", type=int, default=0, help="seed of the first episode; the others follow")
     parser.add_argument("--jobs", type=_positive, default=2, help="processes")
-    parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS}))
+    parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS, *SKILL_FAULTS, *CONNECTION_FAULTS}))
     parser.add_argument("--scene", help="a scene's name or file in place of random ones")
     parser.add_argument("--robot", default="talos", choices=known_robots())
     parser.add_argument(
         "--pace",
         type=float,
         default=1.0,
-        help="of suite kill: simulated seconds in a second, for slow machines",
+        help="of suites kill, connection and load: simulated seconds in a second, for slow machines",
     )
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument(

@@ -13,7 +13,7 @@ from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord
-from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene, read_episode_scene
+from tools.evaluate.scenes import TARGET, episode_rng, pick_scene, read_episode_scene, sentence_for
 
 
 def run_episode(order: EpisodeOrder) -> EpisodeRecord:
@@ -48,7 +48,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
         rng = episode_rng(order.seed, 2)
         injector, perception = assembly.world.faults, assembly.perception
         FAULTS[order.fault](FaultBench(TARGET, scene, truth, injector, perception, phases, rng), state)
-    (command,) = parse(SENTENCE).commands
+    (command,) = parse(sentence_for(scene)).commands
     result = session.run_task(command)
     judge.begin_hold()
     session.hold(HELD_S)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,11 +66,16 @@ Arm = Callable[[FaultBench, FaultState], None]
 
 def _empty_grasp(bench: FaultBench, state: FaultState) -> None:
     """The object is gone just before the fingers close."""
-    _in_phase(bench, state, CLOSE, 0.0, lambda: bench.injector.remove(bench.target))
+    _in_phase(bench, state, (CLOSE,), 0.0, lambda: bench.injector.remove(bench.target))
 
 
 def _slip(bench: FaultBench, state: FaultState) -> None:
-    """The object turns slippery while it is lifted: it slides out, fast or slowly.
+    """The object turns slippery while it is lifted: it slides out, fast or slowly."""
+    slip_in(bench, state, (LIFT,))
+
+
+def slip_in(bench: FaultBench, state: FaultState, phases: Sequence[str]) -> None:
+    """The object turns slippery in one of some phases.
 
     The friction is a share of what the present grip would need, so that light objects slide too.
     """
@@ -82,7 +87,7 @@ def _slip(bench: FaultBench, state: FaultState) -> None:
         needed = mass_kg * _GRAVITY_M_S2 / max(normal_n, 1.0)
         bench.injector.set_pad_friction(bench.target, max(share * needed, _LEAST_FRICTION))
 
-    _in_phase(bench, state, LIFT, delay_s, act)
+    _in_phase(bench, state, phases, delay_s, act)
 
 
 def _moved(bench: FaultBench, state: FaultState) -> None:
@@ -92,7 +97,7 @@ def _moved(bench: FaultBench, state: FaultState) -> None:
         offset, state.recoverable = _offset(bench, MOVED_M)
         bench.injector.displace(bench.target, (float(offset[0]), float(offset[1])))
 
-    _in_phase(bench, state, REACH, float(bench.rng.uniform(0.2, 1.2)), act)
+    _in_phase(bench, state, (REACH,), float(bench.rng.uniform(0.2, 1.2)), act)
 
 
 def _knocked(bench: FaultBench, state: FaultState) -> None:
@@ -116,13 +121,17 @@ def _knocked(bench: FaultBench, state: FaultState) -> None:
         place = bench.truth.world_T_object(bench.target)[:2, 3]
         state.recoverable = stands and _promised(place)
 
-    _in_phase(bench, state, REACH, float(bench.rng.uniform(0.2, 1.2)), act)
+    _in_phase(bench, state, (REACH,), float(bench.rng.uniform(0.2, 1.2)), act)
 
 
 def _taken(bench: FaultBench, state: FaultState) -> None:
     """Somebody takes the object out of the hand after the lift."""
-    delay_s = float(bench.rng.uniform(0.1, 1.5))
-    _in_phase(bench, state, VERIFY, delay_s, lambda: bench.injector.remove(bench.target))
+    take_in(bench, state, (VERIFY,), float(bench.rng.uniform(0.1, 1.5)))
+
+
+def take_in(bench: FaultBench, state: FaultState, phases: Sequence[str], delay_s: float) -> None:
+    """The object is gone some time after one of some phases began."""
+    _in_phase(bench, state, phases, delay_s, lambda: bench.injector.remove(bench.target))
 
 
 def _wrong_detection(bench: FaultBench, state: FaultState) -> None:
@@ -151,13 +160,13 @@ FAULTS: dict[str, Arm] = {
 
 
 def _in_phase(
-    bench: FaultBench, state: FaultState, phase: str, delay_s: float, act: Callable[[], None]
+    bench: FaultBench, state: FaultState, phases: Sequence[str], delay_s: float, act: Callable[[], None]
 ) -> None:
-    """Act once, some time after a leaf began."""
+    """Act once, some time after a leaf of one of these names began."""
 
     def due() -> bool:
-        began_s = bench.phases.began_s(phase)
-        return began_s is not None and bench.truth.time_s >= began_s + delay_s - 1e-9
+        began = [began_s for name in phases if (began_s := bench.phases.began_s(name)) is not None]
+        return bool(began) and bench.truth.time_s >= min(began) + delay_s - 1e-9
 
     def fire() -> None:
         state.fired = True

@@ -29,12 +29,17 @@ from robots.live.messages import (
     Admit,
     CancelMotion,
     ControlMessage,
+    FinishMotion,
     GetStatus,
     Guarded,
     Heartbeat,
     Hello,
+    Lead,
+    Pause,
+    Resume,
     Shutdown,
     Start,
+    Walk,
     write_control_message,
     write_message,
 )
@@ -45,11 +50,16 @@ from robots.live.unix_socket import connect_to
 
 _SEEDS: tuple[ControlMessage, ...] = (
     Hello("observer"),
-    Heartbeat(1, 0.0, True, True, 1),
+    Heartbeat(1, 0.0, True, True, True, 1),
     Admit(2, 0.0, 1, 1),
     Start(3, 0.0, 1, 1),
     Guarded(4, 0.0, 2, "close gripper", "left"),
     CancelMotion(5, 1, "why"),
+    Lead(6, 0.0, 3, 1),
+    Walk(7, 0.0, 4),
+    FinishMotion(8, 4),
+    Pause(9, "why"),
+    Resume(10, 0.0),
     GetStatus(),
 )
 _LOOK_EVERY = 500
@@ -189,7 +199,10 @@ def _random(rng: np.random.Generator) -> bytes:
     return encode_frame(FrameKind.MESSAGE, json.dumps({"type": str(rng.choice(_TYPES)), **fields}).encode())
 
 
-_TYPES = ("hello", "heartbeat", "admit", "start", "guarded", "cancel", "status", "reset", "welcome", "")
+_TYPES = (
+    *("hello", "heartbeat", "admit", "start", "guarded", "lead", "walk", "steer", "finish", "cancel"),
+    *("pause", "resume", "status", "reset", "welcome", ""),
+)
 _NAMES = ("number", "stamp_s", "motion", "trajectory", "role", "name", "hand", "reason", "person", "busy")
 
 

@@ -50,7 +50,7 @@ def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console
         table.add_row(bar.name, bar.value, bar.limit, "ok" if bar.met else "MISSED")
     table.add_section()
     if summary.fault is not None:
-        table.add_row("lifted and held", f"{summary.success_rate:.1%}", "", "")
+        table.add_row("truly done", f"{summary.success_rate:.1%}", "", "")
         fired = sum(record.fault_fired for record in summary.records)
         table.add_row("the fault came", f"{fired} of {len(summary.records)}", "", "")
     planning = summary.planning_ms()

@@ -46,6 +46,12 @@ _OTHER_COLORS = ("blue", "green", "yellow", "white", "black")
 TOO_CLOSE_M = (0.001, 0.006)
 
 
+def sentence_for(scene: SceneDescription) -> str:
+    """What is said: the cup is on the first piece of furniture."""
+    kind = scene.furniture[0].kind if scene.furniture else "table"
+    return SENTENCE.replace("table", kind)
+
+
 def episode_rng(seed: int, purpose: int) -> np.random.Generator:
     """A generator for one purpose of one episode, apart from those that the run itself draws from."""
     return np.random.default_rng([seed, 0x5CE1E, purpose])

@@ -1,30 +1,107 @@
-"""The suite ``soak``: random commands, stops, cancels and resets for long, and what grows meanwhile."""
+"""The suite ``soak``: random commands, stops, pauses, faults and resets for long; what grows meanwhile."""
 
 from __future__ import annotations
 
 import argparse
 import json
 from collections import Counter
-from dataclasses import asdict
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 import numpy as np
 from rich.console import Console
 
-from executive.assembly import assemble
+from executive.assembly import Assembly, assemble
 from executive.command_parser import parse
-from executive.events import Event, TaskAccepted, TaskEnded
+from executive.events import Event, InputTaken, TaskAccepted, TaskEnded
+from robots.control.events import EmergencyReset, EmergencyStopped, MotionPaused, MotionResumed
+from robots.scene_description import SceneDescription
+from robots.simulated.body_faults import BodyFaults
 from tools.evaluate.records import Bar
 from tools.evaluate.scenes import SENTENCE, episode_rng, pick_scene, read_episode_scene
+from tools.evaluate.skills.walking import floor
 
 SECONDS_AN_EPISODE = 60.0
 """Simulated time that one of ``--episodes`` stands for: two hours are 120."""
 GROWTH = 0.05
 WARM_SHARE = 0.2
 """Memory is compared with what it was after this share of the time: caches fill first."""
-_SENTENCES = (SENTENCE, "go home", "go home", "pick up the blue cup")
-_DISTURBANCES = ("none", "none", "cancel", "stop 1", "stop 2")
+LONGEST_S = 200.0
+"""A command that takes longer, simulated, hangs: the session gives tasks up before."""
+_AT_A_TABLE = (
+    SENTENCE,
+    SENTENCE,
+    "put the red cup on the table",
+    "go home",
+    "look at the red cup",
+    "pick up the blue cup",
+)
+_ON_A_FLOOR = ("move forward", "move backward", "turn left", "turn right", "go home")
+_DISTURBANCES = ("none", "none", "none", "cancel", "stop 1", "stop 2", "pause", "gyro", "battery", "encoder")
 _LATEST_S = 12.0
+_PAUSED_S = 1.5
+_BIASED_RAD_S = 0.03
+_SLIPPED_RAD = 0.05
+_LOW = 0.1
+_SLIPS = "arm_left_3_joint"
+
+
+@dataclass(slots=True)
+class _World:
+    """A robot in one of the worlds, all of which exist from the beginning to the end."""
+
+    assembly: Assembly
+    sentences: tuple[str, ...]
+    due: list[tuple[float, Callable[[], None]]] = field(default_factory=list)
+    ill: bool = False
+
+    def disturb(self) -> None:
+        """Called after each control period."""
+        while self.due and self.assembly.clock.now_s() >= self.due[0][0]:
+            _, act = self.due.pop(0)
+            act()
+
+    def plan(self, what: str, at_s: float) -> None:
+        """Have something happen at a time."""
+        session, faults = self.assembly.session, self.assembly.world.body_faults
+        acts: dict[str, Callable[[], None]] = {
+            "cancel": lambda: session.cancel("the soak cancels it"),
+            "stop 1": lambda: session.emergency_stop("the soak stops it", 1),
+            "stop 2": lambda: session.emergency_stop("the soak stops it", 2),
+            "gyro": lambda: self._break(lambda: faults.bias_gyro((0.0, _BIASED_RAD_S, 0.0))),
+            "battery": lambda: self._break(lambda: faults.set_battery(_LOW)),
+            "encoder": lambda: self._break(lambda: faults.offset_encoder(_SLIPS, _SLIPPED_RAD)),
+        }
+        self.due.clear()
+        if what == "pause":
+            self.due += [
+                (at_s, lambda: session.pause("the soak pauses it")),
+                (at_s + _PAUSED_S, session.resume),
+            ]
+        elif what != "none":
+            self.due.append((at_s, acts[what]))
+
+    def mend(self) -> None:
+        """Somebody mends what is broken, and looks at the robot."""
+        self.due.clear()
+        if not self.ill:
+            return
+        self.ill = False
+        faults: BodyFaults = self.assembly.world.body_faults
+        faults.bias_gyro((0.0, 0.0, 0.0))
+        faults.set_battery(1.0)
+        faults.offset_encoder(_SLIPS, -float(self.assembly.world.robot.encoder_offset[self._slipping]))
+        self.assembly.session.hold(2.0)
+        self.assembly.session.reset("the soak")
+
+    @property
+    def _slipping(self) -> int:
+        return self.assembly.model.description.actuated.index(_SLIPS)
+
+    def _break(self, act: Callable[[], None]) -> None:
+        self.ill = True
+        act()
 
 
 def run_soak(options: argparse.Namespace, messages: Console) -> int:
@@ -34,52 +111,64 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
     told: Counter[str] = Counter()
 
     def take(event: Event) -> None:
-        told[type(event).__name__] += 1
+        kind = type(event).__name__
+        told[f"{kind} {event.what}" if isinstance(event, InputTaken) else kind] += 1
 
-    scene = read_episode_scene(pick_scene(options.seed), options.seed)
-    assembly = assemble(options.robot, scene, options.seed, sink=take)
-    session, truth, clock = assembly.session, assembly.world.truth, assembly.clock
-    due: list[tuple[float, str]] = []
-
-    def disturb() -> None:
-        if due and clock.now_s() >= due[0][0]:
-            _, what = due.pop()
-            if what == "cancel":
-                session.cancel("the soak cancels it")
-            else:
-                session.emergency_stop("the soak stops it", int(what.split()[1]))
-
-    session.watch_periods(disturb)
+    worlds = [
+        _world(options.robot, scene, options.seed, sentences, take)
+        for scene, sentences in (
+            (read_episode_scene(pick_scene(options.seed), options.seed), _AT_A_TABLE),
+            (floor("soak", episode_rng(options.seed, 6)), _ON_A_FLOOR),
+        )
+    ]
     outcomes: Counter[str] = Counter()
     memory: list[tuple[float, float]] = []
-    fell, stuck_resets = False, 0
-    while clock.now_s() < until_s and not fell:
-        sentence = _SENTENCES[int(rng.integers(len(_SENTENCES)))]
+    fell, stuck_resets, hangs, passed_s = 0, 0, 0, 0.0
+    while passed_s < until_s and not fell:
+        world = worlds[int(rng.integers(len(worlds)))]
+        session, clock = world.assembly.session, world.assembly.clock
+        began_s = clock.now_s()
+        sentence = world.sentences[int(rng.integers(len(world.sentences)))]
         what = _DISTURBANCES[int(rng.integers(len(_DISTURBANCES)))]
-        due[:] = [] if what == "none" else [(clock.now_s() + float(rng.uniform(0.0, _LATEST_S)), what)]
+        world.plan(what, began_s + float(rng.uniform(0.0, _LATEST_S)))
         (command,) = parse(sentence).commands
-        outcomes[session.run_task(command).outcome] += 1
+        outcome = session.run_task(command).outcome
+        outcomes[outcome] += 1
+        hangs += int(clock.now_s() - began_s > LONGEST_S)
         session.hold(float(rng.uniform(0.2, 1.5)))
-        due.clear()
-        if assembly.loop.emergency is not None and session.reset("the soak") is not None:
+        world.mend()
+        if world.assembly.loop.emergency is not None and session.reset("the soak") is not None:
             stuck_resets += 1
-        fell = truth.fallen()
-        memory.append((clock.now_s(), _resident_mb()))
-        messages.print(f"{clock.now_s():.0f} s, {sum(outcomes.values())} commands, {memory[-1][1]:.0f} MB")
+        fell += int(world.assembly.world.truth.fallen())
+        passed_s += clock.now_s() - began_s
+        memory.append((passed_s, _resident_mb()))
+        messages.print(
+            f"{passed_s:.0f} s: {sentence}, {what}: {outcome}, {sum(outcomes.values())} commands, "
+            f"{memory[-1][1]:.0f} MB"
+        )
     growth = _growth(memory, until_s)
-    lost = abs(told[TaskAccepted.__name__] - told[TaskEnded.__name__])
+    lost = sum(
+        abs(told[a] - told[b])
+        for a, b in (
+            (TaskAccepted.__name__, TaskEnded.__name__),
+            (EmergencyStopped.__name__, EmergencyReset.__name__),
+            (MotionPaused.__name__, f"{InputTaken.__name__} pause"),
+            (f"{InputTaken.__name__} pause", f"{InputTaken.__name__} resume"),
+        )
+    )
     bars = [
         Bar("memory growth", f"{growth:.1%}", f"≤ {GROWTH:.0%}", growth <= GROWTH),
-        Bar("falls", str(int(fell)), "0", not fell),
+        Bar("falls", str(fell), "0", fell == 0),
+        Bar("commands that hung", str(hangs), "0", hangs == 0),
         Bar("resets that a resting robot refused", str(stuck_resets), "0", stuck_resets == 0),
-        Bar("commands without an end", str(lost), "0", lost == 0),
+        Bar("events without their counterpart", str(lost), "0", lost == 0),
     ]
     document = {
         "suite": "soak",
         "seed": options.seed,
         "episodes": options.episodes,
-        "simulated_s": round(clock.now_s(), 1),
-        "falls": int(fell),
+        "simulated_s": round(passed_s, 1),
+        "falls": fell,
         "failures": dict(outcomes),
         "events": dict(sorted(told.items())),
         "memory_mb": [(round(t, 1), round(mb, 1)) for t, mb in memory],
@@ -90,8 +179,18 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
     console = Console()
     for bar in bars:
         console.print(f"{bar.name}: {bar.value} ({bar.limit}) {'ok' if bar.met else 'MISSED'}")
-    console.print(f"{clock.now_s():.0f} s simulated, outcomes {dict(outcomes)}")
+    console.print(
+        f"{passed_s:.0f} s simulated, outcomes {dict(outcomes)}, {told[MotionResumed.__name__]} resumed"
+    )
     return 0 if all(bar.met for bar in bars) else 1
+
+
+def _world(
+    robot: str, scene: SceneDescription, seed: int, sentences: tuple[str, ...], take: Callable[[Event], None]
+) -> _World:
+    world = _World(assemble(robot, scene, seed, sink=take), sentences)
+    world.assembly.session.watch_periods(world.disturb)
+    return world
 
 
 def _growth(memory: list[tuple[float, float]], until_s: float) -> float:

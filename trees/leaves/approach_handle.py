@@ -3,29 +3,23 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from py_trees.common import Status
 
 from kinematics.opening_path import DrawerLine
 from kinematics.requests import Grasp
 from robots.control.motion_handle import MotionHandle
-from robots.control.yield_settings import USUAL
-from robots.control.yielding_hand import YieldingHand
+from robots.control.yield_order import YieldOrder
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import HandleTarget
 from trees.held_handle import HandAtHandle, scene_of_hand
 from trees.leaf import DONE
-from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
-
-GENTLE = replace(USUAL, stop_force_n=20.0, eased_n=6.0, stuck_s=0.1, slow_share=0.5, ease_m=0.014)
-"""Fingers that meet a door behind its bar press no harder than a hand that knocks, and leave room for
-their own closing: fingertips swing ahead by a centimetre."""
+from trees.yielding_leaf import YieldingLeaf
 
 
-class ApproachHandle(MotionLeaf):
+class ApproachHandle(YieldingLeaf):
     """Move the hand straight on until the bar is between the fingers, or they touch what is behind it.
 
     How far a handle stands off is seen to some centimetres only, and there is little more room behind it
@@ -55,26 +49,24 @@ class ApproachHandle(MotionLeaf):
         if left_m <= 0.0:
             return Failure.execution("the hand is beyond the handle already", left_m=left_m)
         line = DrawerLine(here[:3, 3] + left_m * ahead, math.atan2(float(ahead[1]), float(ahead[0])))
-        self._motion = YieldingHand(
-            toolbox.model,
-            toolbox.motion.stance(),
-            grasp.hand,
-            q,
-            scene_of_hand(toolbox, target, grasp),
-            (),
-            line,
-            left_m,
-            0.0,
-            stop_from=left_m,
-            holding=False,
-            settings=GENTLE,
-        )
         toolbox.world.at_handle = HandAtHandle(target, grasp)
-        return toolbox.motion.start(self._motion)
+        return self.lead(
+            YieldOrder(
+                grasp.hand,
+                scene_of_hand(toolbox, target, grasp),
+                (),
+                line,
+                left_m,
+                0.0,
+                stop_from=left_m,
+                holding=False,
+                manner="gentle",
+            )
+        )
 
     def finish(self) -> Status | Failure:
         """Tell what was felt."""
-        report = self._motion.report
+        report = self.led.report
         self.measured(short_by_m=round(report.s, 4), peak_push_n=round(report.peak_pull_n, 1))
         self.feedback_message = f"{report.s * 1000:.0f} mm short, {report.peak_pull_n:.0f} N"
         return DONE

@@ -7,7 +7,7 @@ from py_trees.common import Status
 
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.held import HeldObject
+from trees.held import HeldObject, lost
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.ports import ports
 from trees.touch_watch import TouchWatch
@@ -16,14 +16,15 @@ from trees.touch_watch import TouchWatch
 class AwaitPull(Leaf):
     """Feel the hand: a force that has changed by the policy's pull, and stays so for its time, is a pull.
 
-    An object that has left the hand by itself was taken, too.
+    An object that has left the hand was taken if such a force was felt before, however short; without one
+    it slipped.
     """
 
     INPUT_PORTS = ports(held=HeldObject)
     OUTPUT_PORTS = ports(pull_n=float)
     CONTRACT = Contract(
         precondition="the hand offers the object, at rest",
-        postcondition="the hand felt a steady pull, or nothing in it any more",
+        postcondition="the hand felt a steady pull, or a short one with which the object went",
         deadline_s=1.0,
         on_success="the hand goes on holding",
         on_failure="the hand goes on holding",
@@ -34,6 +35,7 @@ class AwaitPull(Leaf):
         """Feel anew."""
         self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
         self._since_s: float | None = None
+        self._strongest_n = 0.0
 
     def step(self) -> Status | Failure:
         """One more reading."""
@@ -42,9 +44,13 @@ class AwaitPull(Leaf):
             self._watch.feel_rest()
             return RUNNING
         if not self.toolbox.grippers[held.hand].reading().holding:
-            self._set_output("pull_n", 0.0)
+            self.measured(pull_n=self._strongest_n)
+            if self._strongest_n < policy.pull_n:
+                return lost(self.toolbox, held)
+            self._set_output("pull_n", self._strongest_n)
             return DONE
         pull_n = float(np.linalg.norm(self._watch.feel()))
+        self._strongest_n = max(self._strongest_n, pull_n)
         self.feedback_message = f"{pull_n:.1f} N"
         if pull_n < policy.pull_n:
             self._since_s = None

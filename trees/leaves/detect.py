@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics import poses
+from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.glimpse_of import glimpse_of
 from trees.grounding import Ambiguous, Found, Missing, compares, ground
+from trees.in_hand import not_in_hand
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
-from trees.scene_update import kind_of, support_of, updated_scene, words_for
+from trees.scene_update import kind_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
 from trees.tasks import ObjectOf
@@ -68,7 +71,7 @@ class Detect(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
         world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = standing_on_tops(self._not_in_hand(estimates_of(views)))
+        estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
         update = updated_scene(
             world.scene,
             estimates,
@@ -78,6 +81,7 @@ class Detect(LookLeaf):
         )
         world.update(update.scene)
         world.note_sightings(update.seen)
+        world.note_glimpse(glimpse_of(self.toolbox, views[-1]))
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         chosen = self._choose(update.seen)
         if isinstance(chosen, Failure):
@@ -86,20 +90,6 @@ class Detect(LookLeaf):
         x, y, z = chosen.odom_T_object[:3, 3]
         self.feedback_message = f"{chosen.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
-
-    def _not_in_hand(self, estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
-        """Leave out what is seen in a hand: it is attached, and must not become an obstacle as well."""
-        scene, q = self.toolbox.world.scene, self.toolbox.sensing.state().q
-        held = [
-            (self.toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
-            for body in scene.attached.values()
-        ]
-        near = self.toolbox.policy.same_object_m
-        return [
-            estimate
-            for estimate in estimates
-            if all(float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place)) > near for place in held)
-        ]
 
     def _unseen(self, view: View, point: NDArray[np.float64]) -> bool:
         model = self.toolbox.model

@@ -11,6 +11,7 @@ from trees.held import HeldObject
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
+from trees.steps import Placement
 
 _OPEN_SHARE = 0.9
 
@@ -19,10 +20,11 @@ class Give(MotionLeaf):
     """Open the hand; what it held is the person's now, and no longer part of the scene."""
 
     INPUT_PORTS = ports(held=HeldObject, pull_n=float)
-    OUTPUT_PORTS = ports(evidence=dict)
+    OUTPUT_PORTS = ports(evidence=dict, placement=Placement)
     CONTRACT = Contract(
         precondition="the person pulls at the object",
-        postcondition="the gripper measures nine tenths of its largest opening or more",
+        postcondition="the gripper measures nine tenths of its largest opening or more; where the object was "
+        "let go is written",
         deadline_s=4.0,
         moves="gripper",
         on_success="the gripper is open",
@@ -41,10 +43,13 @@ class Give(MotionLeaf):
         opening_m = self.toolbox.grippers[held.hand].reading().opening_m
         if opening_m < _OPEN_SHARE * gripper.max_opening_m:
             return RUNNING
-        world = self.toolbox.world
+        world, model = self.toolbox.world, self.toolbox.model
+        tcp = model.frame_pose(self.toolbox.sensing.state().q, model.description.tcp_frames[held.hand])
+        offered = tcp @ held.tcp_T_object
         if held.name in world.scene.attached:
-            pose = world.scene.attached[held.name].body.world_T_object
-            world.update(world.scene.with_detached(held.name, pose).without_object(held.name))
+            world.update(world.scene.with_detached(held.name, offered).without_object(held.name))
+        x, y = (float(value) for value in offered[:2, 3])
+        self._set_output("placement", Placement(held.hand, offered, (), (x, y)))
         pull_n = self.get_input("pull_n")
         self._set_output("evidence", {"given": held.name, "hand": held.hand, "pull_n": pull_n})
         return DONE

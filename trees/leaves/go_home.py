@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kinematics.gesture_requests import GestureRequest
 from kinematics.requests import MoveRequest
 from trees.arrival import largest_error
 from trees.contract import Contract
@@ -25,7 +26,7 @@ class GoHome(PlannedMotionLeaf):
         on_success="the robot holds the home posture",
     )
 
-    def goal(self) -> MoveRequest | None:
+    def goal(self) -> MoveRequest | GestureRequest | None:
         """The home posture, unless it is commanded already."""
         toolbox = self.toolbox
         reference = toolbox.motion.reference()

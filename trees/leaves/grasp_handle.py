@@ -6,20 +6,21 @@ from py_trees.common import Status
 
 from kinematics.requests import Grasp
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from robots.control.yielding_hand import YieldingHand
+from robots.control.yield_order import YieldOrder
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import HandleTarget
 from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
 from trees.leaf import DONE, RUNNING
-from trees.motion_leaf import MotionLeaf, motion_failure
+from trees.motion_leaf import motion_failure
 from trees.ports import ports
+from trees.yielding_leaf import YieldingLeaf
 
 _QUIET_S = 0.25
 """Before the fingers move, the hand feels what counts as no force."""
 
 
-class GraspHandle(MotionLeaf):
+class GraspHandle(YieldingLeaf):
     """Close the gripper on the bar while the arm yields: fingers that meet it off centre move the hand.
 
     Its own way of settling tells where the bar really is.
@@ -38,22 +39,20 @@ class GraspHandle(MotionLeaf):
     )
 
     _fingers: MotionHandle | None = None
-    _motion: YieldingHand | None = None
 
     def begin(self) -> None:
         """Forget an earlier run."""
         super().begin()
-        self._fingers = self._motion = None
+        self._fingers = None
 
-    def start(self) -> MotionHandle:
+    def start(self) -> MotionHandle | Failure:
         """Let the arm yield."""
-        self._motion = self._yielding(self.get_input("grasp"))
-        return self.toolbox.motion.start(self._motion)
+        return self.lead(self._order(self.get_input("grasp")))
 
     def step(self) -> Status | Failure:
         """Yield, close, settle, judge."""
         outcome = super().step()
-        if outcome is not RUNNING or self._motion is None:
+        if outcome is not RUNNING:
             return outcome
         if self._fingers is None:
             if self.elapsed_s >= _QUIET_S:
@@ -63,7 +62,7 @@ class GraspHandle(MotionLeaf):
         if (ended := motion_failure(self._fingers)) is not None:
             return ended
         if self._fingers.status is not MotionStatus.RUNNING:
-            self._motion.finish()
+            self.led.finish()
         return RUNNING
 
     def release(self, reason: str) -> None:
@@ -72,15 +71,12 @@ class GraspHandle(MotionLeaf):
             self.toolbox.motion.cancel(self._fingers, reason)
         super().release(reason)
 
-    def _yielding(self, grasp: Grasp) -> YieldingHand:
+    def _order(self, grasp: Grasp) -> YieldOrder:
         target: HandleTarget = self.get_input("handle")
         toolbox = self.toolbox
         q = toolbox.motion.reference()
-        return YieldingHand(
-            toolbox.model,
-            toolbox.motion.stance(),
+        return YieldOrder(
             grasp.hand,
-            q,
             scene_of_hand(toolbox, target, grasp),
             (target.part, target.handle),
             target.path.through(tcp_m(toolbox, grasp, q), target.opening),
@@ -92,10 +88,8 @@ class GraspHandle(MotionLeaf):
         """Judge the grip, and note where the bar really is."""
         grasp: Grasp = self.get_input("grasp")
         target: HandleTarget = self.get_input("handle")
-        if self._motion is None:
-            raise RuntimeError(f"{self.name} has not begun")
         reading = self.toolbox.grippers[grasp.hand].reading()
-        report = self._motion.report
+        report = self.led.report
         self.measured(
             opening_m=reading.opening_m,
             effort_nm=reading.effort_nm,

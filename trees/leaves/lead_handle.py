@@ -12,14 +12,14 @@ from py_trees.common import Status
 from kinematics.opening_measure import moved_by
 from kinematics.opening_rehearsal import scene_at
 from robots.control.motion_handle import MotionHandle
-from robots.control.yielding_hand import YieldingHand
+from robots.control.yield_order import YieldOrder
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import OPEN_TO, SHUT
 from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
 from trees.leaf import DONE, RUNNING
-from trees.motion_leaf import MotionLeaf
 from trees.ports import ports
+from trees.yielding_leaf import YieldingLeaf
 
 _MOST_S = 40.0
 _SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.2
@@ -29,7 +29,7 @@ Off a locked drawer it went on for 5.3 cm of 30 until the fingers read empty.
 """
 
 
-class LeadHandle(MotionLeaf):
+class LeadHandle(YieldingLeaf):
     """Open or close with the whole body: pull along the path, yield across it, feel when it is stuck.
 
     How far it came is measured: a door's angle about the centre of the circle that the hand described.
@@ -48,13 +48,12 @@ class LeadHandle(MotionLeaf):
         on_cancel="hand and arm hold where they are, the handle in the hand; the next task lets go of it",
     )
 
-    _motion: YieldingHand | None = None
     _told = False
 
     def begin(self) -> None:
         """Forget an earlier run."""
         super().begin()
-        self._motion, self._told = None, False
+        self._told = False
 
     def start(self) -> MotionHandle | Failure:
         """Begin to lead."""
@@ -63,20 +62,18 @@ class LeadHandle(MotionLeaf):
         self._points: list[NDArray[np.float64]] = []
         lead_to: float = self.get_input("lead_to")
         closing = lead_to < target.opening
-        self._motion = YieldingHand(
-            toolbox.model,
-            toolbox.motion.stance(),
-            held.grasp.hand,
-            toolbox.motion.reference(),
-            scene_of_hand(toolbox, target, held.grasp),
-            (target.part, target.handle),
-            held.path,
-            target.opening,
-            lead_to,
-            bias=held.bias,
-            stop_from=_STOP_FROM[target.kind] if closing else None,
+        return self.lead(
+            YieldOrder(
+                held.grasp.hand,
+                scene_of_hand(toolbox, target, held.grasp),
+                (target.part, target.handle),
+                held.path,
+                target.opening,
+                lead_to,
+                bias=held.bias,
+                stop_from=_STOP_FROM[target.kind] if closing else None,
+            )
         )
-        return toolbox.motion.start(self._motion)
 
     def step(self) -> Status | Failure:
         """Follow the motion, and remember where the hand has been."""
@@ -88,10 +85,8 @@ class LeadHandle(MotionLeaf):
 
     def finish(self) -> Status | Failure:
         """Judge how it ended."""
-        if self._motion is None:
-            raise RuntimeError(f"{self.name} has not begun")
         held: HeldHandle = self.get_input("held")
-        target, report = held.target, self._motion.report
+        target, report = held.target, self.led.report
         opening = target.opening + moved_by(np.array(self._points), held.path)
         self._tell_world(held, opening)
         shown: dict[str, Any] = {f"opening_{target.unit}": round(target.shown(opening), 4)}
@@ -115,8 +110,8 @@ class LeadHandle(MotionLeaf):
     def release(self, reason: str) -> None:
         """Brake and hold; whoever lets go later has to know where the handle is by then."""
         super().release(reason)
-        if self._motion is not None and not self._told:
-            self._tell_world(self.get_input("held"), self._motion.report.s)
+        if self._yielding is not None and not self._told:
+            self._tell_world(self.get_input("held"), self._yielding.report.s)
 
     def _tell_world(self, held: HeldHandle, opening: float) -> None:
         """Turn the door in the world model; the handle is where the hand has it."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
 from robots.control.motion_handle import MotionHandle
@@ -36,8 +38,14 @@ class LetGo(MotionLeaf):
         on_cancel="the gripper holds its present opening",
     )
 
-    def __init__(self, name: str, toolbox: Toolbox, anyway: bool = False) -> None:
-        super().__init__(name, toolbox)
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        anyway: bool = False,
+        wiring: Mapping[str, str] | None = None,
+    ) -> None:
+        super().__init__(name, toolbox, wiring)
         self._anyway = anyway
 
     def start(self) -> MotionHandle | Failure:

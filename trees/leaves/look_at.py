@@ -7,13 +7,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.gaze import gaze_joints
-from kinematics.requests import MoveRequest
+from kinematics.requests import Grasp, MoveRequest
 from kinematics.robot_description import RobotDescription
 from trees.contract import Contract
+from trees.hand_ways import unseen_on_way
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.policy import Gaze
 from trees.ports import ports
-from trees.steps import Target
+from trees.steps import Step, Target
 from trees.toolbox import Toolbox
 
 
@@ -32,18 +33,18 @@ class LookAt(PlannedMotionLeaf):
 
     def __init__(self, name: str, toolbox: Toolbox, gaze: Gaze) -> None:
         super().__init__(name, toolbox)
-        self._gaze = gaze
+        self.gaze = gaze
 
     def joints(self) -> Mapping[str, float]:
         """Goal positions of the joints that aim the camera, rad, inside their limits."""
         description = self.toolbox.model.description
         camera, margin = description.camera, description.planning_margin_rad
-        wanted = {camera.tilt_joint: self._gaze.tilt_rad, camera.pan_joint: self._gaze.pan_rad}
+        wanted = {camera.tilt_joint: self.gaze.tilt_rad, camera.pan_joint: self.gaze.pan_rad}
         if camera.lean_joint is not None:
-            wanted[camera.lean_joint] = self._gaze.lean_rad
+            wanted[camera.lean_joint] = self.gaze.lean_rad
         turning = turning_joint(description)
         if turning is not None:
-            wanted[turning] = self._gaze.turn_rad
+            wanted[turning] = self.gaze.turn_rad
         inside = {}
         for joint, angle in wanted.items():
             lower, upper = description.limits[joint].position
@@ -91,3 +92,20 @@ class LookAtTarget(LookAt):
         if body is None:
             return gaze_joints(model, q, target.odom_T_object[:3, 3])
         return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
+
+
+class LookAtWay(LookAt):
+    """Turn the head to where a hand is to go and nobody has looked."""
+
+    INPUT_PORTS = ports(target=Target, grasp=Grasp, reach=Step)
+    OUTPUT_PORTS = ports()
+
+    def __init__(self, name: str, toolbox: Toolbox) -> None:
+        super().__init__(name, toolbox, Gaze("way", tilt_rad=0.0))
+
+    def joints(self) -> Mapping[str, float]:
+        """The head joints' goal, rad; at the target when all was seen."""
+        target, hand = self.get_input("target"), self.get_input("grasp").hand
+        places = unseen_on_way(self.toolbox, target, self.get_input("reach"), hand)
+        point = places.mean(axis=0) if len(places) else target.odom_T_object[:3, 3]
+        return gaze_joints(self.toolbox.model, self.toolbox.motion.reference(), point)

@@ -46,6 +46,7 @@ class Move(WalkingLeaf):
         self._stopping = False
         self._looked_s = -math.inf
         self._free_m = math.inf
+        self._seen = False
         self._last = PlanarPose()
         self._gone_m = self._turned_rad = 0.0
 
@@ -56,6 +57,8 @@ class Move(WalkingLeaf):
         if settings is None or toolbox.walking is None:
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         blocked = self._blocked(settings)
+        if self._handle is None and not self._seen:
+            return RUNNING
         if self._handle is None:
             refused = self._beyond_limits(settings) or blocked
             if refused is not None:
@@ -120,10 +123,14 @@ class Move(WalkingLeaf):
         """Why it must not go on, from the range sensor's last scan."""
         task, sensor = self._task, self.toolbox.ranging
         if sensor is None or task.linear_m_s == 0.0:
+            self._seen = True
             return None
         if self.elapsed_s - self._looked_s >= _LOOK_EVERY_S:
-            self._looked_s = self.elapsed_s
-            self._free_m = free_way_m(sensor.scan(), settings, task.linear_m_s)
+            points = sensor.scan()
+            if points is None:
+                return Failure.execution("the range sensor has fallen silent") if self._seen else None
+            self._looked_s, self._seen = self.elapsed_s, True
+            self._free_m = free_way_m(points, settings, task.linear_m_s)
         needed_m = stopping_distance_m(settings, task.linear_m_s)
         if self._free_m > needed_m:
             return None

@@ -6,13 +6,14 @@ import math
 
 from py_trees.common import Status
 
+from kinematics.walking.planar import PlanarPose
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.standing_place import standing_place
+from trees.standing_place import standing_place, stands_inside
 
 
 class SquaredUp(Leaf):
@@ -22,7 +23,8 @@ class SquaredUp(Leaf):
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the place was seen from where the robot stands",
-        postcondition="distance and angle to the standing place are within the policy's tolerance",
+        postcondition="distance and angle to the standing place are within the policy's tolerance; in a "
+        "region it stands well inside",
         deadline_s=1.0,
     )
 
@@ -30,7 +32,10 @@ class SquaredUp(Leaf):
         """Measure once."""
         toolbox, policy = self.toolbox, self.toolbox.policy
         body = feet_pose(toolbox)
-        goal = standing_place(self.get_input("place"), toolbox.world.scene, body, policy.support_gap_m)
+        place: Place = self.get_input("place")
+        if place.category == "region":
+            return self._inside(place, body)
+        goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m)
         left = body.to(goal)
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)
@@ -41,4 +46,12 @@ class SquaredUp(Leaf):
                 off_rad=off_rad,
             )
         self._set_output("evidence", {"off_m": off_m, "off_rad": off_rad})
+        return DONE
+
+    def _inside(self, place: Place, body: PlanarPose) -> Status | Failure:
+        middle_m = PlanarPose.of(place.odom_T_place).distance_m(body)
+        self.measured(from_middle_m=middle_m)
+        if not stands_inside(place, body):
+            return Failure.postcondition(f"it does not stand inside the {place.name}", from_middle_m=middle_m)
+        self._set_output("evidence", {"from_middle_m": middle_m})
         return DONE

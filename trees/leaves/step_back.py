@@ -23,6 +23,11 @@ _NEAR_M = 0.08
 """A hand whose TCP is nearer to the bar is about it; where a door was opened wide, the hand that has drawn
 back is still beside the door."""
 _BESIDE_M = 0.25
+_STEADY_M = 0.075
+"""Of the CoM inside the edge: nobody leans out to get away from a door."""
+_BACK_SHARES, _CLEAR_SHARES = (1.0, 0.7), (1.0, 0.6, 0.35)
+_CLEAR_TURNS_RAD = (0.0, 0.5, -0.5, 1.0, -1.0)
+"""A hand that is clear of the bar may turn: a wrist at its limit would take the whole body along."""
 
 
 class StepBack(PlannedMotionLeaf):
@@ -77,6 +82,9 @@ class StepBack(PlannedMotionLeaf):
             scene=scene_of_hand(toolbox, target, grasp),
             hand=grasp.hand,
             world_offset_m=(x, y, z),
+            steady_m=_STEADY_M,
+            shares=_CLEAR_SHARES if self._clear else _BACK_SHARES,
+            turns_rad=_CLEAR_TURNS_RAD if self._clear else (0.0,),
         )
 
     def step(self) -> Status | Failure:

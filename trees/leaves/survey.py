@@ -26,6 +26,8 @@ class Survey(LookAround):
         deadline_s=2.0,
     )
 
+    LOOKING_ON = True
+
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Keep the best confidence of each name."""
         noted: dict[str, float] = dict(self.get_input("sightings"))

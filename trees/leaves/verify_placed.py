@@ -40,8 +40,9 @@ class VerifyPlaced(LookAround):
         place = placement.odom_T_object[:3, 3]
         same = [
             item
-            for item in seen.values()
+            for name, item in seen.items()
             if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
+            if name not in stood
         ]
         if not same:
             return Failure.postcondition(f"the {held.name} is not seen where it was put", frames=len(seen))

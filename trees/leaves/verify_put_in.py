@@ -50,16 +50,18 @@ class VerifyPutIn(LookAround):
         pushed_m = float(np.linalg.norm((container.odom_T_object - place.odom_T_place)[:2, 3]))
         if pushed_m > _PUSHED_M:
             return Failure.postcondition(f"the {place.name} was pushed", pushed_m=pushed_m)
+        stood = self.get_input("stood")  # one like it that was there before tells nothing
         same = [
             item
-            for item in seen.values()
+            for name, item in seen.items()
             if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
+            if name not in stood
         ]
         inside = [item for item in same if _inside(item, container)]
         if same and not inside:
             return Failure.postcondition(f"the {held.name} is seen beside the {place.name}")
         policy, scene = self.toolbox.policy, self.toolbox.world.scene
-        harm = disturbed(self.get_input("stood"), scene, policy.undisturbed_m, place.name)
+        harm = disturbed(stood, scene, policy.undisturbed_m, place.name)
         if harm is not None:
             return harm
         evidence = {"object": held.name, "in": place.name, "seen": bool(inside), "pushed_m": pushed_m}

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 from py_trees.common import Status
 
+from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
-from trees.destination import Place
 from trees.failures import Failure
 from trees.held import HeldObject
 from trees.leaf import DONE
@@ -18,32 +18,44 @@ from trees.ports import ports
 
 # Lower than this above the floor, and nobody holds it.
 _DROPPED_BELOW_M = 0.4
-# The person's hand is no farther than this from the person's axis.
-_IN_REACH_M = 0.9
+# Nearer than this to the empty hand, it lies on the fingers.
+_ON_THE_HAND_M = 0.10
 
 
 class VerifyTaken(LookAround):
-    """What was given is seen in the person's reach and in the air, or is out of sight; never on the floor."""
+    """What was given is seen in the air, away from the hand, or is out of sight.
 
-    INPUT_PORTS = ports(held=HeldObject, place=Place)
+    Nothing hangs in the air by itself: the person has it, however far the person's arm reaches.
+    """
+
+    INPUT_PORTS = ports(stood=dict, held=HeldObject)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
-        precondition="the hand was opened while the person pulled",
+        precondition="the hand was opened while the person pulled, and drawn back since",
         postcondition="the object was not seen where it would be, had it fallen; the gripper is empty",
         deadline_s=2.0,
     )
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Where is it?"""
-        held, person = self.get_input("held"), self.get_input("place").odom_T_place[:2, 3]
+        held, model = self.get_input("held"), self.toolbox.model
+        policy, scene, stood = self.toolbox.policy, self.toolbox.world.scene, self.get_input("stood")
         if self.toolbox.grippers[held.hand].reading().holding:
             return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
-        for item in seen.values():
+        q = self.toolbox.sensing.state().q
+        tcp = model.frame_pose(q, model.description.tcp_frames[held.hand])[:3, 3]
+        for name, item in seen.items():
             if item.category != "object" or (item.kind, item.color) != (held.kind, held.color):
                 continue
-            far_m = float(np.linalg.norm(item.odom_T_object[:2, 3] - person))
+            if name in stood:
+                continue  # another one, that was there all the time
+            from_hand_m = float(np.linalg.norm(item.odom_T_object[:3, 3] - tcp))
             height_m = float(item.odom_T_object[2, 3])
-            self.measured(height_m=height_m, from_person_m=far_m)
-            if height_m < _DROPPED_BELOW_M or far_m > _IN_REACH_M:
-                return Failure.postcondition(f"the {held.name} was dropped", height_m=height_m)
+            self.measured(height_m=height_m, from_hand_m=from_hand_m)
+            if from_hand_m < _ON_THE_HAND_M:
+                return Failure.postcondition(f"the {held.name} is still at the {held.hand} hand")
+            stands_on = support_of(scene.objects[name], scene, policy.support_gap_m)
+            if stands_on is not None or height_m < _DROPPED_BELOW_M:
+                where = "" if stands_on is None else f" onto the {stands_on.name}"
+                return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
         return DONE

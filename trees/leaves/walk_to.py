@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
-from kinematics.walking.path_planning import Footprint, clearance_m, footprints, plan_path
+from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
@@ -15,24 +17,35 @@ from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
-from trees.odometry import feet_pose
+from trees.odometry import body_pose, feet_pose
 from trees.ports import ports
+from trees.seen_points import SeenPoints, apart_from
 from trees.standing_place import standing_place
 from trees.walking_leaf import WalkingLeaf
+
+Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
 _TURN_ROOM_M = 0.62
 """Hands and elbows of the home posture reach so far when the robot turns on the spot."""
 _BACK_M_S = 0.25
-_PATH_CLEARANCE_M = 0.55
+_CLEARANCES_M = (0.75, 0.62)
+"""Of the path, the first one that leaves a way: hands of the home posture are 0.55 m to the sides, and a
+corner is cut by some centimetres."""
+_IN_THE_WAY_M = 0.06
+"""Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
+_SCAN_EVERY_S = 0.4
+_SCAN_WITHIN_S = 1.0
+_SILENT = "the range sensor says nothing"
 
 
 class WalkTo(WalkingLeaf):
     """Walk around what is known to stand about, and stand square in front of the place.
 
-    Where the robot is too near to something to turn, it steps straight back first. Its own odometry leads;
-    who wants to know how well it arrived looks again.
+    Where the robot is too near to something to turn, it steps straight back first. What its range sensor
+    sees on the way, and nobody knew of, it walks around too. Its own odometry leads; who wants to know how
+    well it arrived looks again.
     """
 
     INPUT_PORTS = ports(place=Place)
@@ -50,9 +63,23 @@ class WalkTo(WalkingLeaf):
     def begin(self) -> None:
         """Nothing has moved yet."""
         super().begin()
-        self._place: Place = self.get_input("place")
+        self.aim()
         self._goal = PlanarPose()
         self._backing = False
+        self._seen = SeenPoints(self.toolbox.ranging)
+        self._path: tuple[PlanarPose, ...] = ()
+        self._clearance_m = 0.0
+        self._scanned_s = -math.inf
+
+    def aim(self) -> None:
+        """Take in what to walk to."""
+        self._place: Place = self.get_input("place")
+        self._straight_m = 0.0 if self._place.category == "region" else _APPROACH_M
+
+    def place(self, body: PlanarPose) -> PlanarPose:
+        """Where to stand, for a body that is here now."""
+        toolbox = self.toolbox
+        return standing_place(self._place, toolbox.world.scene, body, toolbox.policy.support_gap_m)
 
     def step(self) -> Status | Failure:
         """Choose the goal, walk, and measure."""
@@ -62,6 +89,9 @@ class WalkTo(WalkingLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
         if self._handle is None:
             steering = self._plan(settings)
+            if self._seen.silent:
+                silent_s = self.elapsed_s
+                return RUNNING if silent_s < _SCAN_WITHIN_S else Failure.execution(_SILENT, silent_s=silent_s)
             if isinstance(steering, Failure):
                 return steering
             if steering is None:
@@ -70,9 +100,9 @@ class WalkTo(WalkingLeaf):
         if (ended := motion_failure(self._handle)) is not None:
             return ended
         if not self._handle.finished:
-            left_m = feet_pose(toolbox).distance_m(self._goal)
+            left_m = body_pose(toolbox).distance_m(self._goal)
             self.feedback_message = f"{left_m:.2f} m to go"
-            return RUNNING
+            return self._look_out(settings) or RUNNING
         if self._backing:
             self._handle = None
             return RUNNING
@@ -81,8 +111,8 @@ class WalkTo(WalkingLeaf):
     def _plan(self, settings: WalkingSettings) -> Steering | Failure | None:
         toolbox = self.toolbox
         policy, scene = toolbox.policy, toolbox.world.scene
-        body, place = feet_pose(toolbox), self._place
-        self._goal = standing_place(place, scene, body, policy.support_gap_m)
+        body = feet_pose(toolbox)
+        self._goal = self.place(body)
         self._set_output("goal", self._goal)
         left = body.to(self._goal)
         if math.hypot(left.x_m, left.y_m) < policy.stand_m and abs(left.yaw_rad) < policy.stand_rad:
@@ -90,6 +120,7 @@ class WalkTo(WalkingLeaf):
         if math.hypot(left.x_m, left.y_m) < 0.3 and abs(left.yaw_rad) < 0.3:
             return PathSteering(settings, (body, self._goal))
         obstacles = footprints(scene)
+        self._look(obstacles)
         near_m = clearance_m(obstacles, body)
         if near_m < _TURN_ROOM_M and not self._backing:
             back = body @ PlanarPose(-(_TURN_ROOM_M - near_m + 0.1))
@@ -102,13 +133,42 @@ class WalkTo(WalkingLeaf):
     def _way(
         self, settings: WalkingSettings, body: PlanarPose, obstacles: tuple[Footprint, ...]
     ) -> Steering | Failure:
-        before = self._goal @ PlanarPose(-_APPROACH_M)
-        path = plan_path(body, before, obstacles, _PATH_CLEARANCE_M)
-        if path is None:
+        before = self._goal @ PlanarPose(-self._straight_m)
+        points = self._seen.beside(obstacles)
+        for room_m in _CLEARANCES_M:
+            path = plan_path(body, before, obstacles, room_m, points)
+            if path is not None:
+                break
+        else:
             return Failure.infeasible(
-                "no way leads there around what is known", clearance_m=_PATH_CLEARANCE_M
+                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1]
             )
+        self._path, self._clearance_m = path, room_m
         return PathSteering(settings, (*path, self._goal))
+
+    def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
+        """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""
+        self._scanned_s = self.elapsed_s
+        return apart_from(self._seen.look(body_pose(self.toolbox)), obstacles)
+
+    def _look_out(self, settings: WalkingSettings) -> Failure | None:
+        """Walk around what comes into sight."""
+        toolbox = self.toolbox
+        due = self.elapsed_s - self._scanned_s >= _SCAN_EVERY_S
+        if self._handle is None or toolbox.walking is None or not self._path or not due:
+            return None
+        obstacles = footprints(toolbox.world.scene)
+        new = self._look(obstacles)
+        if self._seen.silent:
+            return Failure.execution(_SILENT)
+        if not blocked(self._path, new, self._clearance_m - _IN_THE_WAY_M):
+            return None
+        steering = self._way(settings, body_pose(toolbox), obstacles)
+        if isinstance(steering, Failure):
+            return steering
+        self.measured(new_points=len(new))
+        toolbox.walking.steer(self._handle, steering)
+        return None
 
     def _arrived(self) -> Status | Failure:
         left = feet_pose(self.toolbox).to(self._goal)

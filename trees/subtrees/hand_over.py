@@ -1,12 +1,16 @@
-"""Hand an object over: offer it, wait for a pull, let go; take it back when nobody takes it."""
+"""Hand an object over: offer it, wait for a pull, let go, see that it did not fall; else it is taken back."""
 
 from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
 
+from trees.best_effort import BestEffort
 from trees.leaves.await_pull import AwaitPull
+from trees.leaves.draw_back import DrawBack
 from trees.leaves.give import Give
 from trees.leaves.go_home import GoHome
+from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.offer import Offer
 from trees.leaves.verify_taken import VerifyTaken
 from trees.leaves.wait import Hold
@@ -23,11 +27,14 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
         have_it(toolbox),
         search_place("find the person", toolbox, gazes, slots=("to",)),
+        NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),
         AwaitPull("wait for the pull", toolbox),
         Give("give", toolbox),
         Hold("let it go", toolbox, policy.after_giving_s),
-        VerifyTaken("verify taken", toolbox),
+        BestEffort(DrawBack("draw back", toolbox)),
         GoHome("go home", toolbox),
+        LookAtPlacement("look below", toolbox),
+        VerifyTaken("verify taken", toolbox),
     ]
     return tidily("hand over", children, toolbox)

@@ -26,6 +26,7 @@ from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_opening import VerifyOpening
 from trees.policy import Gaze
 from trees.retry import Retry
+from trees.subtrees.come_to_handle import come_to_handle
 from trees.toolbox import Toolbox
 
 ATTEMPTS = 3
@@ -45,9 +46,10 @@ GAZES = (
 def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, _hopeless)
-    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), attempts])
+    come = come_to_handle(toolbox, _search("look again", toolbox))
+    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), come, attempts])
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=_tidying_helps)
 
 

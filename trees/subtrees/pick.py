@@ -16,18 +16,20 @@ from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.close_gripper import CloseGripper
 from trees.leaves.confirm_target import ConfirmTarget
 from trees.leaves.go_home import GoHome
-from trees.leaves.look_at import LookAtTarget
+from trees.leaves.look_at import LookAtTarget, LookAtWay
 from trees.leaves.open_gripper import OpenGripper
 from trees.leaves.plan_pick import PlanPick
 from trees.leaves.put_back import PutBack
 from trees.leaves.release import Release
 from trees.leaves.stream_motion import StreamMotion
+from trees.leaves.survey import Survey
 from trees.leaves.verify_hold import VerifyHold
 from trees.leaves.verify_lift import VerifyLift
 from trees.retry import Retry
 from trees.subtrees.recover import recover
-from trees.subtrees.search import search
+from trees.subtrees.search import search_from_home_too
 from trees.toolbox import Toolbox
+from trees.unless_seen import UnlessSeen
 
 
 def pick(toolbox: Toolbox) -> CleanUp:
@@ -35,9 +37,9 @@ def pick(toolbox: Toolbox) -> CleanUp:
     attempts = Retry(
         "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
     )
-    main = _sequence("pick up", search("search", toolbox), attempts)
+    main = _sequence("pick up", search_from_home_too(toolbox), attempts)
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("pick", timed, _give_up(toolbox), worth_it=_tidying_helps)
 
 
@@ -68,6 +70,8 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         _sequence(
             "plan",
             PlanPick("plan pick", toolbox),
+            _look_where_the_hand_goes(toolbox),
+            _look_where_the_hand_goes(toolbox),  # the other hand, perhaps
             CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
             CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
             CheckTrajectory("check lift", toolbox, {"step": "lift", "checked": "checked_lift"}),
@@ -95,6 +99,17 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     )
     attempt.transparent = True
     return attempt
+
+
+def _look_where_the_hand_goes(toolbox: Toolbox) -> Behaviour:
+    """What is found beside the target changes the plan."""
+    look = _sequence(
+        "look where the hand goes",
+        BestEffort(LookAtWay("look", toolbox)),
+        Survey("survey", toolbox, {"sightings_now": "sightings"}),
+        PlanPick("plan again", toolbox),
+    )
+    return UnlessSeen(look, toolbox)
 
 
 def _give_up(toolbox: Toolbox) -> Behaviour:

@@ -20,6 +20,7 @@ from trees.leaves.lower import Lower, LowerFurther
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.still_held import StillHeld
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
@@ -63,6 +64,7 @@ def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Beha
         CheckTrajectory("check transfer", toolbox, {"step": "transfer", "checked": "checked_transfer"}),
         CheckTrajectory("check lower", toolbox, {"step": "lower", "checked": "checked_lower"}),
         StreamMotion("transfer", toolbox, {"checked": "checked_transfer"}),
+        StillHeld("still held", toolbox),
         Lower("lower", toolbox, {"checked": "checked_lower"}),
         *further,
     ]
@@ -81,6 +83,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
         PlanPlace("plan place", toolbox),
         *set_down(toolbox),
+        StillHeld("held to the end", toolbox),
         LetGo("let go", toolbox),
     ]
     return Sequence("set down", memory=True, children=children)
@@ -88,6 +91,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
 
 def _recover(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
+        StillHeld("not lost", toolbox),
         ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
         BestEffort(RaiseHeld("lift it again", toolbox)),
         _find_room(toolbox),

@@ -18,6 +18,7 @@ from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.still_held import StillHeld
 from trees.leaves.verify_put_in import VerifyPutIn
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
@@ -33,9 +34,11 @@ def put_in(toolbox: Toolbox) -> Behaviour:
     attempt: list[Behaviour] = [
         PlanPlace("plan put in", toolbox),
         *set_down(toolbox, further_steps=0),
+        StillHeld("held to the end", toolbox),
         LetGo("let go", toolbox, anyway=True),
     ]
     recover: list[Behaviour] = [
+        StillHeld("not lost", toolbox),
         ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
         BestEffort(RaiseHeld("lift it again", toolbox)),
         _find_container(toolbox),
@@ -63,13 +66,20 @@ def put_in(toolbox: Toolbox) -> Behaviour:
 
 
 def _find_container(toolbox: Toolbox) -> Behaviour:
+    """Looks until it is seen; what a hand lifts from a table hides what stands behind: then from home."""
     looks: list[Behaviour] = []
-    for gaze in toolbox.policy.search_gazes:
+    first, *others = toolbox.policy.search_gazes
+    for name, gaze, before in (
+        ("look ahead", first, []),
+        ("draw the hand in", first, [GoHome("hand away", toolbox)]),
+        *((f"look {gaze.name}", gaze, []) for gaze in others),
+    ):
         children: list[Behaviour] = [
+            *before,
             LookAt("look", toolbox, gaze),
             FindContainer("find container", toolbox),
         ]
-        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+        looks.append(Sequence(name, memory=True, children=children))
     return Alternatives("find what it goes into", looks, hopeless=looking_elsewhere_is_useless)
 
 

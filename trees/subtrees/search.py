@@ -5,12 +5,17 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from kinematics.robot_description import HANDS
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure
 from trees.leaves.detect import Detect, wants_survey
+from trees.leaves.go_home import GoHome
 from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
 from trees.toolbox import Toolbox
+
+_HOME_RAD = 0.1
+"""Arms nearer than this to their home posture hide nothing more than they do there."""
 
 
 def search(name: str, toolbox: Toolbox) -> Alternatives:
@@ -22,12 +27,39 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     gazes, survey = toolbox.policy.search_gazes, toolbox.policy.survey_gazes
     looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
     looks += [_look(gaze, toolbox, surveyed=gaze is survey[-1]) for gaze in survey]
-    surveying = frozenset(looks[len(gazes) :])
+    return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
-    def worth_trying(look: Behaviour, failure: Failure | None) -> bool:
-        return (look in surveying) == (failure is not None and wants_survey(failure))
 
-    return Alternatives(name, looks, looking_elsewhere_is_useless, worth_trying)
+def as_needed(look: Behaviour, failure: Failure | None) -> bool:
+    """The looks to both sides when they are asked for, the others when not."""
+    surveys = any(
+        isinstance(leaf, LookAt) and leaf.gaze in leaf.toolbox.policy.survey_gazes for leaf in look.children
+    )
+    return surveys == (failure is not None and wants_survey(failure))
+
+
+def search_from_home_too(toolbox: Toolbox) -> Alternatives:
+    """From here, and once more from home where the arms are elsewhere: they may hide what is meant."""
+    from_here = search("search", toolbox)
+    again: list[Behaviour] = [GoHome("go home", toolbox), search("search", toolbox)]
+    from_home = Sequence("look from home", memory=True, children=again)
+    ways = Alternatives("look", [from_here, from_home], looking_elsewhere_is_useless, unless_at_home)
+    ways.transparent = True
+    return ways
+
+
+def unless_at_home(way: Behaviour, _failure: Failure | None) -> bool:
+    """A way that begins by going home, only where the arms are elsewhere; any other always."""
+    home = next((leaf for leaf in way.children if isinstance(leaf, GoHome)), None)
+    return home is None or not _arms_at_home(home.toolbox)
+
+
+def _arms_at_home(toolbox: Toolbox) -> bool:
+    model = toolbox.model
+    groups = model.description.groups
+    arms = {joint for hand in HANDS for joint in groups[f"{hand}_arm"]}
+    off = toolbox.motion.reference()[7:] - model.q_home[7:]
+    return all(abs(float(off[i])) <= _HOME_RAD for i, name in enumerate(model.joints) if name in arms)
 
 
 def _look(gaze: Gaze, toolbox: Toolbox, *, surveyed: bool) -> Behaviour:

@@ -16,13 +16,19 @@ from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.toolbox import Toolbox
 
 
-def search_place(name: str, toolbox: Toolbox, gazes: Many[Gaze], slots: Many[str] = SLOTS) -> Alternatives:
-    """From here first, then one gaze after the other, until it is seen; writes "place"."""
+def search_place(
+    name: str,
+    toolbox: Toolbox,
+    gazes: Many[Gaze],
+    slots: Many[str] = SLOTS,
+    further: Many[Behaviour] = (),
+) -> Alternatives:
+    """From here, then one gaze after the other, then further looks, until it is seen; writes "place"."""
     looks: list[Behaviour] = [Locate("look from here", toolbox, slots)]
     for gaze in gazes:
         children: list[Behaviour] = [LookAt("look", toolbox, gaze), Locate("locate", toolbox, slots)]
         looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
-    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+    return Alternatives(name, [*looks, *further], hopeless=looking_elsewhere_is_useless)
 
 
 def everywhere(toolbox: Toolbox) -> tuple[Gaze, ...]:

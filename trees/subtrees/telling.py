@@ -7,7 +7,9 @@ from py_trees.composites import Sequence
 
 from trees.best_effort import BestEffort
 from trees.leaves.go_home import GoHome
+from trees.leaves.locate import Locate
 from trees.leaves.look_at import LookAt
+from trees.leaves.look_past import LookPast
 from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
 from trees.leaves.tell_found import TellFound
@@ -17,9 +19,17 @@ from trees.toolbox import Toolbox
 
 
 def find(toolbox: Toolbox) -> Behaviour:
-    """Look from everywhere until it is seen, and say where. Reads "task", writes "evidence"."""
-    gazes = (*everywhere(toolbox), *toolbox.policy.peering_gazes)
-    children: list[Behaviour] = [search_place("look for it", toolbox, gazes), TellFound("tell", toolbox)]
+    """Look everywhere, at last past what hides things, and say where. Reads "task", writes "evidence"."""
+    past: list[Behaviour] = [
+        Sequence(
+            f"look past {k}",
+            memory=True,
+            children=[LookPast("peer", toolbox), Locate("locate", toolbox)],
+        )
+        for k in range(1, toolbox.policy.looks_past + 1)
+    ]
+    looks = search_place("look for it", toolbox, everywhere(toolbox), further=past)
+    children: list[Behaviour] = [looks, TellFound("tell", toolbox)]
     return tidily("find", children, toolbox)
 
 

@@ -19,10 +19,18 @@ class _Main(Sequence):
     transparent = True
 
 
-def tidily(name: str, children: list[Behaviour], toolbox: Toolbox) -> CleanUp:
-    """One thing after the other, in time; after a failure that is no question, home."""
+def tidily(name: str, children: list[Behaviour], toolbox: Toolbox, timeout_s: float | None = None) -> CleanUp:
+    """One thing after the other, in time; after a failure that is no question, home.
+
+    Args:
+        name: Of the node.
+        children: What is to be done.
+        toolbox: What leaves may call.
+        timeout_s: All of it takes less; the policy's time for a task when left out.
+    """
     main = _Main("do", memory=True, children=children)
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock)
+    limit_s = toolbox.policy.task_timeout_s if timeout_s is None else timeout_s
+    timed = Deadline("in time", main, limit_s, toolbox.clock, toolbox.pauses)
     return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=_tidying_helps)
 
 

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.alternatives import defect
+from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
-from trees.leaves.go_home import GoHome
+from trees.leaves.change_viewpoint import ChangeViewpoint
+from trees.leaves.know_place import KnowPlace
+from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.squared_up import SquaredUp
 from trees.leaves.walk_to import WalkTo
+from trees.policy import Gaze
 from trees.retry import Retry
+from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
+
+_VIEWPOINTS: tuple[Literal["ahead", "around"], ...] = ("around", "around", "ahead", "around", "ahead")
 
 
 def walk_to(toolbox: Toolbox) -> Behaviour:
@@ -22,16 +30,49 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
         "attempt",
         memory=True,
         children=[
-            GoHome("stand upright", toolbox),
+            ReadyToWalk("stand upright", toolbox),
             WalkTo("walk", toolbox),
-            search_place("look again", toolbox, everywhere(toolbox)),
+            Alternatives(
+                "find again",
+                [
+                    KnowPlace("know the place", toolbox),
+                    search_place("look again", toolbox, everywhere(toolbox)),
+                ],
+            ),
             SquaredUp("stand square", toolbox),
         ],
     )
-    again = GoHome("stand upright", toolbox)
+    again = ReadyToWalk("stand upright", toolbox)
     tries = Retry("walks", attempt, again, toolbox.policy.walk_attempts, _another_walk_is_useless)
-    children: list[Behaviour] = [search_place("find it", toolbox, everywhere(toolbox)), tries]
-    return tidily("walk to", children, toolbox)
+    return tidily("walk to", [_find(toolbox), tries], toolbox, toolbox.policy.walk_timeout_s)
+
+
+def _find(toolbox: Toolbox) -> Behaviour:
+    """Look from here, then from elsewhere: the camera does not see all that one can walk to."""
+    policy = toolbox.policy
+    far = (*policy.search_gazes[:1], *policy.level_gazes)
+    ways: list[Behaviour] = [
+        KnowPlace("know the place", toolbox),
+        search_place("look around", toolbox, (*far, *policy.search_gazes[1:2])),
+    ]
+    for k, way in enumerate(_VIEWPOINTS, start=1):
+        name = "go on" if way == "ahead" else "turn around"
+        ways.append(
+            Sequence(
+                f"viewpoint {k}",
+                memory=True,
+                children=[
+                    ReadyToWalk("stand upright", toolbox),
+                    ChangeViewpoint(name, toolbox, way),
+                    search_place("look around", toolbox, _level_first(far)),
+                ],
+            )
+        )
+    return Alternatives("find it", ways, hopeless=looking_elsewhere_is_useless)
+
+
+def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:
+    return (*gazes[1:], gazes[0])
 
 
 def _another_walk_is_useless(failure: Failure, _before: Failure | None) -> bool:

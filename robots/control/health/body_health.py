@@ -50,16 +50,19 @@ class BodyHealth:
         late = 1.0 if late_s > self._period_s else 0.0
         self._late_share += min(1.0, self._period_s / _PACE_TIME_S) * (late - self._late_share)
 
-    def judge(self, sensed: SensedState, standing: bool, stepping: bool = False) -> list[Finding]:
+    def judge(
+        self, sensed: SensedState, standing: bool, stepping: bool = False, bent: bool = False
+    ) -> list[Finding]:
         """Take one period's readings.
 
         Args:
             sensed: Readings, and the configuration estimated from them.
             standing: Whether both soles are meant to carry.
             stepping: Whether the feet move: the orientation hangs on the gyro then, and cannot judge it.
+            bent: Whether a leg is not where it was told to be: what it says about turning is not trusted.
         """
         state, limits, found = sensed.readings, self._limits, []
-        if stepping:
+        if stepping or bent:
             self.forget()
         elif self._imu is not None:
             found += self._gyro(sensed, self._imu)

@@ -31,12 +31,19 @@ _OFFLINE_SHARE = 0.02
 """Of the effort limit: a motor that gives less than this is offline, one that gives more is weak."""
 _WINDOW_S = 0.5
 _FOLLOWED_SHARE = 0.15
+_BEHIND_S = 0.5
+"""A joint that stays so far behind for so long is stuck, also when its motor makes it creep: a jammed ankle
+that 100 Nm move by 10 mrad/s follows a slow motion by a quarter."""
 _FORGET_S = 30.0
 """The sum of speeds forgets with this time constant: noise of 0.002 rad/s adds up to 0.4 mrad."""
 
 
 class JointHealth:
-    """Judges the body's joints, every few control periods; a gripper is judged by what it holds."""
+    """Judges the body's joints, every few control periods; a gripper is judged by what it holds.
+
+    Attributes:
+        off_rad: How far each joint was from its setpoint at the last judgement, shape (joints,).
+    """
 
     def __init__(self, description: RobotDescription, period_s: float) -> None:
         names = description.joints
@@ -58,11 +65,14 @@ class JointHealth:
         self._origin: Array | None = None
         self._v = np.zeros(n)
         self._periods = 0
+        self.off_rad = np.zeros(n)
+        self._behind_s = np.zeros(n)
 
     def forget(self) -> None:
         """Begin anew: the encoders count as right, and nothing as stuck."""
         self._origin = None
         self._past.clear()
+        self._behind_s[:] = 0.0
 
     def judge(
         self, state: RobotState, setpoint: JointSetpoint, in_contact: bool = False, room: float = 1.0
@@ -126,10 +136,14 @@ class JointHealth:
         self._past.append((wanted_now, q))
         then_wanted, then = self._past[0]
         wanted, followed = np.abs(wanted_now - then_wanted), np.abs(q - then)
-        error = np.abs(wanted_now - q)
+        error = self.off_rad = np.abs(wanted_now - q)
         stuck = (wanted > self._stuck_rad) & (followed < _FOLLOWED_SHARE * wanted)
         stuck &= error > 0.5 * room * self._stuck_rad
         stuck |= error > room * limits.tracking_rad
+        behind = error > room * self._stuck_rad
+        self._behind_s = np.where(behind, self._behind_s + _EVERY * self._period_s, 0.0)
+        if not in_contact:
+            stuck |= self._behind_s > _BEHIND_S
         return [
             Finding(Ailment.STUCK, self._names[i], float(error[i]), float(self._stuck_rad[i]))
             for i in np.flatnonzero(stuck).tolist()

@@ -60,6 +60,9 @@ class Walker:
         self._gyro_at_rest = np.zeros(3)
         self._rested = 0
         self._readings: RobotState | None = None
+        self._steering: Steering | None = None
+        self._pausing = False
+        self._interrupted = False
 
     # ---------------------------------------------------------------- for those who want to walk
 
@@ -80,11 +83,10 @@ class Walker:
             conflict = self._authority.claim(handle.owner, self._model.joints)
             reason = None if conflict is None else f"{conflict[0]} is held by {conflict[1]}"
         if reason is None:
-            self._walk = _Walk(self._model, self._streamer, self._gyro_at_rest, self._period_s)
-            if self._readings is not None:
-                self._walk.sense(self._readings)
-            self._walk.pattern.steer(steering)
-            self._handle, self._owner = handle, handle.owner
+            self._handle, self._owner, self._steering = handle, handle.owner, steering
+            self._pausing = self._streamer.paused
+            if not self._pausing:
+                self._set_out(steering)
             self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
             return handle
         handle.status, handle.reason = MotionStatus.REFUSED, reason
@@ -93,13 +95,36 @@ class Walker:
 
     def steer(self, handle: MotionHandle, steering: Steering) -> None:
         """Go somewhere else with a walk that is under way; one that has ended is left alone."""
-        if self._walk is not None and handle is self._handle:
-            self._walk.pattern.steer(steering)
+        if handle is self._handle:
+            self._steering = steering
+            if self._walk is not None and not self._interrupted:
+                self._walk.pattern.steer(steering)
 
     def finish(self, handle: MotionHandle) -> None:
         """Bring a walk to its end within its last steps; its handle is done when the robot stands."""
         if self._walk is not None and handle is self._handle:
             self._walk.pattern.finish()
+
+    def pause(self) -> None:
+        """Stand still within the last steps until ``resume``; the walk stays under way."""
+        self._pausing = self._handle is not None
+        if self._walk is not None and self._pausing:
+            self._interrupted = True
+            self._walk.pattern.finish()
+
+    def resume(self) -> None:
+        """Set out again for where a pause has stopped the walk, once the robot stands."""
+        self._pausing = False
+
+    def go_on(self) -> None:
+        """Between two periods: begin again what was paused, if that is over and the robot stands."""
+        if (
+            self._walk is None
+            and self._handle is not None
+            and not self._pausing
+            and self._steering is not None
+        ):
+            self._set_out(self._steering)
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
         """Stop a walk within its last steps; one that has ended is left alone."""
@@ -115,10 +140,14 @@ class Walker:
 
     def stop(self, reason: str, status: MotionStatus = MotionStatus.CANCELED) -> None:
         """Bring the feet together and come to rest, with no regard to whoever wanted the walk."""
+        self._pausing = self._interrupted = False
+        handle, self._handle = self._handle, None
         if self._walk is None:
+            if handle is not None:  # it stood because of a pause
+                self._end(handle, status, reason)
+                self._authority.release(self._owner)
             return
         self._walk.pattern.finish()
-        handle, self._handle = self._handle, None
         if handle is not None:
             self._end(handle, status, reason)
             self._authority.release(self._owner)
@@ -172,6 +201,8 @@ class Walker:
             return None
         standing = walk.standing()
         self._walk = None
+        if self._interrupted and self._handle is not None:
+            return standing
         self._authority.release(self._owner)
         handle, self._handle = self._handle, None
         if handle is not None:
@@ -181,10 +212,17 @@ class Walker:
 
     # ---------------------------------------------------------------- inside
 
+    def _set_out(self, steering: Steering) -> None:
+        self._interrupted = False
+        self._walk = _Walk(self._model, self._streamer, self._gyro_at_rest, self._period_s)
+        if self._readings is not None:
+            self._walk.sense(self._readings)
+        self._walk.pattern.steer(steering)
+
     def _why_not(self) -> str | None:
         if self._model.description.walking is None:
             return f"{self._model.description.name} is not known to walk"
-        if self._walk is not None:
+        if self._walk is not None or self._handle is not None:
             return "it walks already"
         if (closed := self._streamer.why_closed) is not None:
             return closed

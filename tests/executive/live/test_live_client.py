@@ -1,129 +1,21 @@
 """The executive's side of the socket, against a real control server on a robot without physics."""
 
 import dataclasses
-from concurrent.futures import Future
 
 import numpy as np
 import pytest
 
 from executive.live.control_link import AttachRefusedError, ControlLink, ControlLostError
 from executive.live.live_guard import LiveGuard
-from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps
-from executive.live.motion_client import GripperClient, MotionClient
-from executive.live.planning_client import LivePlanning, NotAdmittedError
+from executive.live.live_steps import LiveClock
+from executive.live.motion_client import GripperClient
+from executive.live.planning_client import NotAdmittedError
 from executive.live.planning_service import Planned
-from kinematics.requests import CheckRequest
-from kinematics.scene import PlanningScene
 from kinematics.trajectory import Finding, FindingKind, Unsafe
 from robots.control.events import StopStarted
 from robots.control.motion_handle import MotionStatus
 from robots.live.messages import Stop
-from robots.live.robot_report import ReportLayout, RobotReport
-from robots.live.runtime_folder import RuntimeFolder
-from robots.live.state_slot import StateSlotWriter
-from tests.robots.live.conftest import Client, LiveRig, swing
-from trees.world_model import WorldModel
-
-
-@pytest.fixture(scope="session")
-def talos():
-    from kinematics.robot_model import RobotModel
-    from robots.description import load_description
-
-    return RobotModel(load_description("talos"))
-
-
-class Far(LiveRig):
-    """A control process in this process: it goes on when the link waits."""
-
-    def __init__(self, model, folder):
-        self.slot = StateSlotWriter(folder.state_slot, ReportLayout(model).count)
-        super().__init__(model, folder)
-        self.server._about["slot"] = str(folder.state_slot)
-        self.publish()
-
-    def publish(self):
-        loop = self.loop
-        report = RobotReport(
-            self.clock.now_s(),
-            loop.motion.resting,
-            loop.sensing.state(),
-            loop.motion.reference(),
-            loop.motion.stance(),
-            {hand: gripper.reading() for hand, gripper in loop.grippers.items()},
-        )
-        self.slot.write(ReportLayout(self.model).row(report))
-
-    def run(self, seconds, each=lambda: None):
-        for _ in range(round(seconds / 0.01)):
-            super().run(0.01, each)
-            self.publish()
-
-
-class Executive:
-    """Link and toolbox parts, attached."""
-
-    def __init__(self, far, monkeypatch):
-        # the greeting is answered while it is waited for
-        from robots.live.connection import Connection
-
-        waited = Connection.wait
-
-        def wait(connection, seconds):
-            far.run(0.01)
-            return waited(connection, 0.0)
-
-        monkeypatch.setattr(Connection, "wait", wait)
-        self.far, self.events, self.world = far, [], WorldModel()
-        self.link = ControlLink(far.folder, far.model)
-        self.link.listen(self.events.append)
-        self.motion = MotionClient(self.link)
-        self.detector = DetectorClient(self.link)
-        self.steps = LiveSteps(self.link, self.detector, self.world)
-        self.worker = Worker()
-        self.planning = LivePlanning(self.worker, self.link, self.motion, self.world, self.events.append)
-
-    def ticks(self, count):
-        for _ in range(10 * count):
-            self.steps.step()
-
-    def admitted(self, checked):
-        """A trajectory that both sides let pass."""
-        job = self.planning.submit(CheckRequest(checked.trajectory, PlanningScene()))
-        self.worker.answer(Planned(checked, 0.1, "{}"))
-        for _ in range(20):
-            if job.done:
-                return job.result()
-            self.ticks(1)
-        raise AssertionError("no verdict")
-
-
-class Worker:
-    def __init__(self):
-        self.futures = []
-
-    def ask(self, _question):
-        self.futures.append(Future())
-        return self.futures[-1]
-
-    def answer(self, planned):
-        self.futures[-1].set_result(planned)
-
-
-@pytest.fixture
-def far(talos, tmp_path_factory):
-    folder = RuntimeFolder(tmp_path_factory.mktemp("live"))
-    folder.make()
-    rig = Far(talos, folder)
-    yield rig
-    rig.close()
-
-
-@pytest.fixture
-def executive(far, monkeypatch):
-    attached = Executive(far, monkeypatch)
-    yield attached
-    attached.link.close()
+from tests.robots.live.conftest import Client, swing
 
 
 def test_a_motion_that_both_sides_checked_is_carried_out(executive, talos):
@@ -241,3 +133,37 @@ def test_a_plan_comes_back_as_the_worker_gave_it(executive):
     assert job.result() == "no plan"
     assert executive.planning.wall_s == pytest.approx(0.2)
     assert dataclasses.asdict(executive.events[-1])["answer"] == "str"
+
+
+@pytest.mark.requirement("S7")
+def test_what_is_paused_holds_and_goes_on_where_it_was(executive, talos):
+    checked = executive.admitted(swing(talos, executive.motion.reference()))
+    handle = executive.motion.start(checked)
+    executive.ticks(15)
+
+    executive.link.pause("a moment")
+    executive.ticks(40)
+    held = executive.far.loop.setpoint.q.copy()
+    executive.ticks(20)
+
+    np.testing.assert_array_equal(executive.far.loop.setpoint.q, held)
+    assert handle.status is MotionStatus.RUNNING
+    executive.link.resume()
+    executive.ticks(80)
+    assert handle.status is MotionStatus.DONE
+    np.testing.assert_allclose(executive.motion.reference()[7:], checked.trajectory.q[-1, 7:], atol=1e-9)
+
+
+@pytest.mark.requirement("S3")
+def test_what_was_paused_ends_with_its_executive(executive, talos):
+    handle = executive.motion.start(executive.admitted(swing(talos, executive.motion.reference())))
+    executive.ticks(15)
+    executive.link.pause("a moment")
+    executive.ticks(40)
+
+    executive.link.close()
+    executive.far.run(0.5)
+
+    assert not executive.far.loop.paused
+    assert executive.far.loop.motion.resting
+    assert handle.status is not MotionStatus.DONE

@@ -9,7 +9,7 @@ from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
 from kinematics.walking.corridor import free_way_m, stopping_distance_m
-from kinematics.walking.path_planning import clearance_m, footprints, plan_path
+from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose
 from robots.description import load_description
 
@@ -67,3 +67,21 @@ def test_what_is_beside_the_corridor_is_not_in_the_way():
     assert free_way_m(ahead, settings, 0.3) == pytest.approx(0.6 - settings.front_m)
     assert free_way_m(ahead, settings, -0.3) == np.inf
     assert stopping_distance_m(settings, 0.5) > stopping_distance_m(settings, 0.1) > 0.0
+
+
+def test_a_way_keeps_its_distance_from_points_that_belong_to_nothing_known():
+    points = np.array([(2.0, y) for y in np.arange(-0.5, 0.51, 0.05)])
+
+    path = plan_path(PlanarPose(), PlanarPose(4.0, 0.0), (), 0.5, points)
+
+    assert path is not None
+    specks = tuple(Footprint(PlanarPose(x, y), 0.0, 0.0) for x, y in points)
+    assert nearest_m(path, specks) >= 0.5 - 0.05
+
+
+def test_a_path_is_blocked_by_what_is_near_to_any_part_of_it():
+    path = (PlanarPose(), PlanarPose(2.0, 0.0), PlanarPose(2.0, 2.0))
+
+    assert blocked(path, np.array([(5.0, 5.0), (2.3, 1.0)]), 0.4)
+    assert not blocked(path, np.array([(5.0, 5.0), (2.3, 1.0)]), 0.2)
+    assert not blocked(path, np.zeros((0, 2)), 0.4)

@@ -159,3 +159,34 @@ def test_a_stretch_is_as_long_as_was_asked_for(model, speed):
 
     body = PlanarPose.between(walk.pattern.feet["left"], walk.pattern.feet["right"])
     assert body.x_m == pytest.approx(0.7 if speed > 0.0 else -0.7, abs=0.008)
+
+
+@pytest.mark.parametrize("shift", [PlanarPose(0.02, 0.0), PlanarPose(0.0, -0.02), PlanarPose(0.0, 0.0, 0.05)])
+def test_a_robot_found_elsewhere_during_its_last_step_stands_before_it_steps_again(model, shift):
+    walk = Walk(model)
+    walk.pattern.steer(PathSteering(walk.settings, (PlanarPose(), PlanarPose(0.3, 0.0))))
+    apart = 0.0
+
+    for _ in range(15000):
+        sample = walk.pattern.advance(PERIOD_S)
+        walk.body.follow(sample)  # raises when the pattern runs away from its feet
+        apart = max(apart, float(np.hypot(*np.subtract(sample.com.dcm, sample.com.com))))
+        if sample.phase is Phase.SWING:
+            beside = sample.feet[sample.carrying[0]].to(walk.pattern.goal)
+            if abs(beside.x_m) < 1e-3 and abs(abs(beside.y_m) - 0.17) < 1e-3:
+                walk.pattern.odom_T_plan = shift
+        if sample.phase is Phase.REST:
+            break
+
+    assert sample.phase is Phase.REST
+    assert apart < 0.15
+
+
+def test_a_body_that_is_at_the_goal_of_a_path_goes_there_straight_wherever_the_path_goes(model):
+    goal = PlanarPose(0.5, 0.05, 0.0)
+    path = (PlanarPose(), PlanarPose(1.5, 0.0), PlanarPose(1.5, 0.05), goal)
+    steering = PathSteering(model.description.walking, path)
+
+    step = steering.advance(PlanarPose(0.5, 0.0), PlanarPose())
+
+    assert step == PlanarPose(0.0, 0.05, 0.0)

@@ -113,8 +113,13 @@ class Client:
 class Weightless(FakeRobot):
     """Its motors give exactly what they were told to."""
 
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        self.commands = []
+
     def command(self, setpoint):
         super().command(setpoint)
+        self.commands.append(setpoint)
         self.effort = setpoint.tau
 
 

@@ -26,7 +26,7 @@ def test_no_message_of_a_stranger_moves_the_robot_or_ends_the_service(live, sent
     if not live.clients:
         live.client("commander")
     commander, stranger = live.clients[0], live.client()
-    commander.say(Heartbeat(*commander.next(), False, False, 0))
+    commander.say(Heartbeat(*commander.next(), False, False, False, 0))
     before = live.robot.read().q
 
     for framed, payload in sent:

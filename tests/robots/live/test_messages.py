@@ -22,12 +22,12 @@ json_values = st.recursive(
     lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
     max_leaves=10,
 )
-GOOD = Heartbeat(7, 1.25, True, False, 3)
+GOOD = Heartbeat(7, 1.25, True, False, True, 3)
 
 
 @given(st.integers(0, 2**40), st.floats(0, 1e6), st.booleans(), st.booleans(), st.integers(0, 10**6))
 def test_a_message_comes_back_as_it_was_sent(number, stamp_s, busy, looking, version):
-    sent = Heartbeat(number, stamp_s, busy, looking, version)
+    sent = Heartbeat(number, stamp_s, busy, looking, not looking, version)
 
     assert read_control_message(write_control_message(sent)) == sent
 

@@ -64,6 +64,7 @@ def test_a_report_comes_back_bit_by_bit(live, talos):
     sent = RobotReport(
         live.clock.now_s(),
         loop.motion.resting,
+        True,
         loop.sensing.state(),
         loop.motion.reference(),
         loop.motion.stance(),
@@ -72,6 +73,7 @@ def test_a_report_comes_back_bit_by_bit(live, talos):
 
     read = layout.report(layout.row(sent))
 
+    assert read.walking
     assert (read.t_s, read.resting, read.grippers) == (sent.t_s, sent.resting, sent.grippers)
     np.testing.assert_array_equal(read.sensed.q, sent.sensed.q)
     np.testing.assert_array_equal(read.reference, sent.reference)

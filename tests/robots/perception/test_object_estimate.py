@@ -162,3 +162,20 @@ def test_the_order_of_detections_in_a_frame_does_not_matter():
     backward = fuse_frames(views(*[frame[::-1] for frame in frames]))
 
     assert [e.odom_T_object.tobytes() for e in forward] == [e.odom_T_object.tobytes() for e in backward]
+
+
+def test_what_stands_in_the_middle_of_a_box_is_seen_as_well_as_the_box():
+    box = detection(at(0.5), "box", "brown", Box((0.18, 0.15, 0.1)))
+    cup = detection(at(0.505, z=0.905))
+
+    seen = fuse_frames(views(*[[box, cup]] * 4))
+
+    assert [estimate.kind for estimate in seen] == ["box", "cup"]
+
+
+def test_one_thing_that_is_named_in_two_ways_is_one():
+    frames = [[detection(at(0.5))]] * 5 + [[detection(at(0.505), "can")]] * 3
+
+    (seen,) = fuse_frames(views(*frames))
+
+    assert seen.kind == "cup"

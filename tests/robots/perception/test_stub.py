@@ -325,3 +325,17 @@ def test_no_pictures_are_taken_while_nobody_looks_and_fresh_ones_when_somebody_d
 
     assert idle <= 0.5 * EXACT.rate_hz + 1
     assert bench.stub.latest().stamp_s >= began_s
+
+
+@pytest.mark.requirement("P1")
+@pytest.mark.parametrize(("far_m", "worse"), [(3.9, 1.0), (8.0, 4.0)])
+def test_noise_grows_with_the_square_of_the_distance_beyond_four_metres(far_m, worse):
+    bench = Bench(thing(place=(far_m, 0.0, 1.0)), model=replace(EXACT, noise_m=0.002))
+    camera = replace(CAMERA, range_m=(0.3, 10.0))
+    bench.stub = PerceptionStub(
+        bench.truth, camera, replace(EXACT, noise_m=0.002), bench.clock, np.random.default_rng(3)
+    )
+
+    frames = bench.frames(15.0)
+
+    assert np.std(positions(bench, frames), axis=0) == pytest.approx(0.002 * worse, rel=0.15)

@@ -111,7 +111,36 @@ def test_after_an_empty_grasp_another_grasp_is_tried(stage):
     assert tree.status == "success"
     assert tree.attempts == 2
     plans = [request for request in stage.fake.planning.requests if isinstance(request, PickRequest)]
-    assert plans[1].excluded == {"right side"}
+    assert plans[-1].excluded == {"right side"}
+
+
+def test_what_stands_out_of_view_beside_the_hands_way_is_seen_before_the_arm_moves(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.42, -0.36)))
+    seen = []
+    stage.when("detect", lambda: seen.append("blue cup" in stage.told.scene.objects), 30)
+    stage.when("stream reach", lambda: seen.append("blue cup" in stage.told.scene.objects))
+
+    stage.play(stage.pick())
+
+    plans = [request for request in stage.fake.planning.requests if isinstance(request, PickRequest)]
+    assert "blue cup" not in plans[0].scene.objects
+    assert "blue cup" in plans[-1].scene.objects
+    assert seen[-1]
+
+
+def test_where_somebody_looked_before_nobody_looks_again(stage):
+    def looks_aside():
+        names = [event.where for event in stage.events if isinstance(event, NodeChanged)]
+        return sum(name.endswith("where the hand goes/survey") for name in names)
+
+    stage.play(stage.pick())
+    once = looks_aside()
+    for hand in stage.fake.grippers.values():
+        hand.open()
+    stage.play(stage.pick())
+
+    assert once > 0
+    assert looks_aside() == once
 
 
 @pytest.mark.requirement("M2", "M4")

@@ -31,11 +31,13 @@ class BodyFault:
         noticed_as: What it may be found to be; a motor that gives nothing may first look weak, or its
             joint stuck.
         of_a_joint: Whether it strikes one joint.
+        of_a_motor: Whether it shows only where the motor is asked for more than it gives.
     """
 
     act: Act
     noticed_as: tuple[Ailment, ...]
     of_a_joint: bool = True
+    of_a_motor: bool = False
 
 
 def _offset(faults: BodyFaults, joint: str, rng: np.random.Generator) -> None:
@@ -53,8 +55,10 @@ _NO_EFFORT = (Ailment.OFFLINE, Ailment.WEAK, Ailment.STUCK)
 
 BODY_FAULTS: Mapping[str, BodyFault] = {
     "joint_stuck": BodyFault(lambda faults, joint, _: faults.jam(joint), (Ailment.STUCK,)),
-    "joint_offline": BodyFault(lambda faults, joint, _: faults.cut_power(joint), _NO_EFFORT),
-    "joint_weak": BodyFault(lambda faults, joint, _: faults.weaken(joint, WEAK_SHARE), _NO_EFFORT),
+    "joint_offline": BodyFault(lambda faults, joint, _: faults.cut_power(joint), _NO_EFFORT, of_a_motor=True),
+    "joint_weak": BodyFault(
+        lambda faults, joint, _: faults.weaken(joint, WEAK_SHARE), _NO_EFFORT, of_a_motor=True
+    ),
     "encoder_offset": BodyFault(_offset, (Ailment.ENCODER_OFFSET,)),
     "gyro_bias": BodyFault(_bias, (Ailment.GYRO_BIAS,), of_a_joint=False),
     "battery_low": BodyFault(

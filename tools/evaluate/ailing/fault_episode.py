@@ -14,7 +14,7 @@ from robots.control.events import HealthChanged
 from tools.evaluate.ailing.body_fault import BODY_FAULTS, BodyFault, struck_joint
 from tools.evaluate.ailing.fault_record import FaultRecord
 from tools.evaluate.scenes import TARGET, episode_rng
-from tools.evaluate.stopping.courses import COURSES, CourseRun, phase_of
+from tools.evaluate.stopping.courses import PICK, CourseRun, phase_of
 from trees.events import NodeChanged
 
 WHEN_S = (0.5, 14.0)
@@ -33,17 +33,17 @@ class FaultOrder:
     robot: str = "talos"
 
 
-def run_fault(order: FaultOrder) -> FaultRecord:
+def run_faults(order: FaultOrder) -> list[FaultRecord]:
     """Run one episode; whatever breaks becomes its record."""
     try:
-        return _Episode(order).run()
+        return [_Episode(order).run()]
     except Exception:
-        return FaultRecord(order.seed, order.fault, error=traceback.format_exc())
+        return [FaultRecord(order.seed, order.fault, error=traceback.format_exc())]
 
 
-def died(order: FaultOrder) -> FaultRecord:
+def died(order: FaultOrder) -> list[FaultRecord]:
     """The record of an episode whose process died."""
-    return FaultRecord(order.seed, order.fault, error="the process died")
+    return [FaultRecord(order.seed, order.fault, error="the process died")]
 
 
 class _Episode:
@@ -51,7 +51,7 @@ class _Episode:
         self._order, self._standing = order, standing
         rng = episode_rng(order.seed, 4)
         self._fault: BodyFault = BODY_FAULTS[order.fault]
-        self._run = CourseRun(COURSES[0], order.seed, order.robot, self._take)
+        self._run = CourseRun(PICK, order.seed, order.robot, self._take)
         assembly = self._run.assembly
         description = assembly.model.description
         joint = struck_joint(description, rng)
@@ -106,7 +106,7 @@ class _Episode:
         tops = chain(ended.failure) if ended is not None else []
         expected = {ailment.value for ailment in self._fault.noticed_as}
         typed = noticed is not None and noticed.ailment in expected
-        typed = typed and self._part in ("", noticed.part if noticed is not None else "")
+        typed = typed and noticed is not None and self._is_blamed(noticed.part)
         fells_standing = None
         if self._fell and not self._standing:
             fells_standing = _Episode(self._order, standing=True).run().fell
@@ -131,7 +131,12 @@ class _Episode:
             fell=self._fell,
             fells_standing=fells_standing,
             typed=typed,
+            of_a_motor=self._fault.of_a_motor,
         )
+
+    def _is_blamed(self, part: str) -> bool:
+        legs = all(name.startswith("leg_") for name in (part, self._part))
+        return self._part in ("", part) or (self._order.fault == "joint_stuck" and legs)
 
     def _take(self, event: Event) -> None:
         if isinstance(event, HealthChanged) and event.present and self._noticed is None:

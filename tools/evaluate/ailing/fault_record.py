@@ -15,6 +15,10 @@ from tools.evaluate.stopping.stop_judge import REST_RAD_S
 _ASKED_RAD = 0.02
 """A joint that was asked to move less than this, and is not off by as much, has not shown its fault."""
 
+_FOLLOWED_RAD = 0.005
+"""A joint that is never farther from where it is asked to be has a motor that gives what is asked for:
+healthy joints are up to 5 mrad off."""
+
 
 @dataclass(frozen=True, slots=True)
 class FaultRecord:
@@ -36,6 +40,9 @@ class FaultRecord:
         fell: Whether the robot fell.
         fells_standing: For a fall: whether the same fault fells a robot that only stands.
         dropped: Objects held at the end of the task that touched anything else later.
+        typed: Whether the ailment is the fault, and the part is the one that was struck; a stuck joint of
+            a leg holds the others back too, for both legs and the floor are one chain.
+        of_a_motor: Whether the fault shows only where the motor is asked for more than it gives.
         error: A traceback, when the evaluation broke.
     """
 
@@ -59,11 +66,16 @@ class FaultRecord:
     fells_standing: bool | None = None
     error: str | None = None
     typed: bool = False
+    of_a_motor: bool = False
 
     @property
     def unchallenged(self) -> bool:
         """Whether the struck joint was never asked for anything that would have shown the fault."""
-        return self.part != "" and max(self.asked_rad, self.off_rad) < _ASKED_RAD and not self.fell
+        if self.part == "" or self.fell:
+            return False
+        if self.of_a_motor:
+            return self.off_rad < _FOLLOWED_RAD
+        return max(self.asked_rad, self.off_rad) < _ASKED_RAD
 
     @property
     def faults(self) -> tuple[str, ...]:

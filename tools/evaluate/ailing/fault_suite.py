@@ -3,43 +3,29 @@
 from __future__ import annotations
 
 import argparse
-import json
+from functools import partial
 
 from rich.console import Console
-from rich.table import Table
 
-from tools.evaluate.ailing.fault_episode import FaultOrder, died, run_fault
+from tools.evaluate.ailing.fault_episode import FaultOrder, died, run_faults
 from tools.evaluate.ailing.fault_record import FaultRecord, FaultSummary
-from tools.evaluate.workers import run_each
+from tools.evaluate.record_suite import run_record_suite
 
 
 def run_fault_suite(options: argparse.Namespace, messages: Console) -> int:
     """Run it; 0 when every demand is met, 1 when not."""
-    orders = [FaultOrder(options.seed + i, options.fault, options.robot) for i in range(options.episodes)]
-    records: list[FaultRecord] = []
-    for record in run_each(orders, options.jobs, run_fault, died):
-        records.append(record)
-        messages.print(f"{len(records)} of {len(orders)}: {_line(record)}", markup=False, soft_wrap=True)
-    records.sort(key=lambda record: record.seed)
-    summary = FaultSummary(options.fault, options.seed, records)
-    if options.json is not None:
-        options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
-    _print(summary, Console())
-    return 0 if all(bar.met for bar in summary.bars()) else 1
-
-
-def _print(summary: FaultSummary, console: Console) -> None:
-    title = f"fault {summary.fault}: {len(summary.records)} episodes"
-    table = Table("", "measured", "demanded", "", title=title)
-    for bar in summary.bars():
-        table.add_row(bar.name, bar.value, bar.limit, "ok" if bar.met else "MISSED")
-    table.add_section()
-    for name, value in summary.figures().items():
-        table.add_row(name, f"{value:g}", "", "")
-    console.print(table)
-    for record in summary.records:
-        if record.faults or record.fell:
-            console.print(_line(record), markup=False, soft_wrap=True)
+    return run_record_suite(
+        f"fault {options.fault}",
+        [FaultOrder(options.seed + i, options.fault, options.robot) for i in range(options.episodes)],
+        run_faults,
+        died,
+        partial(FaultSummary, options.fault, options.seed),
+        line=_line,
+        place=lambda record: (record.seed,),
+        jobs=options.jobs,
+        document=options.json,
+        messages=messages,
+    )
 
 
 def _line(record: FaultRecord) -> str:

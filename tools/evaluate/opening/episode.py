@@ -27,6 +27,11 @@ class OpeningOrder:
     robot: str
 
 
+def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
+    """Run one episode, for suites."""
+    return [run_opening(order)]
+
+
 def run_opening(order: OpeningOrder) -> OpeningRecord:
     """Run one episode; whatever breaks becomes its record."""
     scene = opening_scene(order.seed, order.suite)
@@ -36,9 +41,9 @@ def run_opening(order: OpeningOrder) -> OpeningRecord:
         return _broken(order, scene, traceback.format_exc())
 
 
-def died(order: OpeningOrder) -> OpeningRecord:
+def died(order: OpeningOrder) -> list[OpeningRecord]:
     """The record of an episode whose process died."""
-    return _broken(order, opening_scene(order.seed, order.suite), "the process died")
+    return [_broken(order, opening_scene(order.seed, order.suite), "the process died")]
 
 
 def _broken(order: OpeningOrder, scene: OpeningScene, why: str) -> OpeningRecord:

@@ -7,9 +7,12 @@ import traceback
 
 from executive.assembly import assemble
 from executive.task_result import chain
+from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord
 from tools.evaluate.scenes import episode_rng
+from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import SkillJudge, Trial
 from tools.evaluate.skills.watch import SafetyWatch
@@ -33,6 +36,7 @@ def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
             truth=False,
             failure_kind="ERROR",
             failure=f"{type(broken).__name__}: {broken}",
+            fault=order.fault,
             detail=traceback.format_exc(),
         )
 
@@ -40,8 +44,10 @@ def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
 def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     trial = trial_of(suite, order.seed)
     judges: list[SkillJudge] = []
+    phases, fault = PhaseWatch(), FaultState()
 
     def sink(event: object) -> None:
+        phases.take(event)
         for judge in judges:
             judge.on_event(event)
 
@@ -51,11 +57,20 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     watch = SafetyWatch(assembly.world.truth)
     assembly.session.watch_periods(judge.on_period)
     assembly.session.watch_periods(watch.on_period)
+    if order.fault is not None:
+        world, rng = assembly.world, episode_rng(order.seed, 12)
+        SKILL_FAULTS[order.fault](
+            FaultBench(trial.aim, trial.scene, world.truth, world.faults, assembly.perception, phases, rng),
+            fault,
+        )
     results = []
+    planned_s = 0.0
     for task in trial.tasks:
+        planned_s = assembly.planning.cpu_s
         results.append(assembly.session.run_task(task))
         if results[-1].outcome != "done":
             break
+    planned_s = assembly.planning.cpu_s - planned_s
     prepared = len(results) == len(trial.tasks)
     assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)
@@ -72,10 +87,12 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         failure_kind=links[-1].kind.value if links else None,
         failure=told or verdict.why or None,
         attempts=last.attempts,
+        fault=order.fault,
+        fault_fired=fault.fired,
         fell=watch.fell,
         furniture_contacts=tuple(sorted(watch.contacts)),
         com_margin_m=watch.com_margin_m if SKILL_SUITES[suite].stands else math.inf,
-        planning_ms=1e3 * last.times.planning_wall_s / max(last.attempts, 1),
+        planning_ms=1e3 * planned_s / max(last.attempts, 1),
         simulated_s=last.times.simulated_s,
         wall_s=last.times.wall_s,
         realtime_factor=last.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,

@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 from executive.assembly import Assembly
 from executive.session import PERIOD_S
 from executive.task_result import TaskResult
-from kinematics.robot_description import HANDS
-from kinematics.shapes import Ball, Box
 from robots.simulated.person_hand import PersonHand
 from tools.evaluate.skills import rooms
+from tools.evaluate.skills.pinching import BEFORE_M, SPARE_M, Pinch, choose_pinch
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.events import NodeChanged
 from trees.tasks import HandOverTask, ObjectDescription, PickTask, Task
@@ -28,8 +27,6 @@ REACTION_S = (0.3, 1.5)
 BEARING_RAD = math.radians(30.0)
 _HELD_CHANCE = 0.6
 _SETTLE_S = 0.4
-# A hand that points down more steeply than this leaves no room on top of what it holds.
-_FROM_ABOVE = -0.75
 
 
 class TakingJudge:
@@ -44,9 +41,8 @@ class TakingJudge:
         self._hand.force_n = 20.0
         self._pull_n, self._reaction_s = float(rng.uniform(*PULL_N)), float(rng.uniform(*REACTION_S))
         item = next(one for one in trial.scene.objects if one.name == trial.aim)
-        self._half_m = 0.5 * item.shape.height_m
-        wide = min(item.shape.size_m[:2]) if isinstance(item.shape, Box) else 2.0 * item.shape.radius_m
-        self._radius_m = self._half_m if isinstance(item.shape, Ball) else 0.5 * wide
+        self._shape = item.shape
+        self._pinch: Pinch | None = None
         self._offered_s: float | None = None
         self._stage, self._since_s = "waiting", 0.0
         self._offered = np.zeros(3)
@@ -66,22 +62,27 @@ class TakingJudge:
         towards = self._person - place
         towards[2] = 0.0
         towards /= np.linalg.norm(towards)
-        if self._stage == "waiting":
+        if self._pinch is None:
             if self._offered_s is not None and now_s >= self._offered_s + self._reaction_s:
-                self._prepare(now_s)
-        elif self._stage == "reaching":
-            self._hand.move_to(place + self._low + 0.13 * towards)
-            self._next("closing in", now_s, place + self._low + 0.13 * towards, 0.03)
+                self._pinch = choose_pinch(self._hand, place, self._shape, towards)
+                self._hand.roll_rad = self._pinch.roll_rad
+                self._hand.open_m = self._pinch.half_m + SPARE_M
+                self._stage, self._since_s = "reaching", now_s
+            self._hand.tick(PERIOD_S)
+            return
+        goal = place + self._pinch.offset_m
+        if self._stage == "reaching":
+            self._hand.move_to(goal + BEFORE_M * towards)
+            self._next("closing in", now_s, goal + BEFORE_M * towards, 0.03)
         elif self._stage == "closing in":
-            goal = place + self._low + (self._radius_m * 0.5 + self._beside_m) * towards
             self._hand.move_to(goal)
-            if self._next("pinching", now_s, goal, 0.02):
+            if self._next("pinching", now_s, goal, 0.01):
                 self._hand.pinching = True
         elif self._stage == "pinching" and now_s >= self._since_s + _SETTLE_S:
             self._stage, self._since_s = "pulling", now_s
             self._hand.force_n = self._pull_n
             self._offered = place.copy()
-            self._hand.move_to(place + self._low + 0.40 * towards)
+            self._hand.move_to(goal + 0.40 * towards)
         if self._stage == "pulling":
             self._carried_m = max(self._carried_m, float(np.linalg.norm((place - self._offered)[:2])))
         self._hand.tick(PERIOD_S)
@@ -98,18 +99,6 @@ class TakingJudge:
         }
         wrong = [words for words, so in faults.items() if so]
         return Verdict(not wrong, {"carried_m": self._carried_m, "pull_n": self._pull_n}, "; ".join(wrong))
-
-    def _prepare(self, now_s: float) -> None:
-        """Choose how to pinch: from above and below, or from the sides of what hangs from a hand."""
-        name = self._trial.aim
-        hand = min(HANDS, key=lambda one: float(np.linalg.norm(self._truth.tcp_T_object(one, name)[:3, 3])))
-        from_above = self._truth.world_T_tcp(hand)[2, 0] < _FROM_ABOVE
-        self._low = np.array([0.0, 0.0, 0.018 - self._half_m if from_above else 0.0])
-        self._beside_m = 0.0
-        self._hand.roll_rad = 0.5 * math.pi if from_above else 0.0
-        reach = self._radius_m if from_above else self._half_m
-        self._hand.open_m = reach + 0.035
-        self._stage, self._since_s = "reaching", now_s
 
     def _next(self, stage: str, now_s: float, goal: Array, within_m: float) -> bool:
         if now_s >= self._since_s + _SETTLE_S and np.linalg.norm(self._hand.place() - goal) <= within_m:

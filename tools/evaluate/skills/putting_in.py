@@ -68,7 +68,7 @@ class PutInJudge:
 def put_in_trial(rng: np.random.Generator) -> Trial:
     """A table with a container, something that fits in, and perhaps other things."""
     table = rooms.table(rng)
-    container = _container(rng, table)
+    container = container_on(table, rng)
     objects = [container]
     for number in range(int(rng.integers(1, 4))):
         kind = ("cup", "can")[int(rng.integers(2))]
@@ -89,7 +89,8 @@ def put_in_trial(rng: np.random.Generator) -> Trial:
     return Trial(rooms.room("put_in", rng, [table], objects), tasks, item.name)
 
 
-def _container(rng: np.random.Generator, table: Furniture) -> SceneItem:
+def container_on(table: Furniture, rng: np.random.Generator) -> SceneItem:
+    """An open box or a bowl on a table."""
     shape: Shape
     if rng.random() < _BOWL_CHANCE:
         kind, color = "bowl", "white"

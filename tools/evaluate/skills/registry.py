@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tools.evaluate.skills import gestures, handing_over, placing, putting_in, talk, telling, walking
+from tools.evaluate.skills import (
+    carrying,
+    errands,
+    gestures,
+    goals,
+    handing_over,
+    placing,
+    putting_in,
+    sequences,
+    talk,
+    telling,
+    walking,
+)
 from tools.evaluate.skills.suite import SkillSuite
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
@@ -21,7 +33,12 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "find": telling.FIND,
         "count": telling.COUNT,
         "describe": telling.DESCRIBE,
+        "sequence": sequences.SEQUENCE,
         "walk": walking.WALK,
         "walk_stop": walking.WALK_STOP,
+        "walk_to": goals.WALK_TO,
+        "flat_fridge": errands.FLAT_FRIDGE,
+        "carry": carrying.CARRY,
+        "flat_pick": errands.FLAT_PICK,
     }
 )

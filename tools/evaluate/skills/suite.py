@@ -11,6 +11,7 @@ import numpy as np
 from executive.assembly import Assembly
 from executive.task_result import TaskResult
 from robots.scene_description import SceneDescription
+from tools.evaluate.records import SUCCESS_BAR
 from trees.tasks import Task
 
 Figure = float | int | str | bool
@@ -70,6 +71,7 @@ class SkillSuite:
         trial: Makes an episode from a generator.
         judge: Makes its judge, before the first task; the generator is another one than the trial's.
         stands: Whether the robot stands all the while, so that its CoM must stay inside its feet.
+        bar: Share of episodes that have to be truly done.
         ends: How the last task is to end; an episode that ends so counts as claimed.
     """
 
@@ -77,3 +79,4 @@ class SkillSuite:
     judge: Callable[[Assembly, Trial, np.random.Generator], SkillJudge]
     stands: bool = True
     ends: str = "done"
+    bar: float = SUCCESS_BAR

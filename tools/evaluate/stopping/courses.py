@@ -1,26 +1,73 @@
 """Whole tasks that are stopped at some instant: what is said, and what goes wrong on the way.
 
-A skill joins by one row in ``COURSES``, and by its places in ``PHASES``.
+A skill joins by one course in ``CYCLE``, and by its places in ``PHASES``.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
+
+import numpy as np
 
 from executive.assembly import Assembly, assemble
 from executive.command_parser import parse
 from executive.events import Event
+from executive.meaning import Command
+from kinematics import poses
 from robots.scene_description import SceneDescription
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
+from tools.evaluate.opening.scenes import opening_scene
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene, read_episode_scene
+from tools.evaluate.skills.gestures import point_trial, wave_trial
+from tools.evaluate.skills.placing import place_trial
+from tools.evaluate.skills.suite import Trial
+from tools.evaluate.skills.walking import stop_trial
+from trees.tasks import MoveTask, ObjectDescription, OpenTask
 
 HOLD_S = 2.0
 """The robot holds for this long after each task."""
 
-MOVING_PHASES = ("reach", "approach", "lift", "recover")
-STILL_PHASES = ("search", "close", "hold")
+MOVING_PHASES = ("reach", "approach", "lift", "recover", "gesture", "place", "open")
+"""An arm moves at the instants that are drawn in these."""
+WALK = "walk"
+STILL_PHASES = ("search", "close", "hold", WALK)
+
+PICKED_M = 0.10
+HOME_RAD = 0.05
+TURNED_RAD = 0.5
+
+Truly = Callable[[Assembly], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """What happens in one run.
+
+    Attributes:
+        scene: The world.
+        commands: Carried out one after the other.
+        prepare: Called once before the first of them.
+    """
+
+    scene: SceneDescription
+    commands: tuple[Command, ...]
+    prepare: Callable[[Assembly], None] = lambda _assembly: None
+
+
+@dataclass(frozen=True, slots=True)
+class Again:
+    """What is asked for after a cancel, and how the truth judges it.
+
+    Attributes:
+        command: The command.
+        truly: Whether it was really done.
+    """
+
+    command: Command
+    truly: Truly
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,42 +76,110 @@ class Course:
 
     Attributes:
         name: For tables.
-        sentences: What is said, one after the other.
-        scene: Makes the scene of a seed.
+        script: Makes the run of a seed.
         fault: What goes wrong on the way, or None.
         wanted: Phases in which it is stopped; as often as they are named.
+        again: Asked for after a cancel, besides going home, when the hands are free.
     """
 
     name: str
-    sentences: tuple[str, ...]
-    scene: Callable[[int], SceneDescription]
+    script: Callable[[int], Script]
     fault: str | None
     wanted: tuple[str, ...]
+    again: Again
 
 
-def _table_scene(seed: int) -> SceneDescription:
-    return read_episode_scene(pick_scene(seed), seed)
+def _said(*sentences: str) -> tuple[Command, ...]:
+    return tuple(command for sentence in sentences for command in parse(sentence).commands)
 
 
-# Five and six of seven while the arms move; still phases once each in fourteen.
-COURSES = (
-    Course(
-        "pick, hold, go home",
-        (SENTENCE, "go home"),
-        _table_scene,
-        None,
-        ("reach", "approach", "close", "lift", "hold", "recover", "reach"),
-    ),
-    Course(
-        "pick, the cup moves, recover",
-        (SENTENCE, "go home"),
-        _table_scene,
-        "moved",
-        ("reach", "recover", "search", "approach", "lift", "recover", "lift"),
-    ),
+def _table(seed: int) -> Script:
+    scene = read_episode_scene(pick_scene(seed), seed)
+    return Script(scene, _said(SENTENCE, "go home"))
+
+
+def _of_trial(trial: Callable[[np.random.Generator], Trial]) -> Callable[[int], Script]:
+    def script(seed: int) -> Script:
+        made = trial(episode_rng(seed, 10))
+        return Script(made.scene, made.tasks)
+
+    return script
+
+
+def _gesture(seed: int) -> Script:
+    return _of_trial(point_trial if seed % 2 else wave_trial)(seed)
+
+
+def _open(seed: int) -> Script:
+    scene = opening_scene(seed, "open")
+
+    def misplace(assembly: Assembly) -> None:
+        faults = assembly.perception.faults
+        faults.misplace("handle", scene.handle_error_m, first_look_only=False)
+        faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
+
+    noun = ObjectDescription(kind="fridge" if scene.kind == "door" else "drawer")
+    return Script(scene.read(), (OpenTask("open it", noun),), misplace)
+
+
+def _picked(assembly: Assembly) -> bool:
+    return assembly.world.truth.lift_m(TARGET) >= PICKED_M
+
+
+def _home(assembly: Assembly) -> bool:
+    truth, model = assembly.world.truth, assembly.model
+    home = np.array([model.description.home[name] for name in model.joints])
+    return bool(np.abs(truth.joint_positions()[: len(home)] - home).max() <= HOME_RAD)
+
+
+def _turn(assembly: Assembly) -> Truly:
+    """Judges a turn that begins now."""
+    began = poses.yaw_of(assembly.world.truth.world_T_base()[:3, :3])
+
+    def truly(later: Assembly) -> bool:
+        turned = poses.yaw_of(later.world.truth.world_T_base()[:3, :3]) - began
+        return math.remainder(turned, 2.0 * math.pi) >= TURNED_RAD
+
+    return truly
+
+
+GO_HOME = Again(_said("go home")[0], _home)
+_PICK = Again(_said(SENTENCE)[0], _picked)
+_TURN = Again(MoveTask("turn left", 0.0, 0.5, 3.0), lambda _assembly: False)
+
+
+def next_after(course: Course, assembly: Assembly, again: bool) -> Again:
+    """What is asked for after a cancel; ``again`` only where the hands are free."""
+    chosen = course.again if again else GO_HOME
+    if chosen is _TURN:
+        return Again(chosen.command, _turn(assembly))
+    return chosen
+
+
+PICK = Course("pick, hold, go home", _table, None, ("reach", "approach", "close", "hold", "lift"), _PICK)
+MOVED = Course(
+    "pick, the cup moves, recover", _table, "moved", ("reach", "recover", "search", "approach", "lift"), _PICK
 )
+WALKING = Course("walk", _of_trial(stop_trial), None, (WALK,) * 4, _TURN)
+GESTURE = Course("wave, point", _gesture, None, ("gesture",) * 5, GO_HOME)
+PLACING = Course("pick, place", _of_trial(place_trial), None, ("place",) * 5, GO_HOME)
+OPENING = Course("open", _open, None, ("open",) * 5, GO_HOME)
+
+CYCLE = (PICK, MOVED, WALKING, PICK, MOVED, GESTURE, PICK, MOVED, PLACING, PICK, MOVED, OPENING)
+"""Runs of one evaluation, over and over: each phase in a fifteenth of the instants, and an arm moves in more
+than seven of ten."""
 
 PHASES = (
+    ("open or close", "open"),
+    ("transfer", "place"),
+    ("lower", "place"),
+    ("let go", "place"),
+    ("draw back", "place"),
+    ("raise hand", "gesture"),
+    ("swing hand", "gesture"),
+    ("lower hand", "gesture"),
+    ("stretch arm", "gesture"),
+    ("lower arm", "gesture"),
     ("recover", "recover"),
     ("give up", "recover"),
     ("go home", "recover"),
@@ -74,6 +189,7 @@ PHASES = (
     ("approach", "approach"),
     ("grasp", "close"),
     ("lift", "lift"),
+    ("move", WALK),
 )
 """Part of a place in the tree, and the phase that it belongs to; the first that fits counts."""
 
@@ -93,21 +209,22 @@ class CourseRun:
     """
 
     def __init__(self, course: Course, seed: int, robot: str, sink: Callable[[Event], None]) -> None:
-        self._course = course
         phases = PhaseWatch()
 
         def take(event: Event) -> None:
             phases.take(event)
             sink(event)
 
-        scene = course.scene(seed)
-        self.assembly: Assembly = assemble(robot, scene, seed, sink=take)
+        script = course.script(seed)
+        self._commands = script.commands
+        self.assembly: Assembly = assemble(robot, script.scene, seed, sink=take)
         self.stopped = False
+        script.prepare(self.assembly)
         if course.fault is not None:
             world = self.assembly.world
             bench = FaultBench(
                 TARGET,
-                scene,
+                script.scene,
                 world.truth,
                 world.faults,
                 self.assembly.perception,
@@ -117,12 +234,11 @@ class CourseRun:
             FAULTS[course.fault](bench, FaultState())
 
     def run(self) -> None:
-        """Say one sentence after the other."""
+        """Carry out one command after the other."""
         session = self.assembly.session
-        for sentence in self._course.sentences:
-            for command in parse(sentence).commands:
-                session.run_task(command)
-                if not self.stopped:
-                    session.hold(HOLD_S)
-                if self.stopped:
-                    return
+        for command in self._commands:
+            session.run_task(command)
+            if not self.stopped:
+                session.hold(HOLD_S)
+            if self.stopped:
+                return

@@ -9,16 +9,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from executive.command_parser import parse
-from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng
+from tools.evaluate.scenes import episode_rng
 from tools.evaluate.stopping.branch import Branches
-from tools.evaluate.stopping.courses import COURSES, CourseRun
-from tools.evaluate.stopping.stop_judge import REST_WITHIN_S, StopJudge
+from tools.evaluate.stopping.courses import CYCLE, CourseRun, next_after
+from tools.evaluate.stopping.stop_judge import StopJudge
 from tools.evaluate.stopping.stop_record import StopRecord
 from tools.evaluate.stopping.timeline import Moment, choose, record
 
 WATCHED_S = 10.0
 """After a stop the robot is watched for this long."""
-_TRIED_AFTER_S = 1.0
+_TRIED_AFTER_S = 0.5
 _REASON = "the evaluation stops it"
 
 
@@ -29,7 +29,7 @@ class StopOrder:
     Attributes:
         seed: Of the run.
         suite: "stop" or "cancel".
-        course: Index into ``COURSES``.
+        course: Index into ``CYCLE``.
         wanted: Phases in which it is stopped.
         robot: Name of the robot.
     """
@@ -46,8 +46,8 @@ def stop_orders(suite: str, episodes: int, seed: int, robot: str) -> list[StopOr
     orders: list[StopOrder] = []
     left = episodes
     while left > 0:
-        course = len(orders) % len(COURSES)
-        wanted = COURSES[course].wanted[:left]
+        course = len(orders) % len(CYCLE)
+        wanted = CYCLE[course].wanted[:left]
         orders.append(StopOrder(seed + len(orders), suite, course, wanted, robot))
         left -= len(wanted)
     return orders
@@ -55,7 +55,7 @@ def stop_orders(suite: str, episodes: int, seed: int, robot: str) -> list[StopOr
 
 def run_stops(order: StopOrder) -> list[StopRecord]:
     """Run one order; whatever breaks becomes a record."""
-    course = COURSES[order.course]
+    course = CYCLE[order.course]
     blank = StopRecord(order.seed, course.name)
     branches: Branches[StopRecord] = Branches()
     try:
@@ -74,7 +74,7 @@ def run_stops(order: StopOrder) -> list[StopRecord]:
 
 def died(order: StopOrder) -> list[StopRecord]:
     """The records of an order whose process died."""
-    return [StopRecord(order.seed, COURSES[order.course].name, error="the process died")]
+    return [StopRecord(order.seed, CYCLE[order.course].name, error="the process died")]
 
 
 class _Stopper:
@@ -87,7 +87,7 @@ class _Stopper:
     ) -> None:
         self._order, self._branches = order, branches
         self._waiting = [(moment, int(rng.integers(1, 3)), bool(rng.random() < 0.5)) for moment in moments]
-        self._run = CourseRun(COURSES[order.course], order.seed, order.robot, self._take)
+        self._run = CourseRun(CYCLE[order.course], order.seed, order.robot, self._take)
         self._judge = StopJudge(self._run.assembly)
         self._moment = Moment(0.0, "", 0.0)
         self._category, self._again = 1, False
@@ -131,7 +131,7 @@ class _Stopper:
     def _latched(self) -> StopRecord:
         """After an emergency stop: a command is refused, nothing moves, and a person resets."""
         assembly = self._run.assembly
-        self._hold_until(_TRIED_AFTER_S)
+        self._hold_until(self._judge.rest_within_s + _TRIED_AFTER_S)
         (command,) = parse("go home").commands
         refused = assembly.session.run_task(command).outcome == "refused"
         self._hold_until(WATCHED_S)
@@ -147,25 +147,16 @@ class _Stopper:
     def _cancelled(self) -> StopRecord:
         """After a cancel: it comes to rest, and the next command is carried out."""
         assembly = self._run.assembly
-        self._hold_until(REST_WITHIN_S + 0.2)
+        self._hold_until(self._judge.rest_within_s + 0.2)
         self._judge.let_move()
-        sentence = SENTENCE if self._again and not self._judge.held else "go home"
-        (command,) = parse(sentence).commands
-        result = assembly.session.run_task(command)
+        asked = next_after(CYCLE[self._order.course], assembly, self._again and not self._judge.held)
+        result = assembly.session.run_task(asked.command)
         done: str = result.outcome
-        if done == "done" and not self._truly(sentence):
+        if done == "done" and not asked.truly(assembly):
             done = "claimed, and not so"
         self._hold_until(WATCHED_S)
         reason = result.failure.message if result.failure is not None else ""
-        return replace(self._measured(), next_task=sentence, next_outcome=done, next_reason=reason)
-
-    def _truly(self, sentence: str) -> bool:
-        assembly = self._run.assembly
-        truth, model = assembly.world.truth, assembly.model
-        if sentence == SENTENCE:
-            return truth.lift_m(TARGET) >= 0.10
-        home = np.array([model.description.home[name] for name in model.joints])
-        return bool(np.abs(truth.joint_positions()[: len(home)] - home).max() <= 0.05)
+        return replace(self._measured(), next_task=asked.command.text, next_outcome=done, next_reason=reason)
 
     def _hold_until(self, elapsed_s: float) -> None:
         assembly = self._run.assembly
@@ -177,12 +168,13 @@ class _Stopper:
         judge = self._judge
         return StopRecord(
             seed=self._order.seed,
-            course=COURSES[self._order.course].name,
+            course=CYCLE[self._order.course].name,
             t_s=self._moment.t_s,
             phase=self._moment.phase,
             arm_rad_s=self._moment.arm_rad_s,
             outcome=self._outcome,
             settle_s=judge.settle_s,
+            rest_within_s=judge.rest_within_s,
             late_rad_s=judge.late_rad_s[0],
             late_joint=judge.late_rad_s[1],
             finger_rad_s=judge.finger_rad_s,

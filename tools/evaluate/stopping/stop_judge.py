@@ -18,9 +18,11 @@ from executive.session import PERIOD_S
 REST_RAD_S = 0.02
 """A joint slower than this rests."""
 REST_WITHIN_S = 0.5
+STAND_WITHIN_S = 2.2
+"""A robot that walks makes its last steps first."""
 FINGER_MEAN_S = 0.1
 _EVERY = 5
-_OURS = ("stop", "hold")
+_OURS = ("stop", "hold", "stop of a walk")
 _GRIP = "grip of "
 _JOIN = "+"
 
@@ -31,10 +33,12 @@ class StopJudge:
     """Watches a run; ``on_period`` is called after each control period, before and after the stop.
 
     Attributes:
+        rest_within_s: Speeds count later than that after the stop.
         settle_s: From the stop until the last joint was slower than ``REST_RAD_S`` for good.
         late_rad_s: Speed of the fastest joint later than ``REST_WITHIN_S``, and its name.
         finger_rad_s: Present speed of the fastest finger joint later than that, for the record.
         acceleration, jerk: Largest of the setpoints after the stop, as shares of the limits, with the joint.
+            In the last steps of a walk the limits of steps count, and no jerk: there is no limit for it.
         fell: Whether the robot fell.
         dropped: What was held at the stop and touched anything but the hand later.
         held: What was held at the stop.
@@ -59,6 +63,12 @@ class StopJudge:
         self._watching_setpoints = False
         self._q_rest: Array | None = None
         self._uncounted = 0
+        walking = description.walking.joint_acceleration if description.walking is not None else {}
+        steps = [
+            walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)
+        ]
+        self._step_acceleration = np.array(steps)
+        self.rest_within_s = REST_WITHIN_S
         self.settle_s = 0.0
         self.late_rad_s: tuple[float, str] = (0.0, "")
         self.finger_rad_s = 0.0
@@ -74,6 +84,8 @@ class StopJudge:
     def begin(self) -> None:
         """From now on everything counts."""
         self._since = self._periods
+        if self._loop.walking.active:
+            self.rest_within_s = STAND_WITHIN_S
         self._watching_setpoints = True
         self._uncounted = self._assembly.world.robot.taken - self._loop.statistics.accepted
         self.held = {name: str(hand) for name, hand in self._truth.in_pads_only().items()}
@@ -109,11 +121,11 @@ class StopJudge:
         worst = int(np.argmax(speed))
         if speed[worst] >= REST_RAD_S:
             self.settle_s = elapsed_s
-        if elapsed_s >= REST_WITHIN_S and speed[worst] > self.late_rad_s[0]:
+        if elapsed_s >= self.rest_within_s and speed[worst] > self.late_rad_s[0]:
             self.late_rad_s = float(speed[worst]), self._joints[worst]
 
     def _finger_speed(self, elapsed_s: float, speed: Array) -> float:
-        return float(speed[self._bodies :].max()) if elapsed_s >= REST_WITHIN_S else 0.0
+        return float(speed[self._bodies :].max()) if elapsed_s >= self.rest_within_s else 0.0
 
     def _look_at_setpoint(self) -> None:
         setpoint = self._loop.setpoint
@@ -123,8 +135,11 @@ class StopJudge:
         self.bypassed = self._assembly.world.robot.taken - self._loop.statistics.accepted - self._uncounted
         if len(self._v) == 3:
             a = np.diff(self._v, axis=0) / PERIOD_S
-            self.acceleration = self._worse(self.acceleration, np.abs(a[1]) / self._acceleration)
-            self.jerk = self._worse(self.jerk, np.abs(a[1] - a[0]) / PERIOD_S / self._jerk)
+            walks = self.rest_within_s > REST_WITHIN_S
+            most = self._step_acceleration if walks else self._acceleration
+            self.acceleration = self._worse(self.acceleration, np.abs(a[1]) / most)
+            if not walks:
+                self.jerk = self._worse(self.jerk, np.abs(a[1] - a[0]) / PERIOD_S / self._jerk)
         body = setpoint.q[: self._bodies]
         if setpoint.v[: self._bodies].any():
             self.moved = self.moved or self._q_rest is not None

@@ -11,7 +11,7 @@ import numpy as np
 
 from tools.evaluate.records import Bar
 from tools.evaluate.stopping.courses import MOVING_PHASES, STILL_PHASES
-from tools.evaluate.stopping.stop_judge import REST_RAD_S, REST_WITHIN_S
+from tools.evaluate.stopping.stop_judge import REST_RAD_S, REST_WITHIN_S, STAND_WITHIN_S
 from tools.evaluate.stopping.timeline import MOVING_RAD_S
 
 _ROOM = 1.005
@@ -44,6 +44,7 @@ class StopRecord:
     category: int | None = None
     outcome: str = ""
     settle_s: float = 0.0
+    rest_within_s: float = REST_WITHIN_S
     late_rad_s: float = 0.0
     late_joint: str = ""
     finger_rad_s: float = 0.0
@@ -104,7 +105,10 @@ class StopSummary:
         ]
         names = [
             ("broken", "broken episodes"),
-            ("still moving", f"a joint at {REST_RAD_S} rad/s or more later than {REST_WITHIN_S} s"),
+            (
+                "still moving",
+                f"a joint at {REST_RAD_S} rad/s after {REST_WITHIN_S} s, of a walk {STAND_WITHIN_S} s",
+            ),
             ("acceleration", "acceleration limit left"),
             ("jerk", "jerk limit left"),
             ("fell", "falls"),
@@ -120,19 +124,25 @@ class StopSummary:
 
     def figures(self) -> dict[str, float]:
         """Numbers worth knowing."""
-        settle = [record.settle_s for record in self.records] or [0.0]
+        settle = [r.settle_s for r in self.records if r.rest_within_s == REST_WITHIN_S] or [0.0]
+        walks = [r.settle_s for r in self.records if r.rest_within_s > REST_WITHIN_S] or [0.0]
         compute = [record.compute_ms for record in self.records] or [0.0]
         return {
             "settle_s_p50": round(float(np.percentile(settle, 50)), 3),
             "late_rad_s_max": round(max((r.late_rad_s for r in self.records), default=0.0), 4),
             "finger_present_rad_s_max": round(max((r.finger_rad_s for r in self.records), default=0.0), 4),
             "settle_s_max": round(max(settle), 3),
+            "walk_settle_s_max": round(max(walks), 3),
             "acceleration_share_max": round(max((r.acceleration for r in self.records), default=0.0), 4),
             "jerk_share_max": round(max((r.jerk for r in self.records), default=0.0), 4),
             "held_at_the_stop": float(sum(bool(record.held) for record in self.records)),
             "braking_ms_p50": round(float(np.percentile(compute, 50)), 2),
             "braking_ms_p95": round(float(np.percentile(compute, 95)), 2),
             "braking_ms_max": round(max(compute), 2),
+            **{
+                f"phase {name}": float(n)
+                for name, n in sorted(Counter(r.phase for r in self.records).items())
+            },
         }
 
     def to_json(self) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from executive.events import Event, TaskAccepted, TaskEnded
-from tools.evaluate.stopping.courses import MOVING_PHASES, Course, CourseRun, phase_of
+from tools.evaluate.stopping.courses import MOVING_PHASES, WALK, Course, CourseRun, phase_of
 from trees.events import NodeChanged
 
 MOVING_RAD_S = 0.1
@@ -26,11 +26,13 @@ class Moment:
         t_s: Simulated time.
         phase: What was under way.
         arm_rad_s: True speed of the fastest arm joint.
+        body_rad_s: True speed of the fastest joint of all but the fingers.
     """
 
     t_s: float
     phase: str
     arm_rad_s: float
+    body_rad_s: float = 0.0
 
 
 def record(course: Course, seed: int, robot: str) -> list[Moment]:
@@ -57,8 +59,9 @@ def record(course: Course, seed: int, robot: str) -> list[Moment]:
         nonlocal periods
         periods += 1
         if periods % _EVERY == 0 and phase:
-            speed = float(np.abs(truth.joint_velocities()[arms]).max())
-            moments.append(Moment(run.assembly.clock.now_s(), phase, speed))
+            speeds = np.abs(truth.joint_velocities())
+            fastest = float(speeds[arms].max()), float(speeds[: len(description.joints)].max())
+            moments.append(Moment(run.assembly.clock.now_s(), phase, *fastest))
 
     run.assembly.session.watch_periods(look)
     run.run()
@@ -68,14 +71,17 @@ def record(course: Course, seed: int, robot: str) -> list[Moment]:
 def choose(moments: Sequence[Moment], wanted: Sequence[str], rng: np.random.Generator) -> list[Moment]:
     """Draw one instant for each wanted phase, in the order of time.
 
-    In phases of motion an arm joint moves at the instant. Where a run never comes to a phase, any
-    instant of motion is drawn in its place.
+    In phases of motion an arm joint moves at the instant, in a walk any joint. Where a run never comes to
+    a phase, any instant of motion is drawn in its place.
     """
     chosen: list[Moment] = []
     for phase in wanted:
         free = [m for m in moments if all(abs(m.t_s - other.t_s) >= _ROOM_S for other in chosen)]
         moving = [m for m in free if m.arm_rad_s > MOVING_RAD_S]
-        fitting = [m for m in (moving if phase in MOVING_PHASES else free) if m.phase == phase]
+        if phase == WALK:
+            moving = [m for m in free if m.body_rad_s > MOVING_RAD_S]
+        in_motion = phase in (*MOVING_PHASES, WALK)
+        fitting = [m for m in (moving if in_motion else free) if m.phase == phase]
         pool = fitting or moving or free
         if pool:
             chosen.append(pool[int(rng.integers(len(pool)))])

@@ -15,6 +15,7 @@ from robots.interface import JointSetpoint, RobotState
 PERIOD_S = 0.002
 ELBOW = "arm_left_4_joint"
 WRIST = "arm_left_6_joint"
+ANKLE = "leg_left_6_joint"
 
 
 @pytest.fixture(scope="module")
@@ -36,12 +37,8 @@ class Body:
         self.monitor = HealthMonitor(model, PERIOD_S)
         self.periods, self.new, self.over = 0, [], []
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
-        self.gyro, self.battery, self.load, self.touch = (
-            np.zeros(3),
-            1.0,
-            [450.0, 450.0],
-            np.zeros(len(self.q)),
-        )
+        self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
+        self.touch, self.slower_rad_s = np.zeros(len(self.q)), np.zeros(len(self.q))
 
     def index(self, joint):
         return self.names.index(joint)
@@ -63,7 +60,7 @@ class Body:
             state = RobotState(
                 self.periods * PERIOD_S,
                 q + self.offset,
-                v,
+                v - self.slower_rad_s,
                 effort,
                 self.gyro,
                 np.zeros(3),
@@ -158,6 +155,35 @@ def test_a_soft_wrist_that_is_jammed_is_noticed_within_its_yield(body):
 
     assert body.ailments() == [(Ailment.STUCK, WRIST)]
     assert body.new[0].value < 0.025
+
+
+@pytest.mark.requirement("F5")
+def test_a_jammed_joint_that_its_motor_makes_creep_is_noticed_too(body):
+    """A jammed ankle of the simulation follows a slow motion by a quarter, pushed with 100 Nm."""
+    ankle, speed_rad_s, steps = body.index(ANKLE), 0.03, 580
+    body.run(0.6)
+    body.slower_rad_s[ankle] = 0.75 * speed_rad_s
+    for _ in range(steps):
+        body.touch[ankle] += body.stiffness[ankle] * 0.75 * speed_rad_s * PERIOD_S
+        body.run(PERIOD_S, speed_rad_s, ANKLE)
+    body.slower_rad_s[ankle] = 0.0
+    body.run(0.6)
+
+    assert body.ailments() == [(Ailment.STUCK, ANKLE)]
+
+
+@pytest.mark.requirement("F6")
+def test_legs_that_are_off_their_setpoints_do_not_accuse_the_gyro(body):
+    body.run(1.5)
+    body.touch[body.index(ANKLE)] = 0.015 * body.stiffness[body.index(ANKLE)]
+    body.gyro = np.array([0.02, 0.0, 0.0])
+    body.run(2.0)
+    assert not body.new
+
+    body.touch[:] = 0.0
+    body.run(1.5)
+
+    assert body.ailments() == [(Ailment.GYRO_BIAS, "gyro")]
 
 
 @pytest.mark.requirement("F5")

@@ -114,3 +114,43 @@ def test_nothing_else_moves_the_body_during_a_walk():
 
     assert second.status is MotionStatus.REFUSED
     assert floor.loop.still is False
+
+
+@pytest.mark.requirement("M6")
+def test_a_paused_walk_stands_still_and_goes_on_afterwards():
+    floor = Floor()
+    handle = floor.walk(0.3)
+    floor.run(2.0)
+
+    floor.loop.pause("by the test")
+    floor.until_it_stands()
+    stood = floor.world.truth.world_T_base()[:3, 3]
+    floor.run(0.5)
+    assert np.linalg.norm(floor.world.truth.world_T_base()[:3, 3] - stood) < 0.005
+    assert handle.status is MotionStatus.RUNNING
+
+    floor.loop.resume()
+    floor.run(2.0)
+    floor.loop.walking.finish(handle)
+    floor.until_it_stands()
+
+    assert handle.status is MotionStatus.DONE
+    assert floor.world.truth.world_T_base()[0, 3] > stood[0] + 0.15
+    assert not floor.world.truth.fallen()
+    assert floor.loop.statistics.refused == 0
+
+
+@pytest.mark.requirement("S4")
+def test_a_walk_that_stands_in_a_pause_ends_with_a_stop():
+    floor = Floor()
+    handle = floor.walk(0.3)
+    floor.run(1.0)
+    floor.loop.pause("by the test")
+    floor.until_it_stands()
+
+    floor.loop.emergency_stop("the button")
+    floor.loop.resume()
+    floor.run(0.5)
+
+    assert handle.status is MotionStatus.CANCELED
+    assert not floor.loop.walking.active

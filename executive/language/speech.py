@@ -1,0 +1,113 @@
+"""Words to say, and to whom: what is in quotation marks, or what nobody could take for anything else.
+
+Any word can be said, so nothing in free words shows where they end or that they are meant literally ("say
+hello before going home", "speak louder", "say the magic word"). Without quotation marks only greetings and
+whole statements are taken; everything else is asked about.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.arranging import Parts, clause, guarded, trouble, unfit
+from executive.language.lattice import Word
+from executive.language.nominals import words
+from executive.language.phrases import Clause, Meaning, Nominal, draft
+
+UNQUOTED = "which words shall be said? put them in quotation marks"
+
+_NO_SPEECH = """
+to for from with of by into at her his their its our not that your my you what whatever how why who whom where
+when whether if which something anything nothing about it them so a an in the\\stime the\\sdate the\\sday
+the\\sweather the\\struth the\\snames? the\\snumber the\\scolou?r the\\slocation the\\sposition the\\sway
+the\\snews the\\sanswer the\\sresult yes\\sor\\sno louder softer slower faster quieter up
+"""
+_IS_NO_SPEECH = re.compile(rf"(?:{'|'.join(_NO_SPEECH.split())})\b")
+"""How free text begins that asks for something else than repeating these words."""
+
+_LANGUAGES = "english|german|french|spanish|italian|chinese|japanese"
+_SAID_HOW = re.compile(
+    rf"\b(?:twice|again|\w+ times|loudly|softly|quietly|slowly|clearly|aloud|louder|in (?:{_LANGUAGES}))$"
+)
+_ATTACHED = re.compile(
+    r"\b(?:before|after|when|whenever|while|until|till|if|once|unless|then|but|except|without|instead|using)\b"
+)
+"""Words that may begin what is to be done around the saying, instead of belonging to what is said."""
+
+_STATED = re.compile(
+    r"\w[\w' ]*? (?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?"
+    r"|love|want|said)\b|(?:i|we|they|he|she|it|that|there|here|what|let)'(?:s|re|m|ll|ve|d)\b"
+)
+"""A subject and a verb: somebody is told something."""
+
+_GREETING_LINES = """
+hello hi hey bye goodbye good morning afternoon evening night day thanks thank you so very much please sorry
+yes no ok okay welcome home back happy birthday new year merry christmas congratulations cheers cheese bravo
+well done great job nice see soon ready steady go stop help wow hooray and everyone everybody all there ladies
+gentlemen friends robot world one two three four five six seven eight nine ten
+"""
+_GREETINGS = frozenset(_GREETING_LINES.split())
+"""What is said as it stands, in any order."""
+
+
+def _is_greeting(text: str) -> bool:
+    """Whether every word is a greeting, a number, or, after a greeting, a name."""
+    said = re.findall(r"[\w']+", text)
+    first, *rest = said or [""]
+    known = first.lower() in _GREETINGS or first.isdecimal()
+    return known and all(one.lower() in _GREETINGS or one.isdecimal() or one[0].isupper() for one in rest)
+
+
+def _speech(parts: Parts) -> str:
+    word = words(parts, "QUOTED", "TEXT")[-1]
+    text = word.meaning.strip()
+    lowered = text.lower()
+    if not text:
+        raise unfit()
+    if word.word_class == "QUOTED":
+        return text
+    that = bool(words(parts, "THAT")) or any(one.said.endswith(" that") for one in words(parts, "SAY"))
+    if lowered in ("something", "anything"):
+        raise trouble("what shall be said?", asks=True)
+    if _SAID_HOW.search(lowered) or '"' in text or text.startswith("'"):
+        raise unfit()
+    greeting = _is_greeting(text)
+    if not that and (" to " in lowered or (_IS_NO_SPEECH.match(lowered) and not greeting)):
+        raise unfit()
+    if that and lowered.startswith("you"):
+        raise unfit()
+    if word.said or _ATTACHED.search(lowered) or not (greeting or _STATED.match(lowered)):
+        raise trouble(UNQUOTED, asks=True)
+    return text
+
+
+def _words(parts: Parts) -> Word:
+    word: Word = parts[0]
+    return word
+
+
+def _say(parts: Parts) -> Clause:
+    return clause(parts, [(draft("say", text=_speech(parts)),)])
+
+
+def _say_to(parts: Parts) -> Clause:
+    person = next(part for part in parts if isinstance(part, Nominal))
+    if not person.is_person or person.plural:
+        raise unfit()
+    told = words(parts, "TELL")
+    if told and person.sort == "me":
+        raise unfit()
+    knows = any(word.said.startswith("know") for word in words(parts, "THAT"))
+    if told and told[0].said == "let" and not knows:
+        raise unfit()  # "let Ben have the cup" is no message
+    return clause(parts, [(draft("say", text=_speech(parts), person=person),)])
+
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {"words": _words, "say": _say, "say_to": _say_to}
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+)

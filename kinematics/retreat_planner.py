@@ -1,0 +1,88 @@
+"""Plan a straight retreat of one hand: no farther, and turned as much, as the body's balance asks.
+
+A hand that is drawn sideways past the reach of its arm takes the pelvis along. Where a retreat may be
+shorter, or the hand may turn on the way, the first one is taken that leaves the robot well in balance.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.balanced_timing import time_in_balance
+from kinematics.curves import PolynomialCurve
+from kinematics.free_coordinates import free_coordinates
+from kinematics.ik import InverseKinematics, along_line, inverse_kinematics
+from kinematics.lead_in import lead_in
+from kinematics.path_planner import PathPlanner
+from kinematics.pick_planner import CARTESIAN_PACE, CARTESIAN_POINTS
+from kinematics.requests import MovePlan, NoPlan, PlannedStep, RetreatRequest
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.stance import SupportPolygon
+from kinematics.start_state import relaxed_at
+from kinematics.validity import validity
+
+Array = NDArray[np.float64]
+
+LEAST_STEADY_M = 0.065
+"""Where balance was asked for, no retreat is made with less: TALOS, with the CoM 50 mm inside the edge on
+paper and the pelvis 10 cm aside, was seen to lift a foot and fall."""
+
+
+def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPlan:
+    """Plan it, or say why there is none."""
+    scene = relaxed_at(model, request.scene, request.q_start)
+    found = _configurations(model, request, scene)
+    if isinstance(found, NoPlan):
+        return found
+    space = free_coordinates(model, request.stance)
+    curve = PolynomialCurve(found)
+    trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
+    if trajectory is None:
+        return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+    trajectory = lead_in(trajectory, request.q_start, model.acceleration)
+    return MovePlan(PlannedStep("retreat", trajectory, scene))
+
+
+def _configurations(model: RobotModel, request: RetreatRequest, scene: PlanningScene) -> Array | NoPlan:
+    """Free coordinates along the way, shape (n, size)."""
+    ik = inverse_kinematics(model, request.stance, request.hand)
+    space = free_coordinates(model, request.stance)
+    planner = PathPlanner(model, space, validity(model, request.stance, scene))
+    polygon = SupportPolygon(request.stance, model.description.soles)
+    ways = list(itertools.product(request.shares, request.turns_rad))
+    best: tuple[float, Array] | None = None
+    for share, turn_rad in ways:
+        q = _line(model, request, ik, share, turn_rad)
+        if q is None:
+            continue
+        x = np.array([space.from_q(row) for row in q])
+        for joint in model.description.groups["head"]:
+            x[:, space.index(joint)] = x[0, space.index(joint)]
+        if len(ways) > 1 and not planner.curve_is_free(PolynomialCurve(x)):
+            continue  # a single way is left to the checker, which says what is hit
+        margin_m = min(polygon.com_margin_m(model.com(row)) for row in q[1:])
+        if margin_m >= request.steady_m:
+            return x
+        if best is None or margin_m > best[0]:
+            best = (margin_m, x)
+    if best is None:
+        return NoPlan("the hand cannot be drawn back in a straight line", {"no inverse kinematics": 1})
+    if best[0] < min(request.steady_m, LEAST_STEADY_M):
+        numbers = {"com_margin_m": best[0]}
+        return NoPlan("drawing the hand back would bring the robot off balance", {"balance": 1}, numbers)
+    return best[1]
+
+
+def _line(
+    model: RobotModel, request: RetreatRequest, ik: InverseKinematics, share: float, turn_rad: float
+) -> Array | None:
+    start = model.frame_pose(request.q_start, model.description.grippers[request.hand].tcp_frame)
+    end = start.copy()
+    end[:3, :3] = poses.rotation_z(turn_rad) @ start[:3, :3]
+    end[:3, 3] += share * np.asarray(request.world_offset_m)
+    return along_line(ik, request.q_start, start, end, CARTESIAN_POINTS)

@@ -1,0 +1,68 @@
+"""Data of other packages: scenes, robots and words, found by their entry points when they are asked for.
+
+A package declares a package of its own that holds the files::
+
+    [project.entry-points."humanoid_executive.scenes"]
+    theatre = "my_package.scenes"
+
+Nothing of it is imported before somebody asks for the group, and what cannot be read is left out with a
+complaint.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.resources
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources.abc import Traversable
+from types import MappingProxyType
+
+SCENES = "humanoid_executive.scenes"
+"""Each names a package with scenes, ``<name>.toml``."""
+ROBOTS = "humanoid_executive.robots"
+"""Each names a package with a robot's ``description.toml``; the robot is called as the entry point is."""
+VOCABULARY = "humanoid_executive.vocabulary"
+"""Each names a package with word lists, ``*.toml``, in the form of a user's configuration."""
+
+
+@dataclass(frozen=True, slots=True)
+class OutsideFolders:
+    """What a group of entry points leads to.
+
+    Attributes:
+        folders: Folders of data by the names of the entry points, the smaller names first.
+        complaints: Why an entry point was left out, one line each.
+    """
+
+    folders: Mapping[str, Traversable]
+    complaints: tuple[str, ...] = ()
+
+
+@cache
+def outside_folders(group: str) -> OutsideFolders:
+    """The folders of a group, looked for once."""
+    folders: dict[str, Traversable] = {}
+    complaints = []
+    kind = group.rpartition(".")[2]
+    for point in sorted(importlib.metadata.entry_points(group=group), key=lambda one: one.name):
+        if point.name in folders:
+            complaints.append(f"{kind} {point.name!r}: another package has that name already")
+            continue
+        try:
+            folders[point.name] = importlib.resources.files(point.value)
+        except Exception as broken:  # a package that cannot be imported may raise anything
+            complaints.append(f"{kind} {point.name!r}: {type(broken).__name__}: {broken}")
+    return OutsideFolders(MappingProxyType(folders), tuple(complaints))
+
+
+@cache
+def outside_files(group: str) -> Mapping[str, Traversable]:
+    """All TOML files of a group's folders, by their names without the ending; of equals the first."""
+    found: dict[str, Traversable] = {}
+    for folder in outside_folders(group).folders.values():
+        for file in sorted(folder.iterdir(), key=lambda item: item.name):
+            if file.name.endswith(".toml"):
+                found.setdefault(file.name.removesuffix(".toml"), file)
+    return MappingProxyType(found)

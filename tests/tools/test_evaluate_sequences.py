@@ -1,0 +1,35 @@
+"""Sequences ask for what can be done: each skill once, nothing that was given away, one thing in a hand."""
+
+import numpy as np
+
+from tools.evaluate.skills.sequences import LENGTH, sequence_trial
+
+TRIALS = [sequence_trial(np.random.default_rng(seed)) for seed in range(40)]
+GONE_AFTER = ("put_in", "hand_over")
+
+
+def require_possible(trial):
+    aims = trial.aim.split(", ")
+    gone, held = set(), None
+    for task, aim in zip(trial.tasks, aims, strict=True):
+        assert aim not in gone
+        if task.action == "pick":
+            held = aim
+        elif task.action in ("place", *GONE_AFTER):
+            assert held in (None, aim)
+            held = None
+        elif task.action in ("point_at", "look_at", "find"):
+            assert aim != held
+        if task.action in GONE_AFTER:
+            gone.add(aim)
+
+
+def test_a_sequence_can_be_carried_out():
+    for trial in TRIALS:
+        require_possible(trial)
+
+
+def test_all_skills_come_up_and_none_twice():
+    for trial in TRIALS:
+        assert len({task.action for task in trial.tasks}) == LENGTH
+    assert len({task.action for trial in TRIALS for task in trial.tasks}) == 8

@@ -1,0 +1,68 @@
+"""Where to stand: inside a room with space around, and where a handle's way is within reach."""
+
+import math
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.opening_path import DoorArc, DrawerLine
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+from kinematics.walking.path_planning import clearance_m, footprints
+from kinematics.walking.planar import PlanarPose
+from trees.destination import Place
+from trees.handle_standing import handle_standing_place
+from trees.handles import HandleTarget
+from trees.standing_place import standing_place, stands_inside
+
+
+def room(x=4.0, y=1.0, yaw=0.5, size=(3.0, 4.0)):
+    return Place("kitchen", "region", Box((*size, 2.0)), PlanarPose(x, y, yaw).transform(1.0), 1.0)
+
+
+def test_in_an_empty_room_one_stands_in_the_middle_and_faces_as_it_does():
+    place = standing_place(room(), PlanningScene(), PlanarPose(), 0.05)
+
+    assert place.distance_m(PlanarPose(4.0, 1.0)) < 0.2
+    assert place.yaw_rad == pytest.approx(0.5)
+
+
+def test_a_table_in_the_middle_of_a_room_is_kept_away_from():
+    table = SceneObject("table", Box((0.8, 0.8, 0.8)), poses.translation(4.0, 1.0, 0.4), movable=False)
+    scene = PlanningScene().with_objects([table])
+
+    place = standing_place(room(), scene, PlanarPose(), 0.05)
+
+    assert clearance_m(footprints(scene), place) > 0.55
+    assert stands_inside(room(), place)
+
+
+@pytest.mark.parametrize(("x", "inside"), [(4.0, True), (5.0, True), (5.3, False), (7.0, False)])
+def test_who_stands_at_the_border_of_a_room_does_not_stand_inside(x, inside):
+    assert stands_inside(room(yaw=0.0), PlanarPose(x, 1.0)) is inside
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("yaw", [0.0, 2.0])
+def test_before_a_door_the_hinge_is_ahead_and_on_the_side_of_the_hand(side, yaw):
+    arc = DoorArc(np.array([3.0, 1.0]), yaw, side, 0.54, 0.055, 1.0)
+    hands = ("left",) if side > 0.0 else ("right",)
+    target = HandleTarget("door", "handle", "door", arc, 0.0, hands)
+
+    body = handle_standing_place(target, PlanarPose())
+    hinge = body.to(PlanarPose(3.0, 1.0, yaw))
+
+    assert (hinge.x_m, hinge.y_m) == pytest.approx((0.80, side * 0.75))
+    assert hinge.yaw_rad == pytest.approx(side * 0.15)
+
+
+def test_before_a_drawer_one_stands_on_the_side_where_one_is():
+    line = DrawerLine(np.array([2.0, 0.0, 0.9]), math.pi / 2.0)
+    target = HandleTarget("drawer", "handle", "drawer", line, 0.0, ("left", "right"))
+
+    body = handle_standing_place(target, PlanarPose(3.0, -1.0))
+    bar = body.to(PlanarPose(2.0, 0.0))
+
+    assert (bar.x_m, abs(bar.y_m)) == pytest.approx((0.66, 0.34))
+    assert body.x_m > 2.0

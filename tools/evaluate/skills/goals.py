@@ -1,0 +1,211 @@
+"""Suite of walking to something: a goal some metres away, and things in the way."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from executive.assembly import Assembly
+from executive.task_result import TaskResult
+from kinematics.shapes import Cylinder
+from kinematics.walking.path_planning import clearance_m, footprints, plan_path
+from kinematics.walking.planar import PlanarPose, wrapped
+from robots.articulated import ARTICULATED_KINDS
+from robots.errors import SceneError
+from robots.furniture import floor_pose
+from robots.scene_description import Furniture, MovingPart, Person, RobotStart, SceneDescription, SceneItem
+from robots.scene_file import dump, read_scene
+from robots.scene_solids import planning_scene
+from tools.evaluate.skills import rooms
+from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
+from trees.standing_place import EDGE_M, PERSON_M
+from trees.tasks import ObjectDescription, WalkToTask
+
+FAR_M = (1.0, 6.0)
+"""From the start to where the robot is to stand."""
+BEARING_RAD = math.radians(60.0)
+OBSTACLES = 4
+FREE_AT_START_M = 0.95
+FREE_AT_GOAL_M = 0.95
+WAY_M = 0.75
+"""Obstacles leave a way that is so far from all of them."""
+OFF_M = 0.02
+OFF_RAD = math.radians(2.0)
+_SIZES = {
+    "drawers": ((0.40, 0.50), (0.50, 0.80), (0.75, 0.95)),
+    "fridge": ((0.60, 0.68), (0.56, 0.64), (1.50, 1.80)),
+    "table": ((0.50, 0.80), (0.80, 1.50), (0.72, 0.95)),
+}
+
+
+def feet_of(assembly: Assembly) -> PlanarPose:
+    """Where the middle between the feet truly is."""
+    physics = assembly.world.physics
+    soles = []
+    for body in physics.sole_body:
+        x, y = physics.data.xpos[body][:2]
+        R = physics.data.xmat[body].reshape(3, 3)
+        soles.append(PlanarPose(float(x), float(y), math.atan2(R[1, 0], R[0, 0])))
+    return PlanarPose.between(*soles)
+
+
+class GoalJudge:
+    """Measures how far the robot stands from its place in front of what it was sent to."""
+
+    def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
+        self._assembly, self._scene, self._aim = assembly, trial.scene, trial.aim
+        self._start = feet_of(assembly)
+        self._last = self._start
+        self._walked_m = 0.0
+        self._periods = 0
+
+    def on_event(self, event: object) -> None:
+        """Nothing to note."""
+
+    def on_period(self) -> None:
+        """Add up the way that was walked."""
+        self._periods += 1
+        if self._periods % 50 == 0:
+            now = feet_of(self._assembly)
+            self._walked_m += now.distance_m(self._last)
+            self._last = now
+
+    def verdict(self, results: Sequence[TaskResult]) -> Verdict:
+        """Within two centimetres and two degrees of the nearest place that there is."""
+        feet = feet_of(self._assembly)
+        off = [place.to(feet) for place in self._places(feet)]
+        left = min(off, key=lambda one: math.hypot(one.x_m, one.y_m))
+        off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(wrapped(left.yaw_rad))
+        done = off_m <= OFF_M and off_rad <= OFF_RAD
+        numbers: dict[str, Figure] = {
+            "aim": self._aim,
+            "off_m": off_m,
+            "off_deg": math.degrees(off_rad),
+            "goal_m": min(self._start.distance_m(place) for place in self._places(self._start)),
+            "walked_m": self._walked_m,
+            "took_s": results[-1].times.simulated_s,
+        }
+        why = "" if done else f"{100 * off_m:.1f} cm and {math.degrees(off_rad):.1f} degrees from its place"
+        return Verdict(done, numbers, why)
+
+    def _places(self, feet: PlanarPose) -> list[PlanarPose]:
+        """Where one may stand: at the middle of each side, level with a thing, or before a person."""
+        scene = self._scene
+        for person in scene.people:
+            if person.name == self._aim:
+                x, y = person.position_m
+                heading = math.atan2(y - feet.y_m, x - feet.x_m)
+                return [PlanarPose(x, y, heading) @ PlanarPose(-PERSON_M)]
+        item = next((item for item in scene.objects if item.name == self._aim), None)
+        pieces = {piece.name: piece for piece in scene.furniture}
+        piece = pieces["table"] if item is not None else pieces[self._aim]
+        middle = PlanarPose.of(floor_pose(piece))
+        at = PlanarPose()
+        if item is not None:
+            at = middle.to(PlanarPose(*(float(value) for value in item.world_T_object[:2, 3])))
+        half_x, half_y = 0.5 * piece.size_m[0], 0.5 * piece.size_m[1]
+        return [
+            middle @ PlanarPose(-half_x - EDGE_M, at.y_m, 0.0),
+            middle @ PlanarPose(half_x + EDGE_M, at.y_m, math.pi),
+            middle @ PlanarPose(at.x_m, -half_y - EDGE_M, 0.5 * math.pi),
+            middle @ PlanarPose(at.x_m, half_y + EDGE_M, -0.5 * math.pi),
+        ]
+
+
+def goal_trial(rng: np.random.Generator) -> Trial:
+    """Somewhere to go, with up to four things in the way."""
+    count = int(rng.integers(0, OBSTACLES + 1))
+    for _ in range(5000):
+        found = _trial(rng, count)
+        if found is not None:
+            return found
+    raise RuntimeError("no room could be made")
+
+
+def _trial(rng: np.random.Generator, count: int) -> Trial | None:
+    x, y, yaw = (float(value) for value in rng.uniform((-1.0, -1.0, -math.pi), (1.0, 1.0, math.pi)))
+    start = PlanarPose(x, y, yaw)
+    bearing, far = float(rng.uniform(-BEARING_RAD, BEARING_RAD)), float(rng.uniform(*FAR_M))
+    turn = float(rng.uniform(-0.9, 0.9))
+    goal = start @ PlanarPose(yaw_rad=bearing) @ PlanarPose(far, 0.0, turn)
+    kind = ("table", "thing", "person", "fridge", "drawers")[
+        int(rng.choice(5, p=(0.3, 0.2, 0.2, 0.15, 0.15)))
+    ]
+    furniture: list[Furniture] = []
+    people: list[Person] = []
+    objects: list[SceneItem] = []
+    aim = kind
+    if kind == "person":
+        aim = rooms.NAMES[0]
+        at = goal @ PlanarPose(PERSON_M)
+        people.append(Person(aim, (at.x_m, at.y_m), at.yaw_rad + math.pi))
+    else:
+        piece = _piece("table" if kind == "thing" else kind, goal, rng)
+        furniture.append(piece)
+        if kind == "thing":
+            aim = "red cup"
+            middle = PlanarPose.of(floor_pose(piece))
+            across = 0.5 * piece.size_m[1] - 0.25
+            spot = middle @ PlanarPose(0.1 - 0.5 * piece.size_m[0], float(rng.uniform(-across, across)))
+            cup = Cylinder(0.03, 0.11)
+            objects.append(rooms.item(aim, "cup", "red", cup, piece, (spot.x_m, spot.y_m), rng))
+    others = [one for one in _SIZES if all(one != piece.kind for piece in furniture)]
+    others += rooms.NAMES[1:]
+    for one in (others[int(k)] for k in rng.permutation(len(others))[:count]):
+        along, aside = float(rng.uniform(0.1, 1.2)), float(rng.normal(0.0, 0.8))
+        at = (
+            start
+            @ PlanarPose(yaw_rad=bearing)
+            @ PlanarPose(along * far, aside, float(rng.uniform(-3.1, 3.1)))
+        )
+        if one in _SIZES:
+            furniture.append(_piece(one, at, rng))
+        else:
+            people.append(Person(one, (at.x_m, at.y_m), at.yaw_rad))
+    robot = RobotStart(start.x_m, start.y_m, start.yaw_rad)
+    scene = SceneDescription(
+        "walk_to", robot, furniture=tuple(furniture), objects=tuple(objects), people=tuple(people)
+    )
+    try:
+        scene = read_scene(dump(scene), "episode walk_to", "walk_to")
+    except SceneError:
+        return None
+    if not _passable(scene, start, goal, 1 if kind == "person" else 0):
+        return None
+    if kind == "thing":
+        to: str | ObjectDescription = ObjectDescription("cup", "red")
+    else:
+        to = aim
+    return Trial(scene, (WalkToTask(f"walk to the {aim}", to),), aim)
+
+
+def _piece(kind: str, before: PlanarPose, rng: np.random.Generator) -> Furniture:
+    """Furniture whose front's middle is in front of where the robot stands."""
+    depth, width, height = (float(rng.uniform(*span)) for span in _SIZES[kind])
+    middle = before @ PlanarPose(EDGE_M + 0.5 * depth)
+    opens = None
+    if kind in ARTICULATED_KINDS:
+        opens = MovingPart("left" if kind == "fridge" else None, 10.0, 2.0, handle_height_m=0.0)
+        if kind == "fridge":
+            opens = MovingPart("left", 14.0, 2.0, 30.0)
+    return Furniture(kind, kind, (depth, width, height), (middle.x_m, middle.y_m), middle.yaw_rad, 0.7, opens)
+
+
+def _passable(scene: SceneDescription, start: PlanarPose, goal: PlanarPose, people_aimed_at: int) -> bool:
+    """Whether there is room at both ends, and a way between them."""
+    everything = footprints(planning_scene(scene))
+    if clearance_m(everything, start) < FREE_AT_START_M:
+        return False
+    aim_count = 1 - people_aimed_at
+    rest = SceneDescription(
+        scene.name, furniture=scene.furniture[aim_count:], people=scene.people[people_aimed_at:]
+    )
+    if clearance_m(footprints(planning_scene(rest)), goal) < FREE_AT_GOAL_M:
+        return False
+    before = goal @ PlanarPose(-0.5)
+    return plan_path(start, before, everything, WAY_M) is not None
+
+
+WALK_TO = SkillSuite(goal_trial, GoalJudge, stands=False)

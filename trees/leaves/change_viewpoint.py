@@ -1,0 +1,82 @@
+"""Look from elsewhere: walk on a little, or turn the whole body."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics.walking.corridor import free_way_m
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.steering import PathSteering, Steering, StretchSteering
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE, RUNNING
+from trees.motion_leaf import motion_failure
+from trees.odometry import feet_pose
+from trees.ports import ports
+from trees.toolbox import Toolbox
+from trees.walking_leaf import WalkingLeaf
+
+_AHEAD_M = 2.0
+"""Half of what the camera sees far."""
+_LEAST_M = 0.4
+_ROOM_M = 0.6
+_TURN_RAD = 1.9
+"""Less than the head sees to both sides, so that nothing is passed over."""
+_TURN_ROOM_M = 0.62
+_SPEED_M_S = 0.3
+
+
+class ChangeViewpoint(WalkingLeaf):
+    """Walk straight on as far as the way is free, or turn on the spot."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the robot stands upright with its hands at home, and there is room",
+        postcondition="the robot stands elsewhere, or faces elsewhere",
+        deadline_s=40.0,
+        moves="body",
+        on_success="the robot stands",
+        on_failure="the robot stops within two steps and stands",
+        on_cancel="the robot stops within two steps and stands",
+    )
+
+    def __init__(self, name: str, toolbox: Toolbox, way: Literal["ahead", "around"]) -> None:
+        super().__init__(name, toolbox)
+        self._way = way
+
+    def step(self) -> Status | Failure:
+        """Set out once, and wait until the robot stands."""
+        toolbox = self.toolbox
+        settings = toolbox.model.description.walking
+        if settings is None or toolbox.walking is None or toolbox.ranging is None:
+            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+        if self._handle is None:
+            scan = toolbox.ranging.scan()
+            if scan is None:
+                self.feedback_message = "waiting for the range sensor"
+                return RUNNING
+            steering = self._steering(settings, scan)
+            if isinstance(steering, Failure):
+                return steering
+            self._handle = toolbox.walking.walk(steering, "walk")
+        if (ended := motion_failure(self._handle)) is not None:
+            return ended
+        return DONE if self._handle.finished else RUNNING
+
+    def _steering(self, settings: WalkingSettings, scan: np.ndarray) -> Steering | Failure:
+        body = feet_pose(self.toolbox)
+        if self._way == "ahead":
+            room_m = free_way_m(scan, settings, 1.0) - _ROOM_M
+            if room_m < _LEAST_M:
+                return Failure.infeasible("there is no room ahead to look from", room_m=room_m)
+            return StretchSteering(settings, body, _SPEED_M_S, min(room_m, _AHEAD_M))
+        near_m = float(np.hypot(scan[:, 0], scan[:, 1]).min(initial=math.inf))
+        if near_m < _TURN_ROOM_M:
+            return Failure.infeasible("there is no room to turn", room_m=near_m)
+        return PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))

@@ -1,0 +1,56 @@
+"""Stand upright, ready to walk: hands at home, or what is held level before the shoulder."""
+
+from __future__ import annotations
+
+import math
+
+from kinematics import poses
+from kinematics.gesture_requests import CarryRequest, GestureRequest
+from kinematics.requests import MoveRequest
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.held import HeldObject, held_object
+from trees.leaves.go_home import GoHome
+from trees.ports import ports
+
+_LEVEL_RAD = 0.035
+_UPRIGHT_RAD = 0.03
+_HEIGHT_M = 0.02
+
+
+class ReadyToWalk(GoHome):
+    """Bring pelvis and trunk home; an empty hand as well, a held object upright to where it is carried."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="every body joint is measured to be at home, or where the held object is level",
+        deadline_s=30.0,
+        moves="body",
+        on_success="the robot stands upright; what it holds is level",
+    )
+
+    def goal(self) -> MoveRequest | GestureRequest | None:
+        """Home with empty hands; else the carrying posture, unless it is taken already."""
+        toolbox = self.toolbox
+        held = held_object(toolbox, None, None)
+        if isinstance(held, Failure):
+            return super().goal()
+        if self._carries(held):
+            return None
+        return CarryRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            held=held.name,
+            seed=int(toolbox.rng.integers(2**31)),
+        )
+
+    def _carries(self, held: HeldObject) -> bool:
+        toolbox = self.toolbox
+        model, q = toolbox.model, toolbox.motion.reference()
+        item = model.frame_pose(q, model.description.tcp_frames[held.hand]) @ held.tcp_T_object
+        upright = poses.rotation_from_quaternion(q[3:7])[2, 2] >= math.cos(_UPRIGHT_RAD)
+        tall = abs(float(q[2]) - float(model.home_over(toolbox.motion.stance())[2])) <= _HEIGHT_M
+        return bool(item[2, 2] >= math.cos(_LEVEL_RAD) and upright and tall)

@@ -1,0 +1,42 @@
+"""Stand where a handle can be led all its way."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives, defect
+from trees.failures import Failure, FailureKind
+from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.leaves.stands_at_handle import StandsAtHandle
+from trees.leaves.walk_to_handle import WalkToHandle
+from trees.retry import Retry
+from trees.toolbox import Toolbox
+
+_WALKS = 3
+
+
+def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
+    """Nothing where the robot stands well; else walk there, look again, and correct.
+
+    Args:
+        toolbox: What leaves may call.
+        look_again: Sees the handle anew; reads "task", writes "handle".
+    """
+    walk = Sequence(
+        "walk there",
+        memory=True,
+        children=[
+            ReadyToWalk("stand upright", toolbox),
+            WalkToHandle("walk", toolbox),
+            look_again,
+            StandsAtHandle("stand well", toolbox),
+        ],
+    )
+    again = ReadyToWalk("stand upright", toolbox)
+    walks = Retry("walks", walk, again, _WALKS, _another_walk_is_useless)
+    return Alternatives("come to it", [StandsAtHandle("stand well already", toolbox), walks], hopeless=defect)
+
+
+def _another_walk_is_useless(failure: Failure, _before: Failure | None) -> bool:
+    return defect(failure) or failure.kind is not FailureKind.POSTCONDITION

@@ -1,0 +1,34 @@
+"""Open a hand that a cancelled task left about an object, and draw it back."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.best_effort import BestEffort
+from trees.given import Given
+from trees.held import HeldObject
+from trees.leaves.draw_back import DrawBack
+from trees.leaves.let_go import LetGo
+from trees.toolbox import Toolbox
+
+_HELD, _TOUCHED = "left_about", "left_standing"
+
+
+def leave_object(toolbox: Toolbox, about: HeldObject) -> Behaviour:
+    """Any other way would take the object along, and from here the hand hides it from the camera.
+
+    What a hand is about without holding it stands on something, so nothing falls when the fingers open.
+
+    Args:
+        toolbox: What the leaves may call.
+        about: The object, and where the hand has it.
+    """
+    keys = {"held": _HELD, "touched": _TOUCHED}
+    children: list[Behaviour] = [
+        Given("what it is about", _HELD, about),
+        Given("that it stands", _TOUCHED, True),
+        LetGo("let go", toolbox, wiring=keys),
+        DrawBack("draw back", toolbox, {"held": _HELD}),
+    ]
+    return BestEffort(Sequence(f"leave the {about.name}", memory=True, children=children))
