@@ -101,7 +101,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
         if not outcomes:
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
-        return self._answer(text, outcomes)
+        return self._answer(text, outcomes, lattice.manners())
 
     def parse_selection(self, text: str) -> ObjectDescription | None:
         """Understand an answer that tells one thing from others."""
@@ -127,10 +127,12 @@ class CommandParser:
             return False
         return sum(not isinstance(one, Trouble) for one in outcomes) == 1
 
-    def _answer(self, text: str, outcomes: Sequence[Outcome]) -> Parsed:
+    def _answer(self, text: str, outcomes: Sequence[Outcome], manners: tuple[str, ...]) -> Parsed:
         understood = [one for one in outcomes if not isinstance(one, Trouble)]
         if len(understood) == 1:
-            return Parsed(text, commands=understood[0])
+            spoken = [one.words for one in understood[0] if isinstance(one, SayTask)]
+            unsaid = tuple(word for word in manners if not any(word in words.lower() for words in spoken))
+            return Parsed(text, commands=understood[0], manners=unsaid)
         if understood:
             choices = tuple(
                 ", then ".join(wording(command) for command in commands) for commands in understood

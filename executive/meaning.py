@@ -51,12 +51,17 @@ class Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Parsed:
-    """What a text was understood as; exactly one of the three is there."""
+    """What a text was understood as; exactly one of commands, question and refusal is there.
+
+    ``manners`` are words such as "gently" that ask for nothing that is not done anyway; whoever said them
+    is told so.
+    """
 
     text: str
     commands: tuple[Command, ...] = ()
     question: Question | None = None
     refusal: Refusal | None = None
+    manners: tuple[str, ...] = ()
 
     @property
     def outcome(self) -> Literal["tasks", "question", "refused"]:

@@ -126,6 +126,9 @@ def verdict(statements: Sequence[Statement], results: Sequence[Said]) -> tuple[s
     left_out = [f"{step.text!r} ({step.reason})" for one, _ in results for step in one.skipped]
     if left_out:
         line += f"; left out: {', '.join(left_out)}"
+    manners = dict.fromkeys(word for one, _ in results for word in one.parsed.manners)
+    if manners:
+        line += f"; {' and '.join(map(repr, manners))} changed nothing: every motion keeps the same limits"
     return line, "done", ExitCode.DONE
 
 

@@ -26,6 +26,7 @@ from kinematics.lead_in import lead_in
 from kinematics.opening_path import DoorArc
 from kinematics.opening_rehearsal import rehearse
 from kinematics.path_planner import PathPlanner
+from kinematics.pushing import outward_of, push_grasps
 from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -88,6 +89,9 @@ class _HandleTask:
     def grasps(self) -> Iterator[Grasp]:
         """Candidates, the most promising first."""
         request = self._request
+        if request.pushed:
+            yield from push_grasps(self._model, request)
+            return
         point, bar = request.path.at(request.s_from), request.scene.objects[request.handle]
         heading = math.atan2(-point.outward[1], -point.outward[0])
         shape = bar.shape
@@ -134,8 +138,7 @@ class _HandleTask:
         near = self._planner(scene)
         if not near.is_free(self._space.from_q(found.q)):
             return "collision at the handle"
-        back_m = poses.translation(-grasp.approach_m, 0.0, 0.0)
-        back = along_line(ik, found.q, grasp.world_T_tcp, grasp.world_T_tcp @ back_m, _POINTS)
+        back = along_line(ik, found.q, grasp.world_T_tcp, self._before(grasp), _POINTS)
         if back is None:
             return "no straight approach"
         approach = PolynomialCurve(self._gazing(back[::-1], grasp.world_T_tcp[:3, 3]))
@@ -153,6 +156,14 @@ class _HandleTask:
             self.farthest_s = rehearsal.farthest_s if farther else best
             return rehearsal.reason
         return self._timed(grasp, x_pregrasp, approach, scene, rehearsal.farthest_s)
+
+    def _before(self, grasp: Grasp) -> Array:
+        """Pose of the TCP from which the hand goes straight to a grasp, shape (4, 4)."""
+        if not self._request.pushed:
+            return np.asarray(grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0))
+        before = grasp.world_T_tcp.copy()
+        before[:3, 3] += grasp.approach_m * outward_of(self._request)
+        return before
 
     def _timed(
         self, grasp: Grasp, x_pregrasp: Array, approach: Curve, scene: PlanningScene, farthest_s: float

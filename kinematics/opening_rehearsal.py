@@ -79,7 +79,7 @@ def scene_at(
     scene: PlanningScene, parts: tuple[str, ...], path: OpeningPath, s_from: float, s_to: float
 ) -> PlanningScene:
     """The scene with a door or drawer moved from one opening to another."""
-    for name in parts:
+    for name in dict.fromkeys(parts):  # each once: a front may be its own handle
         item = scene.objects[name]
         moved = path.part_moved(item.world_T_object, s_from, s_to)
         scene = scene.with_object(replace(item, world_T_object=moved))

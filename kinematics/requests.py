@@ -129,6 +129,7 @@ class HandleRequest:
         hands: Hands that may be used, the better one first.
         excluded: Labels of grasps, as "hand label", that were tried in vain.
         seed: Of everything random in the plan.
+        pushed: The name of the front, when the hand shall push against that instead of holding the bar.
     """
 
     q_start: Array
@@ -142,6 +143,7 @@ class HandleRequest:
     hands: tuple[Hand, ...] = HANDS
     excluded: frozenset[str] = frozenset()
     seed: int = 0
+    pushed: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,7 @@ _CLOSE_S = 0.1
 
 
 def rest_of(
-    model: RobotModel, trajectory: Trajectory, q: Array, from_s: float, period_s: float
+    model: RobotModel, trajectory: Trajectory, q: Array, near_s: float, period_s: float
 ) -> Trajectory | None:
     """What is left of a trajectory, from rest, along the same path.
 
@@ -40,7 +40,7 @@ def rest_of(
         model: The robot.
         trajectory: The whole motion.
         q: Where it rests, on its path up to the legs' straying between samples, shape (nq,).
-        from_s: Where along the trajectory the braking began: it rests later.
+        near_s: Where along the trajectory it rests, to two control periods.
         period_s: The control period, for which limits are held.
 
     Returns:
@@ -48,7 +48,7 @@ def rest_of(
         the limits of acceleration, jerk and balance.
     """
     sampler = TrajectorySampler(trajectory)
-    t0 = _nearest_s(sampler, q, from_s)
+    t0 = _nearest_s(sampler, q, near_s, 2.0 * period_s)
     left_s = sampler.duration_s - t0
     if left_s <= _END_S:
         ends = sampler.many(np.array([t0, sampler.duration_s]))
@@ -68,11 +68,12 @@ def rest_of(
     return None
 
 
-def _nearest_s(sampler: TrajectorySampler, q: Array, from_s: float) -> float:
-    """Time along the path of the place nearest to a configuration, not before ``from_s``."""
-    window_s: Array = np.arange(from_s, sampler.duration_s + _SEARCH_S, _SEARCH_S, dtype=np.float64)
+def _nearest_s(sampler: TrajectorySampler, q: Array, near_s: float, within_s: float) -> float:
+    """Time along the path of the place nearest to a configuration, about a time."""
+    steps = np.arange(-within_s, within_s + 0.5 * _SEARCH_S, _SEARCH_S, dtype=np.float64)
+    window_s: Array = np.clip(near_s + steps, 0.0, sampler.duration_s)
     off = np.abs(sampler.many(window_s).q[:, 7:] - q[7:]).max(axis=1)
-    return float(min(window_s[int(np.argmin(off))], sampler.duration_s))
+    return float(window_s[int(np.argmin(off))])
 
 
 def _gathered(

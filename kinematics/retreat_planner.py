@@ -63,8 +63,9 @@ def _configurations(model: RobotModel, request: RetreatRequest, scene: PlanningS
         x = np.array([space.from_q(row) for row in q])
         for joint in model.description.groups["head"]:
             x[:, space.index(joint)] = x[0, space.index(joint)]
-        if len(ways) > 1 and not planner.curve_is_free(PolynomialCurve(x)):
-            continue  # a single way is left to the checker, which says what is hit
+        # A single way is left to the checker, which says what is hit; so is the start, where the robot is.
+        if len(ways) > 1 and not all(planner.is_free(row) for row in x[1:]):
+            continue
         margin_m = min(polygon.com_margin_m(model.com(row)) for row in q[1:])
         if margin_m >= request.steady_m:
             return x

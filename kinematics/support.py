@@ -18,6 +18,11 @@ def lowest_point_m(item: SceneObject) -> float:
     return float(item.world_T_object[2, 3]) - half_height_m(item)
 
 
+def top_m(item: SceneObject) -> float:
+    """Height of an object's highest point."""
+    return float(item.world_T_object[2, 3]) + half_height_m(item)
+
+
 def half_height_m(item: SceneObject) -> float:
     """Half the vertical extent of an object as it stands or lies."""
     shape, up = item.shape, item.world_T_object[2, :3]
@@ -47,8 +52,7 @@ def supports_of(
     for other in scene.objects.values():
         if other.movable or other.name == item.name:
             continue
-        top = float(other.world_T_object[2, 3]) + half_height_m(other)
-        if abs(bottom - top) <= gap_m and _is_over(item, other, beside_m):
+        if abs(bottom - top_m(other)) <= gap_m and _is_over(item, other, beside_m):
             names.append(other.name)
     return names
 

@@ -8,8 +8,11 @@ from types import MappingProxyType
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from trees.best_effort import BestEffort
 from trees.extensions import extensions
 from trees.hand_about import objects_in_open_grasp
+from trees.leaves.lift_clear import LiftClear, held_near_support
+from trees.subtrees.close import close
 from trees.subtrees.gestures import look_at, point_at, wave
 from trees.subtrees.go_home import go_home
 from trees.subtrees.hand_over import hand_over
@@ -59,7 +62,7 @@ SKILLS: Mapping[type[Task], Callable[[Toolbox], Behaviour]] = MappingProxyType(
         DescribeTask: describe,
         GoHomeTask: go_home,
         OpenTask: open_or_close,
-        CloseTask: open_or_close,
+        CloseTask: close,
         WaveTask: wave,
         PointAtTask: point_at,
         LookAtTask: look_at,
@@ -100,6 +103,8 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
         first = [leave_object(toolbox, about) for about in objects_in_open_grasp(toolbox)]
         if toolbox.world.at_handle is not None:
             first.append(leave_handle(toolbox))
+        if held_near_support(toolbox) is not None:
+            first.append(BestEffort(LiftClear("lift it clear", toolbox)))
         if first:
             root = Sequence(root.name, memory=True, children=[*first, root])
     return TaskTree(task, root, toolbox)

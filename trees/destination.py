@@ -96,7 +96,7 @@ def resolve(
         word = (
             wanted if isinstance(wanted, str) else "in_front" if wanted is None else wanted.name or "person"
         )
-        fitting = _named(word, seen)
+        fitting = _named(word, seen, around)
     if not fitting:
         words = ", ".join(sorted(seen)) or "nothing"
         return Failure.postcondition(f"no {_words(wanted)} seen", seen=words)
@@ -115,10 +115,17 @@ def place_from(name: str, item: ObjectEstimate) -> Place:
     return Place(name, item.category, item.shape, item.odom_T_object, item.confidence)
 
 
-def people_first(seen: Mapping[str, ObjectEstimate]) -> list[str]:
-    """Names of the people in view, the one who stands most straight ahead first."""
+def people_first(seen: Mapping[str, ObjectEstimate], around: Surroundings) -> list[str]:
+    """Names of the people in view, the one who stands most straight ahead of the robot first."""
     people = [name for name, item in seen.items() if item.category == "person"]
-    return sorted(people, key=lambda name: (_off_ahead(seen[name]), name))
+    places = _places(seen, around)
+    return sorted(people, key=lambda name: (abs(math.atan2(places[name][1], places[name][0])), name))
+
+
+def _places(seen: Mapping[str, ObjectEstimate], around: Surroundings) -> dict[str, NDArray[np.float64]]:
+    """Where things are, from the robot; what nobody believes in yet, from the odometry frame."""
+    believed = {thing.name: thing.place_m for thing in around.things}
+    return {name: believed.get(name, item.odom_T_object[:3, 3]) for name, item in seen.items()}
 
 
 def furniture_named(kind: str, scene: PlanningScene) -> list[SceneObject]:
@@ -148,22 +155,18 @@ def _is_furniture(wanted: ObjectDescription, name: str, item: ObjectEstimate) ->
     return item.category == "furniture" and wanted.kind == item.kind == name and wanted.color is None
 
 
-def _named(word: str, seen: Mapping[str, ObjectEstimate]) -> dict[str, ObjectEstimate]:
-    people = people_first(seen)
+def _named(word: str, seen: Mapping[str, ObjectEstimate], around: Surroundings) -> dict[str, ObjectEstimate]:
+    people = people_first(seen, around)
     if word in _ANYBODY:
         if word == "me":
-            people.sort(key=lambda name: float(np.linalg.norm(seen[name].odom_T_object[:2, 3])))
+            places = _places(seen, around)
+            people.sort(key=lambda name: float(np.linalg.norm(places[name][:2])))
         return {name: seen[name] for name in people[:1]}
     same = [name for name in people if name.casefold() == word.casefold()]
     # of furniture, "table" is its top, "table 2" a leg or another one
     kinds = [name for name, item in seen.items() if item.category == "furniture" and name == word]
     things = [name for name, item in seen.items() if item.category == "object" and word in (name, item.kind)]
     return {name: seen[name] for name in same or kinds or things}
-
-
-def _off_ahead(item: ObjectEstimate) -> float:
-    x, y = item.odom_T_object[:2, 3]
-    return abs(math.atan2(y, x))
 
 
 def _face_m2(item: SceneObject) -> float:

@@ -11,8 +11,11 @@ import numpy as np
 
 from kinematics import poses
 from kinematics.opening_path import DoorArc, DrawerLine, OpeningPath
+from kinematics.poses import Transform
 from kinematics.robot_description import Hand
-from kinematics.shapes import Box
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Box, Shape
+from kinematics.walking.planar import PlanarPose
 from robots.perception.object_estimate import ObjectEstimate
 from trees.scene_update import kind_of
 
@@ -55,6 +58,8 @@ class HandleTarget:
         opening: How far it is open, rad or m.
         hands: The hands that can follow it, the better one first.
         unit: Of ``opening``.
+        pushed: Whether a hand pushes against the front, instead of taking hold of the bar; ``handle`` is
+            the front itself where the bar is out of sight.
     """
 
     kind: Literal["door", "drawer"]
@@ -63,6 +68,7 @@ class HandleTarget:
     path: OpeningPath
     opening: float
     hands: tuple[Hand, ...]
+    pushed: bool = False
 
     @property
     def unit(self) -> str:
@@ -74,12 +80,14 @@ class HandleTarget:
         return math.degrees(opening) if self.kind == DOOR else opening
 
 
-def handles_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = None) -> list[HandleTarget]:
     """Every handle that was seen with its door or drawer.
 
     Args:
         seen: What a look saw, by name in the planning scene.
+        body: Where the robot stands: the hand on the side of a drawer's handle is the better one.
     """
+    body = body or PlanarPose()
     fronts = {name: item for name, item in seen.items() if kind_of(name) in BODY_OF}
     found = []
     for name, bar in seen.items():
@@ -91,39 +99,55 @@ def handles_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
         }
         nearest = min(away, key=lambda front: (away[front], front))
         if away[nearest] <= _PAIRED_M:
-            found.append(_target(name, bar, nearest, fronts[nearest], seen.values()))
+            found.append(_target(name, bar, nearest, fronts[nearest], seen.values(), body))
     return found
 
 
-def opening_in(estimates: Iterable[ObjectEstimate], kind: str) -> float | None:
-    """How far the only door or drawer of a look is open; None when it or its body was not seen."""
+def opening_in(
+    estimates: Iterable[ObjectEstimate], kind: str, known: PlanningScene | None = None
+) -> float | None:
+    """How far the only door or drawer of a look is open; None when it was not seen, or its body never.
+
+    Args:
+        estimates: What the look saw.
+        kind: "door" or "drawer".
+        known: Where the body is believed to be, for looks that do not see it: it does not move.
+    """
     listed = list(estimates)
     fronts = [item for item in listed if item.kind == kind]
-    bodies = [item for item in listed if item.kind == BODY_OF[kind]]
+    bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
+    if not bodies and known is not None:
+        believed = [item for name, item in known.objects.items() if kind_of(name) == BODY_OF[kind]]
+        bodies = [(item.world_T_object, item.shape) for item in believed]
     if not fronts or not bodies:
         return None
     return _opening(kind, fronts[0], bodies)
 
 
-def _opening(kind: str, front: ObjectEstimate, bodies: list[ObjectEstimate]) -> float:
+def _opening(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
     """From the poses of a front and of what it closes; both have x pointing inwards."""
-    body = max(bodies, key=lambda item: float(item.odom_T_object[2, 3]))  # its top
-    yaw = poses.yaw_of(body.odom_T_object[:3, :3])
+    body, shape = max(bodies, key=lambda item: float(item[0][2, 3]))  # its top
+    yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
         turned = poses.yaw_of(front.odom_T_object[:3, :3]) - yaw
         return abs((turned + math.pi) % (2.0 * math.pi) - math.pi)
     inwards = poses.rotation_z(yaw)[:, 0]
-    depth_m = body.shape.size_m[0] if isinstance(body.shape, Box) else 0.0
-    to_front_m = float((body.odom_T_object[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
+    depth_m = shape.size_m[0] if isinstance(shape, Box) else 0.0
+    to_front_m = float((body[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
     return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
 
 
 def _target(
-    name: str, bar: ObjectEstimate, part: str, front: ObjectEstimate, seen: Iterable[ObjectEstimate]
+    name: str,
+    bar: ObjectEstimate,
+    part: str,
+    front: ObjectEstimate,
+    seen: Iterable[ObjectEstimate],
+    body: PlanarPose,
 ) -> HandleTarget:
     kind = kind_of(part)
     listed = list(seen)
-    bodies = [item for item in listed if item.kind == BODY_OF[kind]]
+    bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
     opening = _opening(kind, front, bodies) if bodies else 0.0
     place, panel = bar.odom_T_object[:3, 3], front.odom_T_object
     inwards, left = panel[:3, 0], panel[:3, 1]
@@ -132,7 +156,8 @@ def _target(
     yaw = math.atan2(inwards[1], inwards[0])
     if kind == DRAWER:
         line = DrawerLine(place, yaw).through(place, opening)
-        first: Hand = "left" if place[1] > 0.0 else "right"
+        aside_m = body.to(PlanarPose(float(place[0]), float(place[1]))).y_m
+        first: Hand = "left" if aside_m > 0.0 else "right"
         return HandleTarget(
             DRAWER, name, part, line, opening, (first, "right" if first == "left" else "left")
         )

@@ -12,6 +12,9 @@ from trees.failures import Failure
 from trees.tasks import ObjectDescription, Thing
 from trees.toolbox import Toolbox
 
+LOST = "lost"
+"""Among the numbers of a failure: a hand lost what it carried."""
+
 
 @dataclass(frozen=True, slots=True)
 class HeldObject:
@@ -82,6 +85,7 @@ def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
     return Failure.postcondition(
         f"the {held.name} slipped out of the {held.hand} hand, or was taken out of it",
         opening_m=toolbox.grippers[held.hand].reading().opening_m,
+        lost=True,
     )
 
 

@@ -24,13 +24,14 @@ class HeldHandle:
         target: Which handle.
         grasp: How it is held.
         path: Of the TCP that holds it.
-        bias: Of the hand's force estimate, measured before anything was touched, shape (6,).
+        bias: Of the hand's force estimate, measured before anything was touched, shape (6,); None where it
+            is to be measured when the hand sets out.
     """
 
     target: HandleTarget
     grasp: Grasp
     path: OpeningPath
-    bias: Array
+    bias: Array | None
 
 
 @dataclass(frozen=True, slots=True)

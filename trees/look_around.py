@@ -23,11 +23,14 @@ class LookAround(LookLeaf):
     What is in a hand is left out: it is attached, and must not become an obstacle as well.
 
     Attributes:
+        keeping: Whether what an earlier look showed stays, though this one does not show it: nothing has
+            moved, and what is at the picture's edge or half hidden may be overlooked.
         LOOKING_ON: Whether it goes with other looks between which nothing moves: a second thing of a kind
             and colour is another one then, and not the first one that was moved.
     """
 
     LOOKING_ON: ClassVar[bool] = False
+    keeping = False
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """What follows from the things seen, by their names in the scene."""
@@ -51,7 +54,7 @@ class LookAround(LookLeaf):
             world.scene,
             estimates,
             policy,
-            lambda point: not glimpse.shows(camera, point, near_m),
+            lambda point: self.keeping or not glimpse.shows(camera, point, near_m),
             may_have_moved=not self.LOOKING_ON,
         )
         world.update(update.scene)

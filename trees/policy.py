@@ -39,7 +39,8 @@ class TreePolicy:
         furniture_margin_m: Kept from furniture; three times the usual perception bias.
         object_margin_m: Kept from every object, unless the plan lets the pair touch.
         search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
-            too near for the head alone, then what is far to the sides.
+            too near for the head alone (on a high table with less of a lean: nothing is seen nearer to the
+            camera than 0.3 m), then what is far to the sides.
         survey_gazes: Where else the head looks before it is said which of several things is meant: what the
             first gaze cuts off on both sides of a table, without leaning.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
@@ -92,6 +93,8 @@ class TreePolicy:
         take_within_s: Nobody has taken it by then: it is taken back.
         after_giving_s: Between letting go and looking where it went.
         walk_timeout_s: Longest walk to something, looking for it and corrections included.
+        confidence_slope, confidence_offset: From how surely things were seen to how often answers about
+            them are right, a line in the log-odds; fitted by ``tools.calibration``.
         task_timeout_s: A whole task takes less; what is left of a session's limit is for giving up tidily.
     """
 
@@ -107,6 +110,7 @@ class TreePolicy:
     search_gazes: tuple[Gaze, ...] = (
         Gaze("ahead", tilt_rad=0.75),
         Gaze("near", tilt_rad=0.77, lean_rad=0.45),
+        Gaze("near and high", tilt_rad=0.77, lean_rad=0.36),
         Gaze("near left", tilt_rad=0.77, pan_rad=0.7, lean_rad=0.45),
         Gaze("near right", tilt_rad=0.77, pan_rad=-0.7, lean_rad=0.45),
         Gaze("at the body", tilt_rad=0.77, lean_rad=0.6),
@@ -172,4 +176,6 @@ class TreePolicy:
     take_within_s: float = 15.0
     after_giving_s: float = 0.8
     walk_timeout_s: float = 165.0
+    confidence_slope: float = 0.85
+    confidence_offset: float = 1.7
     task_timeout_s: float = 120.0

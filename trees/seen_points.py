@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,16 +32,18 @@ class SeenPoints:
         self.silent = False
         self._cells: dict[tuple[int, int], None] = {}
 
-    def look(self, body: PlanarPose) -> Array:
+    def look(self, body: PlanarPose, leave_out: Callable[[Array], Array] = lambda scan: scan) -> Array:
         """Take a scan; gives the points that are new, shape (n, 2).
 
         Args:
             body: Where the base is.
+            leave_out: Takes out of a scan, shape (n, 3), what is no obstacle.
         """
         scan = None if self._sensor is None else self._sensor.scan()
         self.silent = self._sensor is not None and scan is None
         if scan is None:
             return np.zeros((0, 2))
+        scan = leave_out(scan)
         c, s = math.cos(body.yaw_rad), math.sin(body.yaw_rad)
         x = body.x_m + c * scan[:, 0] - s * scan[:, 1]
         y = body.y_m + s * scan[:, 0] + c * scan[:, 1]

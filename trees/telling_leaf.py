@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from statistics import fmean
 
 from py_trees.common import Status
 
@@ -11,6 +12,7 @@ from trees.believed_thing import Surroundings, surroundings
 from trees.events import Said
 from trees.failures import Number
 from trees.leaf import DONE, Leaf
+from trees.stated_confidence import calibrated
 
 # A thing that was seen less surely is told as perhaps being there.
 _SURE = 0.5
@@ -34,7 +36,15 @@ class TellingLeaf(Leaf):
         self.feedback_message = words
         return DONE
 
-    def confidence(self, names: Iterable[str]) -> float:
-        """Chance that all of these are there: things are seen or missed each on its own."""
-        sightings = self.get_input("sightings")
-        return math.prod(float(sightings.get(name, _SURE)) for name in names)
+    def confidence(self, names: Iterable[str]) -> dict[str, Number]:
+        """Evidence of how often such an answer is right, from how surely things were seen.
+
+        Things are seen or missed each on its own, and what was not seen was missed about as easily as
+        what was seen was seen badly; from that to a share of right answers goes a fitted line.
+        """
+        sightings, policy = self.get_input("sightings"), self.toolbox.policy
+        there = math.prod(float(sightings.get(name, _SURE)) for name in names)
+        complete = fmean(map(float, sightings.values())) if sightings else _SURE
+        raw = there * complete
+        stated = calibrated(raw, policy.confidence_slope, policy.confidence_offset)
+        return {"confidence": stated, "seen_confidence": raw}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,8 +20,10 @@ from executive.language.phrases import (
     Trouble,
     Where,
 )
+from trees.tasks import RelationKind
 
 Parts = tuple[Any, ...]
+_PLACES: Mapping[str, RelationKind] = {"on": "on", "in": "in"}
 ME = Nominal("me", "me", determined=True)
 
 
@@ -189,9 +191,9 @@ def _told(goal: Where, where: Where) -> Where:
     return replace(goal, of=checked(of.placed(Relative(_kind(where), where.of))))
 
 
-def _kind(where: Where) -> str:
+def _kind(where: Where) -> RelationKind:
     """A place as a relation."""
-    return where.relation or {"on": "on", "in": "in"}.get(where.preposition or "", "next_to")
+    return where.relation or _PLACES.get(where.preposition or "", "next_to")
 
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
@@ -205,6 +207,12 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
         if where.relation is not None and where.of.is_place and result.source and result.source.is_place:
             result = replace(result, source=checked(result.source.placed(Relative(where.relation, where.of))))
         elif where.relation is not None:
+            if result.source is not None and result.source.kind is not None and not result.source.is_place:
+                other = where.of.kind or "that"
+                beside = f"{where.relation.replace('_', ' ')} the {other}"
+                raise trouble(
+                    f"which is {beside}, the {result.object.kind} or the {result.source.kind}?", asks=True
+                )
             result = replace(result, object=checked(result.object.placed(Relative(where.relation, where.of))))
         elif not has_source:
             if where.role == "from":
@@ -222,7 +230,7 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     return result
 
 
-def _told_apart(result: Arranged, kind: str, of: Nominal) -> Arranged:
+def _told_apart(result: Arranged, kind: RelationKind, of: Nominal) -> Arranged:
     relation = result.object.relation
     if relation is not None and of.sort == "room" and relation.to.is_place:
         inner = checked(relation.to.placed(Relative(kind, of)))

@@ -65,7 +65,7 @@ def _wave_hand(parts: Parts) -> Clause:
 def _attend(action: str) -> Callable[[Parts], Clause]:
     def meaning(parts: Parts) -> Clause:
         sides = words(parts, "LEFT_RIGHT")
-        hand = sides[0].meaning if sides else None
+        hand = sides[0].meaning if sides else _side(parts)
         bundles: list[Bundle] = []
         (items,) = (part for part in parts if isinstance(part, Items))
         for item in items.each:

@@ -9,7 +9,16 @@ from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, arranged, clause, guarded, trouble, unfit
 from executive.language.nominals import words
-from executive.language.phrases import Clause, Item, Meaning, Measure, Nominal, Relative, draft
+from executive.language.phrases import (
+    Clause,
+    Item,
+    Meaning,
+    Measure,
+    Nominal,
+    Relative,
+    draft,
+    relation_kind,
+)
 
 FORWARD_M_S = 0.3
 """Speed of ``move_forward``; backward is its negative."""
@@ -76,8 +85,8 @@ def _toward(parts: Parts) -> Nominal:
 
 
 def _toward_relation(parts: Parts) -> Relative:
-    kind = words(parts, "RELATION")[0].meaning
-    if kind.endswith("_side_of"):
+    kind = relation_kind(words(parts, "RELATION")[0].meaning)
+    if kind is None:
         raise unfit()
     if kind == "under":
         raise trouble("walking under something is no skill of this robot", words(parts, "RELATION")[0].said)

@@ -10,6 +10,9 @@ from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
+MANNER = "manner"
+"""Meaning of those fillers that say how something is to be done."""
+
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
 _PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
@@ -170,6 +173,18 @@ class Lattice:
     def phrase(self, position: int) -> Sequence[Word]:
         """The words that begin exactly at a place."""
         return self._own[position]
+
+    def manners(self) -> tuple[str, ...]:
+        """Words that say how, and are passed over because it is always done like that."""
+        found: dict[str, None] = {}
+        end = 0
+        for start, words in enumerate(self._own):
+            said = [one for one in words if one.word_class == FILLER and one.meaning == MANNER]
+            if said and start >= end:
+                longest = max(said, key=lambda one: one.end)
+                found[longest.said] = None
+                end = longest.end
+        return tuple(found)
 
     def unknown(self) -> int | None:
         """The first piece that belongs to no phrase."""

@@ -4,11 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any, Literal, get_args
+
+from trees.tasks import RelationKind
 
 Sort = Literal["thing", "furniture", "container", "door", "room", "person", "me", "you", "name", "any"]
 Reference = Literal["it", "them", "him", "this", "there", "here", "previous"]
 Preposition = Literal["on", "in", "at", "to"]
+Role = Literal["is", "from", "to", "either"]
+Quantity = Literal["duration", "distance", "angle", "linear_speed", "angular_speed"]
+
+_RELATION_KINDS: dict[str, RelationKind] = {kind: kind for kind in get_args(RelationKind)}
+
+
+def relation_kind(name: str) -> RelationKind | None:
+    """The relation of a name, or None when it is none that a task can have."""
+    return _RELATION_KINDS.get(name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +48,7 @@ class Feature:
 class Relative:
     """Where something is: its relation to something else."""
 
-    kind: str
+    kind: RelationKind
     to: Nominal
 
 
@@ -126,10 +137,10 @@ class Where:
         of: The place, or what the relation is to.
     """
 
-    role: Literal["is", "from", "to", "either"]
+    role: Role
     of: Nominal
     preposition: Preposition | None = None
-    relation: str | None = None
+    relation: RelationKind | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +184,7 @@ class Pair:
 class Measure:
     """A quantity in SI units."""
 
-    of: Literal["duration", "distance", "angle", "linear_speed", "angular_speed"]
+    of: Quantity
     value: float
     said: str
 

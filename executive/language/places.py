@@ -15,52 +15,56 @@ from executive.language.phrases import (
     Measure,
     Nominal,
     Preposition,
+    Quantity,
     Relative,
+    Role,
     Trouble,
     Where,
+    relation_kind,
 )
+from trees.tasks import RelationKind
 
 Parts = tuple[Any, ...]
 _LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO"})
+_WITHIN: Mapping[str, RelationKind] = {"ON": "on", "IN": "in", "AT": "next_to"}
 _KIND = {"NEXT_TO": "next_to", "NEAREST_TO": "nearest"}
 
 
-def _place(role: str, preposition: Preposition) -> Meaning:
+def _place(role: Role, preposition: Preposition) -> Meaning:
     def meaning(parts: Parts) -> Where | Trouble | None:
         nominal = parts[-1]
         if not isinstance(nominal, Nominal):
             return None
-        return Where(role, nominal, preposition)  # type: ignore[arg-type]
+        return Where(role, nominal, preposition)
 
     return meaning
 
 
-def _relation(role: str) -> Meaning:
+def _relation(role: Role) -> Meaning:
     def meaning(parts: Parts) -> Where | None:
         nominal = parts[-1]
         link = words(parts, *_LINKS)[-1]
         if not isinstance(nominal, Nominal):
             return None
         kind = _relation_of(link, nominal)
-        return None if kind is None else Where(role, nominal, None, kind)  # type: ignore[arg-type]
+        return None if kind is None else Where(role, nominal, None, kind)
 
     return meaning
 
 
-def _relation_of(link: Word, of: Nominal) -> str | None:
+def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
     """The relation that a word says; the left side of a table is a part of it, and no relation to it."""
     kind = _KIND.get(link.word_class, link.meaning)
     if kind.endswith("_side_of"):
-        return None if of.is_place else kind.replace("_side", "")
-    return kind
+        return None if of.is_place else relation_kind(kind.replace("_side", ""))
+    return relation_kind(kind)
 
 
 def _within(parts: Parts) -> Relative | None:
     """The second half of "the person next to the table", said of the noun before it."""
     link, of = parts
     if link.word_class in ("ON", "IN", "AT"):
-        place = {"ON": "on", "IN": "in", "AT": "next_to"}[link.word_class]
-        return Relative(place, of) if of.is_place else None
+        return Relative(_WITHIN[link.word_class], of) if of.is_place else None
     kind = _relation_of(link, of)
     return None if kind is None else Relative(kind, of)
 
@@ -119,11 +123,11 @@ def _benefit(parts: Parts) -> Benefit | None:
     return Benefit(person) if isinstance(person, Nominal) and person.is_person else None
 
 
-def _measure(of: str) -> Meaning:
+def _measure(of: Quantity) -> Meaning:
     def meaning(parts: Parts) -> Measure:
         unit = next(part for part in reversed(parts) if isinstance(part, Word))
         number = next(part for part in parts if isinstance(part, float))
-        return Measure(of, number * float(unit.meaning), f"{number:g}")  # type: ignore[arg-type]
+        return Measure(of, number * float(unit.meaning), f"{number:g}")
 
     return meaning
 

@@ -300,7 +300,7 @@ class Resolver:
         if relation is not None:
             if nominal.kind is not None and not nominal.is_place:
                 self._kind = nominal
-            resolved = tasks.Relation(relation.kind, self._related(relation.to))  # type: ignore[arg-type]
+            resolved = tasks.Relation(relation.kind, self._related(relation.to))
         return ObjectDescription(
             kind=nominal.kind,
             color=nominal.color,
@@ -350,7 +350,7 @@ class Resolver:
 
     def _place(self, value: Any, root: int, *, into: bool = False) -> Any:
         if isinstance(value, Relative):
-            relation = tasks.Relation(value.kind, self._beside(value.to, root))  # type: ignore[arg-type]
+            relation = tasks.Relation(value.kind, self._beside(value.to, root))
             return ObjectDescription(relation=relation)
         if value.reference == "him":
             return self._person(value)
@@ -389,6 +389,8 @@ class Resolver:
             known = [place for place in dict.fromkeys(self._places) if place != self._sources.get(root)]
             place = known[0] if len(known) == 1 else None
         value = self._there_place(where.of, root)
+        if place is not None and place.sort in ("thing", "any"):
+            raise _ask(f"into the {place.kind}, or on it?")
         if place is not None and place.sort == "container":
             return {"action": "put_in", "to": value}
         return {"to": value} if place is not None and place.sort == "room" else {"on": value}

@@ -43,6 +43,9 @@ _STATED = re.compile(
 )
 """A subject and a verb: somebody is told something."""
 
+_UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
+"""Characters that nobody says."""
+
 _GREETING_LINES = """
 hello hi hey bye goodbye good morning afternoon evening night day thanks thank you so very much please sorry
 yes no ok okay welcome home back happy birthday new year merry christmas congratulations cheers cheese bravo
@@ -79,7 +82,12 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if that and lowered.startswith("you"):
         raise unfit()
-    if word.said or _ATTACHED.search(lowered) or not (greeting or _STATED.match(lowered)):
+    if (
+        _UNSPOKEN.search(text)
+        or word.said
+        or _ATTACHED.search(lowered)
+        or not (greeting or _STATED.match(lowered))
+    ):
         raise trouble(UNQUOTED, asks=True)
     return text
 

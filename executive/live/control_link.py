@@ -7,11 +7,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
-import numpy as np
-
-import robots.control.events as control_events
+from executive.live.heard import emergency_of, event_of, finding_of, report_of
 from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Finding, FindingKind, Unsafe
+from kinematics.trajectory import Unsafe
 from robots.clock import WallClock
 from robots.control.emergency_stop import EmergencyStop
 from robots.control.events import ControlEvent
@@ -50,6 +48,7 @@ _ANSWER_WITHIN_S = 10.0
 """Wall time in which a greeting is answered; the machine may be busy."""
 
 _KEPT_VERDICTS = 64
+_TRIES = 3
 _REMEMBERED = 256
 """Commands that may still be refused: those of the last seconds."""
 
@@ -160,10 +159,20 @@ class ControlLink:
         """Send the heartbeat of one tick."""
         self._say(Heartbeat(self._next(), self.now_s, busy, looking, ranging, world_version))
 
-    def admit(self, trajectory: int, world_version: int, document: str) -> None:
-        """Ask for a trajectory to be checked by the other side; the verdict comes later."""
+    def admit(self, trajectory: int, world_version: int, document: str, tries: int = _TRIES) -> None:
+        """Ask for a trajectory to be checked by the other side; the verdict comes later.
+
+        One that was lost, or came too late to be looked at, is sent again; nothing moves because of it.
+        """
         message = Admit(self._next(), self.now_s, trajectory, world_version)
-        self._when_refused(message.number, lambda reason: self._rejected(trajectory, reason))
+
+        def refused(reason: str) -> None:
+            if tries > 1:
+                self.admit(trajectory, world_version, document, tries - 1)
+            else:
+                self._note_verdict({"type": "rejected", "trajectory": trajectory, "reason": reason})
+
+        self._when_refused(message.number, refused)
         self._say(message, document)
 
     def start(self, handle: MotionHandle, motion: int, trajectory: int) -> None:
@@ -264,9 +273,6 @@ class ControlLink:
         elif (call := self._refusals.pop(number, None)) is not None:
             call(reason)
 
-    def _rejected(self, trajectory: int, reason: str) -> None:
-        self._note_verdict({"type": "rejected", "trajectory": trajectory, "reason": reason})
-
     def _await_welcome(self) -> None:
         until_s = self._wall.now_s() + _ANSWER_WITHIN_S
         while not self.about:
@@ -289,12 +295,12 @@ class ControlLink:
     def _take(self, message: Mapping[str, Any]) -> None:
         match message["type"]:
             case "welcome":
-                self.about, self.emergency = message, _emergency(message["emergency"])
+                self.about, self.emergency = message, emergency_of(message["emergency"])
                 self._note_health(message["health"])
             case "health":
                 self._note_health(message)
             case "emergency":
-                self.emergency = _emergency(message)
+                self.emergency = emergency_of(message)
             case "motion":
                 self._follow(message)
             case "frame":
@@ -304,7 +310,7 @@ class ControlLink:
             case "felt":
                 self._feel(message)
             case "event":
-                event = _event(message)
+                event = event_of(message)
                 if event is not None:
                     self._listen(event)
             case "admitted" | "unsafe" | "rejected":
@@ -323,7 +329,7 @@ class ControlLink:
     def _note_verdict(self, message: Mapping[str, Any]) -> None:
         verdict: Verdict = True
         if message["type"] == "unsafe":
-            verdict = Unsafe(tuple(map(_finding, message["findings"])))
+            verdict = Unsafe(tuple(map(finding_of, message["findings"])))
         elif message["type"] == "rejected":
             verdict = str(message["reason"])
         self.verdicts[message["trajectory"]] = verdict
@@ -333,15 +339,7 @@ class ControlLink:
     def _feel(self, message: Mapping[str, Any]) -> None:
         tell = self._felt.get(message["motion"])
         if tell is not None:
-            tell(
-                YieldReport(
-                    outcome=message["outcome"],
-                    s=float(message["s"]),
-                    peak_force_n=float(message["peak_force_n"]),
-                    peak_pull_n=float(message["peak_pull_n"]),
-                    bias=np.array(message["bias"], dtype=np.float64),
-                )
-            )
+            tell(report_of(message))
 
     def _follow(self, message: Mapping[str, Any]) -> None:
         handle = self._motions.get(message["motion"])
@@ -362,25 +360,3 @@ class ControlLink:
             handle.status, handle.reason = MotionStatus.CANCELED, self.lost
         self._motions.clear()
         raise ControlLostError(self.lost)
-
-
-def _emergency(values: Mapping[str, Any]) -> EmergencyStop | None:
-    if not values["engaged"]:
-        return None
-    return EmergencyStop(float(values["t_s"]), int(values["category"]), str(values["engaged"]))
-
-
-def _event(message: Mapping[str, Any]) -> ControlEvent | None:
-    """The control layer's event of a message; None for one that this side does not know."""
-    kind = getattr(control_events, str(message["event"]), None)
-    values = {key: value for key, value in message.items() if key not in ("type", "event")}
-    try:
-        event: ControlEvent | None = None if kind is None else kind(**values)
-    except TypeError:
-        return None
-    return event
-
-
-def _finding(values: list[Any]) -> Finding:
-    kind, t_s, subject, value, limit = values
-    return Finding(FindingKind(kind), float(t_s), tuple(map(str, subject)), float(value), float(limit))

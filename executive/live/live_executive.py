@@ -31,9 +31,13 @@ from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
 from executive.understanding import understand
 from kinematics.robot_model import RobotModel
+from robots.errors import SceneError
 from robots.live.connection import Connection
 from robots.live.runtime_folder import RuntimeFolder
 from robots.live.unix_socket import UnixSocket
+from robots.perception.place_map import place_map
+from robots.scene_description import Region
+from robots.scene_file import load_scene
 from trees.build import TaskTree
 from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
@@ -81,7 +85,7 @@ class LiveExecutive:
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
-        rng = np.random.default_rng(np.random.SeedSequence(int(link.about["seed"])).spawn(3)[2])
+        *_, for_trees, for_map = np.random.SeedSequence(int(link.about["seed"])).spawn(4)
         toolbox = Toolbox(
             clock=LiveClock(link),
             model=model,
@@ -92,9 +96,10 @@ class LiveExecutive:
             planning=self._planning,
             world=world,
             events=self._note,
-            rng=rng,
+            rng=np.random.default_rng(for_trees),
             walking=WalkingClient(link, motion),
             ranging=ranging,
+            places=_places(str(link.about["scene"]), np.random.default_rng(for_map)),
             yielding=YieldingClient(link, motion, model, world),
         )
         self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
@@ -250,3 +255,11 @@ def _statement(said: Say) -> Statement:
 def _is_stop(text: str) -> bool:
     commands = parse(text).commands
     return len(commands) == 1 and isinstance(commands[0], StopCommand)
+
+
+def _places(scene: str, rng: np.random.Generator) -> Mapping[str, Region]:
+    """The map of the rooms; empty where the scene's file is not there for this process."""
+    try:
+        return place_map(load_scene(scene), rng)
+    except SceneError:
+        return {}

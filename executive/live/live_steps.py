@@ -14,6 +14,7 @@ from robots.control.state_history import StateHistory
 from robots.perception.detector import PerceptionFrame
 from trees.world_model import WorldModel
 
+_TICK_S = PERIOD_S * PERIODS_A_TICK
 _WAIT_S = 0.002
 _STANDSTILL_S = 20.0
 """Wall time without control time after which nobody is there any more."""
@@ -104,7 +105,10 @@ class LiveSteps:
         self.busy = False
 
     def step(self) -> None:
-        """Wait for the next control period.
+        """Let a control period pass: the last one of a tick waits for them all.
+
+        A machine that is too busy lets everyone who waits sleep for longer; ten waits in a tick were ten
+        times as much, and the heartbeat came too late.
 
         Raises:
             ControlLostError: The control process is gone, or its time stands still.
@@ -113,13 +117,14 @@ class LiveSteps:
             looking, ranging = self._detector.looking, self._ranging.wanted
             self._link.beat(self.busy, looking, ranging, self._world.scene.version)
         self._steps += 1
-        self._due_s += PERIOD_S
-        tick_s = PERIOD_S * PERIODS_A_TICK
-        if self._link.now_s - self._due_s > tick_s:  # late: go on from now, without making up for it
-            self._due_s = self._link.now_s
+        if self._steps % PERIODS_A_TICK == 0:
+            self._wait_for_tick()
+
+    def _wait_for_tick(self) -> None:
+        self._due_s += _TICK_S
         self._look()
-        if self._link.now_s >= self._due_s:
-            return
+        if self._link.now_s - self._due_s > _TICK_S:  # late: go on from now, without making up for it
+            self._due_s = self._link.now_s
         patience_s = self._wall.now_s() + _STANDSTILL_S
         while self._link.now_s < self._due_s:
             self._look(_WAIT_S)

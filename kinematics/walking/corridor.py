@@ -24,7 +24,9 @@ def free_way_m(points: Array, settings: WalkingSettings, linear_m_s: float) -> f
     """
     ahead = points[:, 0] if linear_m_s >= 0.0 else -points[:, 0]
     own_m = settings.front_m if linear_m_s >= 0.0 else settings.back_m
-    in_way = (np.abs(points[:, 1]) <= settings.half_width_m) & (ahead > 0.0)
+    hands = points[:, 2] >= settings.hands_from_m
+    room_m = np.where(hands, settings.hands_half_width_m, settings.half_width_m)
+    in_way = (np.abs(points[:, 1]) <= room_m) & (ahead > 0.0)
     return float(np.min(ahead[in_way] - own_m, initial=np.inf))
 
 

@@ -8,7 +8,6 @@ the load came onto it. So what accumulates is what each landing adds: slips, and
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -19,11 +18,10 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.walking.planar import PlanarPose, wrapped
+from kinematics.walking.attitude import com_seen, turned
+from kinematics.walking.planar import PlanarPose
 
 Array = NDArray[np.float64]
-
-_GRAVITY_M_S2 = 9.81
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,8 +101,13 @@ class LeggedEstimator:
         self.gyro_bias_rad_s = gyro_bias_rad_s.copy()
         self.turn_rad_s = np.zeros(3)
         self.loads_n: dict[Hand, float] = dict.fromkeys(self._sides, 0.0)
-        self._base_T_soles: dict[Hand, tuple[Array, Array]] = {}
-        self._velocities: dict[Hand, Array] = {}
+        count = len(self._sides)
+        self._sole_R, self._sole_p, self._sole_v = (np.zeros((count, *rest)) for rest in ((3, 3), (3,), (3,)))
+        self._loads = np.zeros(count)
+        self._index = {side: k for k, side in enumerate(self._sides)}
+        used = self._settings
+        self._times_s = np.array([used.sole_time_s, used.sole_yaw_time_s, used.gravity_time_s])
+        self._seen: dict[Hand, ComEstimate] = {}
         self._com, self._com_velocity = np.zeros(3), np.zeros(3)
         self._estimate = q.copy()
 
@@ -138,17 +141,16 @@ class LeggedEstimator:
         model, data = self._model, self._data
         self._com = np.array(pin.centerOfMass(model, data, self._q, self._v, False))
         self._com_velocity = np.array(data.vcom[0])
-        for side, frame in zip(self._sides, self._frames, strict=True):
+        for k, frame in enumerate(self._frames):
             placement = pin.updateFramePlacement(model, data, frame)
-            self._base_T_soles[side] = (placement.rotation, placement.translation)
-            self._velocities[side] = pin.getFrameVelocity(model, data, frame, pin.LOCAL_WORLD_ALIGNED).linear
+            self._sole_R[k], self._sole_p[k] = placement.rotation, placement.translation
+            self._sole_v[k] = pin.getFrameVelocity(model, data, frame, pin.LOCAL_WORLD_ALIGNED).linear
+        self._seen.clear()
         base_R_imu = pin.updateFramePlacement(model, data, self._imu).rotation
         self.turn_rad_s = base_R_imu.dot(gyro_rad_s - self.gyro_bias_rad_s)
         least = self._settings.carrying_force_n
-        forces = foot_wrench[:, 2].tolist()
-        self.loads_n = {
-            side: force if force >= least else 0.0 for side, force in zip(self._sides, forces, strict=True)
-        }
+        np.multiply(foot_wrench[:, 2], foot_wrench[:, 2] >= least, out=self._loads)
+        self.loads_n = dict(zip(self._sides, self._loads.tolist(), strict=True))
         if self._last_s is not None and stamp_s > self._last_s:
             self._turn(stamp_s - self._last_s, base_R_imu.dot(accelerometer_m_s2))
         self._last_s = stamp_s
@@ -157,53 +159,41 @@ class LeggedEstimator:
 
     def com_from(self, side: Hand) -> ComEstimate:
         """The CoM as a sole sees it."""
-        base_R_sole, base_p_sole = self._base_T_soles[side]
-        odom_R_sole = self.odom_R_base.dot(base_R_sole)
-        heading = math.atan2(odom_R_sole[1, 0], odom_R_sole[0, 0])
-        c, s = math.cos(heading), math.sin(heading)
-        arm = self._com - base_p_sole
-        moving = self._com_velocity - self._velocities[side] + _cross(self.turn_rad_s, arm)
-        x, y, z = self.odom_R_base.dot(arm).tolist()
-        vx, vy, vz = self.odom_R_base.dot(moving).tolist()
-        base_heading = math.atan2(self.odom_R_base[1, 0], self.odom_R_base[0, 0])
-        return ComEstimate(
-            np.array((c * x + s * y, c * y - s * x, z)),
-            np.array((c * vx + s * vy, c * vy - s * vx, vz)),
-            wrapped(base_heading - heading),
-        )
+        found = self._seen.get(side)
+        if found is None:
+            k = self._index[side]
+            seen = com_seen(
+                self.odom_R_base,
+                self._sole_R[k],
+                self._sole_p[k],
+                self._sole_v[k],
+                self._com,
+                self._com_velocity,
+                self.turn_rad_s,
+            )
+            found = self._seen[side] = ComEstimate(seen[:3], seen[3:6], float(seen[6]))
+        return found
 
     def sole(self, side: Hand) -> PlanarPose:
         """Where a sole is believed to be now."""
-        base_R_sole, base_p_sole = self._base_T_soles[side]
-        place = self._estimate[:3] + self.odom_R_base.dot(base_p_sole)
-        odom_R_sole = self.odom_R_base.dot(base_R_sole)
+        k = self._index[side]
+        place = self._estimate[:3] + self.odom_R_base.dot(self._sole_p[k])
+        odom_R_sole = self.odom_R_base.dot(self._sole_R[k])
         return PlanarPose(float(place[0]), float(place[1]), poses.yaw_of(odom_R_sole))
 
     def _turn(self, dt: float, force: Array) -> None:
         """Integrate the gyro, then correct a little."""
-        settings = self._settings
-        R = self.odom_R_base.dot(pin.exp3(self.turn_rad_s * dt))
-        ex = ey = ez = 0.0
-        total = sum(self.loads_n.values())
-        if total > 0.0:
-            gain = dt / settings.sole_time_s
-            for side, load in self.loads_n.items():
-                if load <= 0.0:
-                    continue
-                sole = R.dot(self._base_T_soles[side][0])
-                share = gain * load / total
-                # the turn that brings the sole's z axis up
-                ex += share * sole[1, 2]
-                ey -= share * sole[0, 2]
-                if side == self._relied:
-                    off = wrapped(self._anchors[side][1] - math.atan2(sole[1, 0], sole[0, 0]))
-                    ez += dt / settings.sole_yaw_time_s * off
-        fx, fy, fz = R.dot(force).tolist()
-        gain = dt / settings.gravity_time_s
-        size = max(math.sqrt(fx * fx + fy * fy + fz * fz), 1e-6)
-        ex += gain * fy / size
-        ey -= gain * fx / size
-        self.odom_R_base = pin.exp3(np.array((ex, ey, ez))).dot(R)
+        self.odom_R_base = turned(
+            self.odom_R_base,
+            self.turn_rad_s,
+            dt,
+            self._loads,
+            self._sole_R,
+            self._index[self._relied],
+            self._anchors[self._relied][1],
+            force,
+            self._times_s,
+        )
 
     def _rely(self) -> None:
         """Change over to the foot that carries most, standing where it stands now."""
@@ -219,13 +209,7 @@ class LeggedEstimator:
     def _place(self, joints_rad: Array) -> None:
         anchor, _ = self._anchors[self._relied]
         estimate = np.empty(len(self._q))
-        estimate[:3] = anchor - self.odom_R_base.dot(self._base_T_soles[self._relied][1])
+        estimate[:3] = anchor - self.odom_R_base.dot(self._sole_p[self._index[self._relied]])
         estimate[3:7] = poses.quaternion_from_rotation(self.odom_R_base)
         estimate[7:] = joints_rad
         self._estimate = estimate
-
-
-def _cross(a: Array, b: Array) -> Array:
-    ax, ay, az = a.tolist()
-    bx, by, bz = b.tolist()
-    return np.array((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx))

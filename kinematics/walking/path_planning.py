@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Ball, Box
+from kinematics.support import half_height_m
 from kinematics.walking.planar import PlanarPose
 
 Array = NDArray[np.float64]
@@ -48,24 +49,33 @@ class Footprint:
         return np.asarray(np.maximum(np.hypot(out_x, out_y) - self.radius_m, 0.0))
 
 
-def footprints(scene: PlanningScene) -> tuple[Footprint, ...]:
-    """Those of everything in a scene that does not hang on a hand."""
+def footprints(
+    scene: PlanningScene, tall_from_m: float = math.inf, wider_m: float = 0.0
+) -> tuple[Footprint, ...]:
+    """Those of everything in a scene that does not hang on a hand.
+
+    Args:
+        scene: What is believed.
+        tall_from_m, wider_m: What reaches above this height takes so much more room all around.
+    """
     found = []
     for item in scene.objects.values():
+        top_m = float(item.world_T_object[2, 3]) + half_height_m(item)
+        more_m = wider_m if top_m > tall_from_m else 0.0
         pose = PlanarPose(
             float(item.world_T_object[0, 3]),
             float(item.world_T_object[1, 3]),
             poses.yaw_of(item.world_T_object[:3, :3]),
         )
         if isinstance(item.shape, Box):
-            found.append(Footprint(pose, 0.5 * item.shape.size_m[0], 0.5 * item.shape.size_m[1]))
+            found.append(Footprint(pose, 0.5 * item.shape.size_m[0], 0.5 * item.shape.size_m[1], more_m))
         else:
             reach_m = (
                 item.shape.radius_m
                 if isinstance(item.shape, Ball)
                 else _round_m(item.world_T_object, item.shape)
             )
-            found.append(Footprint(pose, 0.0, 0.0, reach_m))
+            found.append(Footprint(pose, 0.0, 0.0, reach_m + more_m))
     return tuple(found)
 
 
@@ -81,6 +91,7 @@ def plan_path(
     obstacles: Sequence[Footprint],
     clearance: float,
     points: Array | None = None,
+    points_m: float = 0.0,
 ) -> tuple[PlanarPose, ...] | None:
     """The shortest way that keeps a distance from all obstacles, or None.
 
@@ -91,10 +102,11 @@ def plan_path(
         obstacles: What is known to stand on the floor.
         clearance: The distance, m.
         points: Further places where something is, shape (n, 2).
+        points_m: Room that each of them takes all around.
     """
     points = np.zeros((0, 2)) if points is None else points
     nearest = [
-        min(clearance_m(obstacles, end), float(_apart(points, end).min(initial=math.inf)))
+        min(clearance_m(obstacles, end), float(_apart(points, end).min(initial=math.inf)) - points_m)
         for end in (start, goal)
     ]
     least = min(clearance, *(near - _CELL_M for near in nearest))
@@ -107,7 +119,7 @@ def plan_path(
     distance = np.full(len(cells), np.inf)
     for obstacle in obstacles:
         distance = np.minimum(distance, obstacle.distance_m(cells))
-    distance = np.minimum(distance, _distance_to(points, xs, ys, clearance).ravel())
+    distance = np.minimum(distance, _distance_to(points, xs, ys, clearance + points_m).ravel() - points_m)
     from_ends = np.minimum(
         np.hypot(cells[:, 0] - start.x_m, cells[:, 1] - start.y_m),
         np.hypot(cells[:, 0] - goal.x_m, cells[:, 1] - goal.y_m),

@@ -21,6 +21,8 @@ class WalkingSettings:
         narrowest_m, widest_m: Between the feet's centres, across.
         front_m, back_m, half_width_m: Room that the robot takes ahead of its base, behind it, and to
             each side.
+        hands_from_m, hands_half_width_m: From this height up, where the hands are, it takes so much room to
+            each side.
         acceleration_m_s2, turn_acceleration_rad_s2: Of the body's velocity from step to step.
         dcm_gain: Share of the DCM's error that is added to the ZMP, less 1.
         zmp_inset_m: The ZMP stays this far inside the sole's edge.
@@ -46,6 +48,8 @@ class WalkingSettings:
     front_m: float
     back_m: float
     half_width_m: float
+    hands_from_m: float
+    hands_half_width_m: float
     acceleration_m_s2: float
     turn_acceleration_rad_s2: float
     dcm_gain: float

@@ -107,7 +107,7 @@ class BodyTrack:
             self._start(profile)
             braking_s = 0.5 * self._period_s * len(profile)  # a brake takes half its time of the path
         self._passed += (1.0 - self._passed) * min(1.0, (at_s + braking_s) / sampler.duration_s)
-        self._paused_at_s, self._sampler = at_s, None
+        self._paused_at_s, self._sampler = at_s + braking_s, None
         return True
 
     def go_on(self) -> bool:

@@ -94,7 +94,7 @@ class YieldingHand:
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
         self._gripper = model.description.grippers[hand]
         self._gripper_index = model.description.actuated.index(self._gripper.joint)
-        self._parts = tuple(parts)
+        self._parts = tuple(dict.fromkeys(parts))
         self._scene_from, self._s_from, self._s_to = guarded_scene(scene), s_from, s_to
         self.scene, self._scene_s = self._scene_from, s_from
         self._way = math.copysign(1.0, s_to - s_from) if s_to != s_from else 0.0

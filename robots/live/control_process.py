@@ -27,6 +27,7 @@ from robots.control.events import ControlEvent
 from robots.description import load_description_for_tasks
 from robots.errors import RobotsError
 from robots.live.child_process import ChildProcess
+from robots.live.condition import moves
 from robots.live.control_server import ControlServer
 from robots.live.evaluation_server import EvaluationServer
 from robots.live.hold_back import HoldBack
@@ -163,7 +164,7 @@ class ControlProcess:
                 if ending_s is None:
                     ending_s = self._clock.now_s()
                     self._loop.stop(1, "the robot is being shut down")
-                if not self._moving or self._clock.now_s() > ending_s + _END_WITHIN_S:
+                if not moves(self._loop) or self._clock.now_s() > ending_s + _END_WITHIN_S:
                     server.poll()
                     break
 
@@ -194,17 +195,12 @@ class ControlProcess:
         self._perception.tick()
         self._periods += 1
         # what has come to its end is in the slot before anybody is told of it
-        if self._periods % PUBLISH_EVERY == 0 or self._moving != self._told_moving:
+        if self._periods % PUBLISH_EVERY == 0 or moves(self._loop) != self._told_moving:
             self._publish()
-
-    @property
-    def _moving(self) -> bool:
-        """Whether the body is commanded to move."""
-        return not self._loop.motion.resting or self._loop.walking.active
 
     def _publish(self) -> None:
         motion, sensing = self._loop.motion, self._loop.sensing
-        self._told_moving = self._moving
+        self._told_moving = moves(self._loop)
         report = RobotReport(
             t_s=self._clock.now_s(),
             resting=not self._told_moving,

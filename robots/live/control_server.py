@@ -20,10 +20,12 @@ from robots.control.events import ControlEvent
 from robots.control.motion_handle import MotionStatus
 from robots.control.watchdog import Watchdog
 from robots.live.admission import AdmissionDesk, Asks, Verdict
+from robots.live.condition import condition_json, emergency_json, health_json, moves
 from robots.live.connection import Connection
 from robots.live.errors import ProtocolError
 from robots.live.frame_message import write_frame
 from robots.live.framing import VERSION, Frame, FrameKind
+from robots.live.message_order import MAX_AGE_S, MessageOrder
 from robots.live.messages import (
     Admit,
     CancelMotion,
@@ -52,9 +54,6 @@ from robots.live.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
 
-MAX_AGE_S = 0.5
-"""A command that is older was meant for a world that is gone; also the age at which a heartbeat is none."""
-MAX_AHEAD_S = 0.01
 IDLE_SILENCE_S = 3.0
 """A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""
 _PROGRESS_EVERY = 25
@@ -62,8 +61,6 @@ _PROGRESS_EVERY = 25
 
 _SCAN_EVERY = 50
 """Polls between two range scans."""
-_TOLD_LOST = 64
-"""Of so many messages that never arrived their sender is told."""
 
 
 class ControlServer:
@@ -106,11 +103,12 @@ class ControlServer:
         self._listeners: list[Connection] = []
         self._motions = MotionDesk(loop)
         self._events: list[ControlEvent] = []
-        self._number, self._world_version = 0, 0
+        self._order = MessageOrder(clock, self._tell_lost)
+        self._world_version = 0
         self._busy = self._looking = self._scanning = False
         self._frame, self._polls = -1, 0
         self._heard_s = clock.now_s()
-        self._told_emergency, self._told_health = self._emergency(), self._health_now()
+        self._told_emergency, self._told_health = emergency_json(self._loop), health_json(self._loop)
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
@@ -120,12 +118,7 @@ class ControlServer:
     @property
     def under_way(self) -> bool:
         """Whether anything moves, or the commander is carrying something out."""
-        return self._busy or self._moves or bool(self._motions.running)
-
-    @property
-    def _moves(self) -> bool:
-        """Whether the body is commanded to move."""
-        return not self._loop.motion.resting or self._loop.walking.active
+        return self._busy or moves(self._loop) or bool(self._motions.running)
 
     def poll(self) -> None:
         """Read, obey, watch, tell."""
@@ -152,7 +145,8 @@ class ControlServer:
         return self._commander.peer.pid, self._clock.now_s() - self._heard_s
 
     def close(self) -> None:
-        """Stop listening."""
+        """Stop listening; everyone is told why."""
+        self._server.broadcast(write_message("error", reason="the robot was shut down"))
         self._server.close()
 
     # ---------------------------------------------------------------- connections
@@ -162,7 +156,7 @@ class ControlServer:
             self._listeners.remove(connection)
         if connection is not self._commander:
             return
-        if self._moves or self._loop.paused:
+        if moves(self._loop) or self._loop.paused:
             self._loop.stop(1, "the connection to the executive ended")
         else:
             self._motions.cancel_all("the connection to the executive ended")
@@ -266,17 +260,18 @@ class ControlServer:
                 connection.close("there is a commander")
                 return
             self._commander = connection
-            self._number, self._world_version = 0, 0
+            self._order.begin()
+            self._world_version = 0
             self._hear_of_it()
             connection.allow_documents()
         self._listeners.append(connection)
         welcome = {**self._about, "protocol": VERSION, "t_s": self._clock.now_s()}
-        condition = {"emergency": self._emergency(), "health": self._health_now()}
+        condition = {"emergency": emergency_json(self._loop), "health": health_json(self._loop)}
         connection.send(write_message("welcome", role=role, **condition, **welcome))
 
     def _hear(self, connection: Connection, message: Heartbeat) -> None:
         self._require_commander(connection)
-        if not self._next_in_order(connection, message.number) or not self._fresh(message.stamp_s):
+        if not self._order.is_next(message.number) or not self._order.is_fresh(message.stamp_s):
             return  # one that comes late or twice is no sign of life
         self._hear_of_it()
         self._busy, self._looking, self._scanning = message.busy, message.looking, message.ranging
@@ -286,21 +281,9 @@ class ControlServer:
         if connection is not self._commander:
             raise ProtocolError("only the commander may say that")
 
-    def _fresh(self, stamp_s: float) -> bool:
-        return -MAX_AHEAD_S <= self._clock.now_s() - stamp_s <= MAX_AGE_S
-
-    def _next_in_order(self, connection: Connection, number: int) -> bool:
-        """Whether a number is a new one; of those that were left out their sender is told."""
-        if number <= self._number:
-            return False
-        for missing in range(max(self._number + 1, number - _TOLD_LOST), number):
-            connection.send(_refused(missing, "it was lost on its way"))
-        self._number = number
-        return True
-
     def _in_order(self, connection: Connection, number: int) -> bool:
-        before = self._number
-        if not self._next_in_order(connection, number):
+        before = self._order.number
+        if not self._order.is_next(number):
             # the one that came before it may have been obeyed: this says nothing of that one
             told = {"number": number, "reason": f"number {number} after {before}"}
             connection.send(write_message("ignored", **told))
@@ -312,8 +295,8 @@ class ControlServer:
         self._require_commander(connection)
         if not self._in_order(connection, number):
             return False
-        if not self._fresh(stamp_s):
-            age_s = self._clock.now_s() - stamp_s
+        if not self._order.is_fresh(stamp_s):
+            age_s = self._order.age_s(stamp_s)
             connection.send(_refused(number, f"stale: {age_s:.2f} s old, at most {MAX_AGE_S} s"))
             return False
         return True
@@ -338,35 +321,23 @@ class ControlServer:
     def _why_not(self, motion: int) -> str | None:
         return "the robot is being shut down" if self.ending else self._motions.why_not(motion)
 
-    def _emergency(self) -> dict[str, Any]:
-        """The latch as it is told; ``engaged`` is empty when it is not."""
-        engaged = self._loop.emergency
-        if engaged is None:
-            return {"engaged": "", "category": 0, "t_s": 0.0}
-        return {"engaged": engaged.reason, "category": engaged.category, "t_s": engaged.t_s}
-
-    def _health_now(self) -> dict[str, list[str]]:
-        """What is wrong with the robot: so that it must not move, so that it takes no new task."""
-        return {"defects": list(self._loop.defects), "reservations": list(self._loop.reservations)}
-
     # ---------------------------------------------------------------- telling
 
     def status(self) -> dict[str, Any]:
         """How things stand, as JSON values."""
-        statistics = self._loop.statistics
         return {
             **self._about,
             "t_s": round(self._clock.now_s(), 3),
-            "emergency": None if self._loop.emergency is None else self._emergency(),
-            **self._health_now(),
-            "resting": not self._moves,
+            **condition_json(self._loop),
             "under_way": self.under_way,
             "motions": [handle.name for handle in self._motions.running],
             "commander": None if self._commander is None else self._commander.peer.pid,
-            "setpoints": {"accepted": statistics.accepted, "refused": statistics.refused},
-            "stops": [f"{stop.t_s:.3f} s: {stop.reason}" for stop in statistics.stops[-5:]],
             **self._health(),
         }
+
+    def _tell_lost(self, number: int) -> None:
+        if self._commander is not None:
+            self._commander.send(_refused(number, "it was lost on its way"))
 
     def _tell_verdict(self, verdict: Verdict) -> None:
         if self._commander is None:
@@ -385,7 +356,7 @@ class ControlServer:
         self._commander.send(told)
 
     def _tell_condition(self) -> None:
-        engaged, health = self._emergency(), self._health_now()
+        engaged, health = emergency_json(self._loop), health_json(self._loop)
         told = [] if engaged == self._told_emergency else [write_message("emergency", **engaged)]
         told += [] if health == self._told_health else [write_message("health", **health)]
         self._told_emergency, self._told_health = engaged, health

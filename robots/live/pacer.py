@@ -8,6 +8,9 @@ from typing import Protocol
 
 MAX_CATCH_UP_S = 0.1
 """Of being late, so much is caught up with; beyond it the simulated world has stood still with us."""
+CATCH_UP_SHARE = 0.2
+"""And no more than this share of control time in the long run: a machine that is always late would let the
+world go on under one setpoint most of the time. There it goes on slowly instead, and is commanded."""
 _EDGES_PER_DECADE = 5
 _LEAST_S, _DECADES = 1e-5, 6
 
@@ -64,6 +67,7 @@ class Pacer:
         self._counts = [0] * (_EDGES_PER_DECADE * _DECADES + 2)
         self._worst_s, self._late, self._lost_s, self._held_s = 0.0, 0, 0.0, 0.0
         self._step_s, self._due_s = 0.0, 0.0
+        self._credit_s = MAX_CATCH_UP_S
         self.set_pace(pace)
 
     def set_pace(self, pace: float) -> None:
@@ -76,7 +80,8 @@ class Pacer:
         """Wait until the next period is due.
 
         Returns:
-            How many whole periods have been missed, at most 0.1 s of them.
+            How many whole periods have been missed and are to be caught up with: at most 0.1 s of them, and
+            a fifth of control time in the long run.
         """
         if self._step_s == 0.0:
             return 0
@@ -84,12 +89,14 @@ class Pacer:
         late_s = max(0.0, self._wall.now_s() - self._due_s)
         self._note(late_s)
         missed = int(late_s / self._step_s)
-        most = round(MAX_CATCH_UP_S / self._period_s)
+        self._credit_s = min(MAX_CATCH_UP_S, self._credit_s + CATCH_UP_SHARE * self._period_s)
+        most = int(self._credit_s / self._period_s + 1e-6)
         if missed > most:
             self._lost_s += (missed - most) * self._period_s
             self._due_s += (missed - most) * self._step_s
             missed = most
         self._late += missed > 0
+        self._credit_s -= missed * self._period_s
         self._due_s += (missed + 1) * self._step_s
         return missed
 

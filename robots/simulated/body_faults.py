@@ -57,6 +57,10 @@ class BodyFaults:
         """Let the gyro read too much about its own axes."""
         self._robot.gyro_bias = np.asarray(bias_rad_s, dtype=np.float64)
 
+    def delay_sensors(self, periods: int) -> None:
+        """Let the sensors come so many control periods late."""
+        self._robot.delay_readings(periods)
+
     def set_battery(self, share: float) -> None:
         """Let the battery have a share of its charge."""
         self._robot.battery = share

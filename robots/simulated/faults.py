@@ -101,6 +101,16 @@ class FaultInjector:
         """Move an object that stands somewhere by a step in the world's x and y, upright as it was."""
         self.teleport(name, poses.translation(*offset_m, 0.0) @ self._truth.world_T_object(name))
 
+    def set_opening(self, furniture_name: str, opening: float) -> None:
+        """Somebody moves a door, rad, or a drawer, m, and lets it stand there.
+
+        Raises:
+            KeyError: The scene has no such furniture, or it does not open.
+        """
+        parts = self._physics.furniture
+        self._physics.data.qpos[parts.qpos[furniture_name]] = opening
+        self._physics.data.qvel[parts.dof[furniture_name]] = 0.0
+
     def push(self, name: str, impulse_ns: tuple[float, float, float], height_m: float = 0.0) -> None:
         """Hit an object: a momentum in the world, given at a height above its centre.
 

@@ -116,13 +116,14 @@ class FurnitureForces:
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, scene: SceneDescription) -> None:
         self._data = data
         self.qpos: dict[str, int] = {}
+        self.dof: dict[str, int] = {}
         self._seals: list[_Gasket] = []
         for piece in scene.furniture:
             if piece.opens is None:
                 continue
             joint = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, part_joint(piece)))
             qpos, dof = int(model.jnt_qposadr[joint]), int(model.jnt_dofadr[joint])
-            self.qpos[piece.name] = qpos
+            self.qpos[piece.name], self.dof[piece.name] = qpos, dof
             data.qpos[qpos] = piece.opens.opening
             if piece.opens.seal_n > 0.0:
                 lever_m = piece.size_m[1] - piece.opens.handle_inset_m

@@ -15,7 +15,7 @@ from robots.simulated.physics import Physics
 Array = NDArray[np.float64]
 
 _HEIGHTS_M = (0.10, 0.35, 0.60, 0.80, 0.95, 1.15, 1.40)
-_RAYS = 90
+_RAYS = 180
 _RANGE_M = 4.0
 _NOISE_M = 0.01
 

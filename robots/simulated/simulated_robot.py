@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 
 import mujoco
@@ -61,6 +62,7 @@ class SimulatedRobot:
         self._commanded = False
         self.taken = 0
         self.encoder_offset, self.gyro_bias, self.battery = np.zeros(self._count), np.zeros(3), 1.0
+        self._late: deque[RobotState] = deque(maxlen=1)
         self._steps = 0
         self._reading: RobotState | None = None
 
@@ -95,7 +97,12 @@ class SimulatedRobot:
                 foot_wrench=noise[3 * n + 6 :].reshape(-1, 6),
                 battery=self.battery,
             )
-        return self._reading
+            self._late.append(self._reading)
+        return self._late[0]
+
+    def delay_readings(self, periods: int) -> None:
+        """Let readings come so many control periods late; their stamps tell when they were taken."""
+        self._late = deque(self._late, maxlen=1 + periods)
 
     def _next_noise(self) -> Array:
         """Noise of one set of readings, shape (k,); many are drawn at once, each is given out once."""

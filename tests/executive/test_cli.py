@@ -219,14 +219,13 @@ def test_the_tree_of_a_sentence_is_printed_without_a_robot(executive, form):
     assert "plan pick" in result.stdout
 
 
-@pytest.mark.parametrize("command", ["tree", "check"])
-def test_words_of_ones_own_are_taken_from_the_given_file(executive, tmp_path, monkeypatch, command):
+def test_words_of_ones_own_are_taken_from_the_given_file(executive, tmp_path, monkeypatch):
     monkeypatch.setenv(CONFIG_VARIABLE, "")  # what the command sets is taken back after the test
     words = tmp_path / "words.toml"
     words.write_text('[vocabulary.KIND]\nwords.cup = ["zorbl"]\n')
 
-    assert executive(command, "pick up the zorbl").exit_code == 2
-    assert "zorbl" not in executive(command, "look at the zorbl", "--config", str(words)).output
+    assert executive("tree", "look at the zorbl").exit_code == 2
+    assert executive("tree", "look at the zorbl", "--config", str(words)).exit_code == 0
 
 
 @pytest.mark.parametrize("command", ["run", "serve", "check", "tree"])

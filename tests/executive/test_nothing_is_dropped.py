@@ -105,6 +105,7 @@ def test_there_is_the_place_that_was_named():
         "say the magic word",
         "let Ben have the cup",
         "greet Ana and say her name",
+        "say thanks to Ana: hello",
     ],
 )
 def test_free_words_to_say_hold_nothing_that_may_be_meant_otherwise(sentence):
@@ -115,6 +116,7 @@ def test_free_words_to_say_hold_nothing_that_may_be_meant_otherwise(sentence):
     ("sentence", "words"),
     [
         ("say hello", "hello"),
+        ("say thank you to Ana", "thank you"),
         ("say happy birthday, Ana", "happy birthday, Ana"),
         ("tell Ana the cup is on the table", "the cup is on the table"),
         ('say "hello before going home"', "hello before going home"),
@@ -151,6 +153,23 @@ def test_number_side_speaker_and_place_are_never_passed_over(sentence):
 
 
 def test_a_place_beside_a_person_is_no_hand_over():
-    tasks = parse("take the cup and bring it to behind the chair").to_json()["tasks"]
+    tasks = parse("take the cup and bring it to behind Ana").to_json()["tasks"]
 
     assert [task["action"] for task in tasks] == ["pick", "place"]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "manners"),
+    [
+        ("gently put the cup on the table", ("gently",)),
+        ("very carefully, pick up the cup", ("very carefully",)),
+        ("pick up the cup carefully and put it gently on the table", ("carefully", "gently")),
+        ("pick up the cup", ()),
+        ('say "drive carefully"', ()),
+    ],
+)
+def test_manners_that_change_nothing_are_noted_to_be_told(sentence, manners):
+    parsed = parse(sentence)
+
+    assert parsed.commands
+    assert parsed.manners == manners

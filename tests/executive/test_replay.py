@@ -42,10 +42,11 @@ position_m = [-0.15, 0.2]
 
 
 class Meddling(attendants.Nobody):
-    """Answers, cancels or stops at given times."""
+    """Answers, cancels, stops or pauses for half a second, at given times."""
 
-    def __init__(self, answers=(), cancel_s=None, stop_s=None):
+    def __init__(self, answers=(), cancel_s=None, stop_s=None, pause_s=None):
         self.answers, self.cancel_s, self.stop_s = list(answers), cancel_s, stop_s
+        self.pauses = [] if pause_s is None else [(pause_s, "pause"), (pause_s + 0.5, "resume")]
 
     def begin(self, session):
         session.watch_periods(lambda: self.stop(session))
@@ -62,6 +63,12 @@ class Meddling(attendants.Nobody):
         if self.cancel_s is not None and session.now_s >= self.cancel_s:
             self.cancel_s = None
             session.cancel("changed my mind")
+        if self.pauses and session.now_s >= self.pauses[0][0]:
+            _, what = self.pauses.pop(0)
+            if what == "pause":
+                session.pause("the door bell")
+            else:
+                session.resume()
 
 
 @pytest.fixture
@@ -89,9 +96,11 @@ def run(tmp_path):
         ("pick up the cup", {"answers": ["the purple one", "never mind"]}, "cancelled"),
         ("pick up the red cup", {"cancel_s": 0.83}, "cancelled"),
         ("pick up the red cup", {"stop_s": 0.471}, "cancelled"),
+        ("pick up the red cup", {"pause_s": 0.7, "cancel_s": 1.5}, "cancelled"),
     ],
+    ids=str,
 )
-def test_a_run_comes_out_the_same_with_its_answers_cancels_and_stops(run, text, meddling, outcome):
+def test_a_run_comes_out_the_same_with_its_answers_cancels_stops_and_pauses(run, text, meddling, outcome):
     performance, recorded = run(text, **meddling)
 
     verdict = replay(recorded)

@@ -102,3 +102,26 @@ def test_a_drawer_is_closed_by_a_hand_that_a_cancel_left_at_its_handle():
     assert closed.outcome == "done", closed.failure
     assert abs(study.opening) <= 0.01
     study.require_well()
+
+
+@pytest.mark.requirement("M3")
+@pytest.mark.requirement("S7")
+def test_an_open_door_is_pushed_shut_with_its_handle_out_of_sight_even_after_a_cancel():
+    kitchen = Watched("fridge", opening=math.radians(64.0))
+    kitchen.assembly.perception.faults.misplace("handle", (0.0, 0.0, 30.0), first_look_only=False)
+    kitchen.once(lambda: kitchen.opening < 0.7, lambda: kitchen.session.cancel("by the test"))
+
+    cancelled = kitchen.close("fridge")
+    left_open = kitchen.opening
+    kitchen.session.hold(0.5)
+
+    assert cancelled.outcome == "cancelled"
+    assert kitchen.opening == pytest.approx(left_open, abs=0.01), "it is pushed on after the cancel"
+    kitchen.require_well()
+
+    closed = kitchen.close("fridge")
+
+    assert closed.outcome == "done", closed.failure
+    assert abs(math.degrees(kitchen.opening)) <= 3.0
+    assert closed.evidence["opening_deg"] == pytest.approx(math.degrees(kitchen.opening), abs=3.0)
+    kitchen.require_well()

@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 
 from kinematics import poses
+from tools.evaluate.__main__ import main
 from tools.evaluate.faults import CLOSE, FAULTS, LIFT, REACH, VERIFY, FaultBench, FaultState
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.scenes import TARGET, pick_scene, read_episode_scene
+from tools.evaluate.skills.faults import CARRYING, SKILL_FAULTS
 from trees.events import NodeChanged
 
 SUBTREES = Path(__file__).parents[2] / "trees" / "subtrees"
@@ -56,16 +58,16 @@ class ScriptedWorld:
 
 
 def armed(fault, seed=0):
-    scene = read_episode_scene(pick_scene(seed, fault), seed)
+    scene = read_episode_scene(pick_scene(seed, fault if fault in FAULTS else None), seed)
     world, phases, state = ScriptedWorld(scene), PhaseWatch(), FaultState()
     perception = SimpleNamespace(errors=[], set_error=lambda *details: perception.errors.append(details))
-    FAULTS[fault](
+    SKILL_FAULTS.get(fault, FAULTS.get(fault))(
         FaultBench(TARGET, scene, world, world, perception, phases, np.random.default_rng(seed)), state
     )
     return world, phases, state, perception
 
 
-@pytest.mark.parametrize("phase", [REACH, CLOSE, LIFT, VERIFY])
+@pytest.mark.parametrize("phase", [REACH, CLOSE, LIFT, VERIFY, *CARRYING])
 def test_the_tree_has_a_leaf_of_the_name_that_a_fault_waits_for(phase):
     words = {
         node.value
@@ -156,3 +158,22 @@ def test_a_fault_of_the_scene_is_there_from_the_start(fault):
 
     assert state.fired
     assert (TARGET in world.objects()) == (fault == "too_close")
+
+
+@pytest.mark.parametrize("carrying", CARRYING)
+def test_what_is_taken_on_the_way_is_taken_whichever_skill_carries_it(carrying):
+    world, phases, state, _ = armed("taken_on_the_way")
+    world.advance_to(1.0)
+    assert not state.fired
+
+    phases.take(NodeChanged(1.0, f"skill/{carrying}", "running", ""))
+    world.advance_to(2.6)
+
+    assert state.fired
+    assert world.done == [("remove", TARGET)]
+
+
+@pytest.mark.parametrize("words", [["wave", "--fault", "moved"], ["place", "--fault", "nothing_there"]])
+def test_a_skill_takes_no_fault_that_cannot_come_in_it(words, capsys):
+    assert main([*words, "--episodes", "1"]) == 2
+    assert "takes no such fault" in capsys.readouterr().err

@@ -20,6 +20,8 @@ def require_possible(trial):
             held = None
         elif task.action in ("point_at", "look_at", "find"):
             assert aim != held
+        if task.action == "put_in":
+            assert "bottle" not in aim
         if task.action in GONE_AFTER:
             gone.add(aim)
 

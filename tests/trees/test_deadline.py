@@ -35,3 +35,15 @@ def test_a_failure_is_passed_on(stage, probe_leaf):
 
     assert stage.run(node) is Status.FAILURE
     assert node.failure.kind is FailureKind.UNSAFE
+
+
+def test_time_in_a_pause_does_not_count(stage, probe_leaf):
+    leaf = probe_leaf("work", stage.toolbox, RUNNING, RUNNING, RUNNING)
+    node = Deadline("in time", leaf, 0.5, stage.fake.clock, stage.toolbox.pauses)
+    stage.ready(node)
+    stage.tick(node)
+
+    stage.fake.clock.advance(0.8)
+    stage.toolbox.pauses.total_s += 0.8
+
+    assert stage.tick(node) is RUNNING

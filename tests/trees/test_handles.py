@@ -8,6 +8,7 @@ import pytest
 from kinematics import poses
 from kinematics.opening_path import DoorArc
 from kinematics.shapes import Box
+from kinematics.walking.planar import PlanarPose
 from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.furniture import floor_pose, solids
 from robots.perception.object_estimate import ObjectEstimate
@@ -89,3 +90,12 @@ def test_the_hinge_is_on_the_side_away_from_the_handle():
 
     assert target.hands == ("right",)
     assert math.copysign(1.0, target.path.side) == -1.0
+
+
+def test_the_hand_for_a_drawer_is_on_its_side_wherever_the_robot_stands():
+    found = seen("drawers")
+    x, y = found["handle"].odom_T_object[:2, 3]
+
+    hands = {side: handles_in(found, PlanarPose(x - 0.7, y + side * 0.3))[0].hands[0] for side in (-1.0, 1.0)}
+
+    assert hands == {-1.0: "left", 1.0: "right"}

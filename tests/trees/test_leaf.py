@@ -103,3 +103,15 @@ def test_a_leaf_starts_anew_each_time(stage, probe_leaf):
 
     assert leaf.begun == 2
     assert leaf.elapsed_s < 0.1
+
+
+def test_time_in_a_pause_does_not_count_towards_the_deadline(stage, probe_leaf):
+    leaf = stage.ready(probe_leaf("work", stage.toolbox, *[Status.RUNNING] * 100))
+    stage.tick(leaf)
+    before_s = leaf.elapsed_s
+
+    stage.fake.clock.advance(60.0)
+    stage.toolbox.pauses.total_s += 60.0
+
+    assert leaf.elapsed_s == pytest.approx(before_s)
+    assert stage.tick(leaf) is Status.RUNNING

@@ -104,7 +104,7 @@ def fades(stage):
 def pulls(stage):
     """The person takes what is offered, and has it."""
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(6.0, 0.0, 0.0)), 10)
-    stage.when("let it go", lambda: stage.fake.world.remove("red cup"))
+    stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.3, 0.0, 0.25)))
 
 
 def hits(stage):

@@ -24,7 +24,7 @@ from rich.table import Table
 from kinematics import poses
 from kinematics.curves import PolynomialCurve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates, free_coordinates
-from kinematics.path_planner import PathPlanner, PathSettings
+from kinematics.path_planner import PathPlanner
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
@@ -49,7 +49,6 @@ _SHOULDER_M = np.array([0.0, 0.0, 0.33])
 _AHEAD_M = (0.85, 3.0)
 _EDGE_RAD = 2.0
 _PACE = Pace(0.5, 0.7)
-_ITERATIONS = 20_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +106,8 @@ def _among_obstacles(repeats: int) -> list[Course]:
             edges = [_edge(model, judge, rng) for _ in range(20)]
             _judge_all(judge, edges)
             samples[names[1]].append(timed_s(functools.partial(_judge_all, judge, edges)) / len(edges))
-            planner = PathPlanner(model, space, judge, PathSettings(iterations=_ITERATIONS))
+            # with the product's own settings: a search that finds nothing ends too
+            planner = PathPlanner(model, space, judge)
             plan = functools.partial(
                 planner.plan, start, goal, list(range(space.size)), np.random.default_rng(number)
             )

@@ -11,7 +11,7 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from robots.scene_description import PerceptionModel
@@ -19,6 +19,8 @@ from tools.calibration.answers import SKILLS, Answer, answers
 from tools.calibration.fit import fitted
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
+from trees.policy import TreePolicy
+from trees.stated_confidence import calibrated
 
 NOISES = {
     "declared": PerceptionModel(),
@@ -42,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.episodes:
         _collect(options.file, noises, range(options.seed, options.seed + options.episodes))
     rows = json.loads(options.file.read_text("utf-8"))
-    found = {noise: [Answer(**row) for row in rows.get(noise, ())] for noise in noises}
+    found = {noise: [_as_stated_now(Answer(**row)) for row in rows.get(noise, ())] for noise in noises}
     everything = [answer for some in found.values() for answer in some]
     for noise, some in (*found.items(), ("all", everything)):
         right = sum(answer.right for answer in some)
@@ -59,6 +61,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
+def _as_stated_now(answer: Answer) -> Answer:
+    """The answer with the confidence that the present policy would state."""
+    if answer.raw == 0.0:
+        return answer  # there was no answer at all
+    policy = TreePolicy()
+    stated = calibrated(answer.raw, policy.confidence_slope, policy.confidence_offset)
+    return replace(answer, stated=stated)
+
+
 def _collect(file: Path, noises: Sequence[str], seeds: range) -> None:
     rows: dict[str, list[dict[str, object]]] = {noise: [] for noise in noises}
     for noise in noises:
@@ -66,7 +77,7 @@ def _collect(file: Path, noises: Sequence[str], seeds: range) -> None:
             for answer in answers(skill, seeds, NOISES[noise]):
                 rows[noise].append(asdict(answer))
                 print(f"{noise} {skill} {answer.seed}: {answer.why or 'right'}", file=sys.stderr)
-            file.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
+                file.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
 
 
 if __name__ == "__main__":

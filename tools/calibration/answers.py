@@ -26,7 +26,7 @@ class Answer:
         seed: Of the scene.
         skill: Of which skill.
         stated: The confidence that was said, in [0, 1].
-        raw: The product of the sightings' confidences, which the stated one is made from.
+        raw: From how surely things were seen; the stated one is made from it.
         right: Whether the truth agrees.
         why: What was wrong; empty when nothing was.
     """
@@ -54,5 +54,5 @@ def answers(skill: str, seeds: range, noise: PerceptionModel) -> Iterator[Answer
         truth = cast(Any, SimpleNamespace(world=robot.world))
         verdict = AnswerJudge(truth, trial, episode_rng(seed, 11)).verdict([cast(Any, tree)])
         stated = float(tree.evidence["confidence"])
-        raw = float(tree.evidence.get("sightings", stated))
+        raw = float(tree.evidence["seen_confidence"])
         yield Answer(seed, skill, stated, raw, verdict.done, verdict.why)

@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tools.calibration.answers import Answer
 from trees.stated_confidence import log_odds
 
+Array = NDArray[np.float64]
+
 _STEPS = 100
-_RIDGE = 1e-3
-"""Keeps the slope finite where everything is right."""
+_RIDGE = 1.0
+"""As much as a few answers: few answers, or all right, do not bend the line far from "as it is"."""
+_PRIOR = np.array([1.0, 0.0])
+_CLOSE = 1e-9
 
 
 def fitted(answers: Sequence[Answer]) -> tuple[float, float]:
@@ -24,12 +29,22 @@ def fitted(answers: Sequence[Answer]) -> tuple[float, float]:
     yes, no = int(right.sum()), int((~right).sum())
     target = np.where(right, (yes + 1.0) / (yes + 2.0), 1.0 / (no + 2.0))
     A = np.column_stack([x, np.ones_like(x)])
-    w = np.array([1.0, 0.0])
+    w, best = _PRIOR.copy(), np.inf
     for _ in range(_STEPS):
         p = 1.0 / (1.0 + np.exp(-A @ w))
-        H = (A * (p * (1.0 - p))[:, None]).T @ A + _RIDGE * np.eye(2)
-        step = np.linalg.solve(H, A.T @ (p - target) + _RIDGE * (w - (1.0, 0.0)))
-        w = w - step
-        if float(np.abs(step).max()) < 1e-9:
+        gradient = A.T @ (p - target) + _RIDGE * (w - _PRIOR)
+        curvature = (A * (p * (1.0 - p))[:, None]).T @ A + _RIDGE * np.eye(2)
+        step = np.linalg.solve(curvature, gradient)
+        while (cost := _cost(w - step, A, target)) > best and float(np.abs(step).max()) > _CLOSE:
+            step = 0.5 * step
+        if float(np.abs(step).max()) <= _CLOSE:
             break
+        w, best = w - step, cost
     return float(w[0]), float(w[1])
+
+
+def _cost(w: Array, A: Array, target: Array) -> float:
+    """Negative log-likelihood, shape (2,), (n, 2), (n,), with the pull to the prior."""
+    z = A @ w
+    losses = np.logaddexp(0.0, z) - target * z
+    return float(losses.sum() + 0.5 * _RIDGE * np.sum((w - _PRIOR) ** 2))

@@ -23,6 +23,7 @@ from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.fuzz import run_fuzz
+from tools.evaluate.hostile import run_hostile
 from tools.evaluate.kill import run_kill
 from tools.evaluate.load import run_load
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
@@ -50,6 +51,7 @@ SUITES = (
     "connection",
     "load",
     "fuzz",
+    "hostile",
     "soak",
     *OPENING_SUITES,
     *SKILL_SUITES,
@@ -80,6 +82,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_stop_suite(options, messages)
     if options.suite == "fuzz":
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
+    if options.suite == "hostile":
+        return run_hostile(options.episodes, options.seed, options.json, messages)
     if options.suite == "soak":
         return run_soak(options, messages)
     if options.suite == "kill":

@@ -18,6 +18,8 @@ HANG_WITHIN_S = 1.1
 """Control time in which braking must begin; two control periods more for what is on its way."""
 ON_ITS_WAY_S = 0.004
 STANDS_S = 30.0
+_ASKED_BEFORE_S = 0.1
+"""What runs is asked for before the signal is sent."""
 AFTERWARDS = "go home"
 
 
@@ -105,6 +107,8 @@ def _judge(robot: ServedRobot, seed: int, hang: bool, killed_s: float, motion: s
     robot.wait(robot.commanded, "a new executive attaches")
     code, line = robot.carry_out(AFTERWARDS)
     status = robot.status()
+    if stop is None and _came_to_its_end(robot, killed_s, HANG_WITHIN_S if hang else KILL_WITHIN_S):
+        motion = ""
     record = KillRecord(
         seed=seed,
         signal="SIGSTOP" if hang else "SIGKILL",
@@ -121,6 +125,16 @@ def _judge(robot: ServedRobot, seed: int, hang: bool, killed_s: float, motion: s
         detail=line,
     )
     return _judged(record)
+
+
+def _came_to_its_end(robot: ServedRobot, killed_s: float, within_s: float) -> bool:
+    """Whether the motion was done by itself before anybody had to brake it."""
+    return any(
+        event["event"] == "MotionEnded"
+        and event["status"] == "done"
+        and killed_s - _ASKED_BEFORE_S <= event["t_s"] <= killed_s + within_s
+        for event in robot.events
+    )
 
 
 def first_stop(robot: ServedRobot, since_s: float) -> float | None:

@@ -1,4 +1,4 @@
-"""Running a suite whose episodes give records with faults: progress, a table, the document, the verdict."""
+"""How a suite is run whose episodes give records with faults: progress, table, document, and verdict."""
 
 from __future__ import annotations
 

@@ -29,15 +29,17 @@ WARM_SHARE = 0.2
 """Memory is compared with what it was after this share of the time: caches fill first."""
 LONGEST_S = 200.0
 """A command that takes longer, simulated, hangs: the session gives tasks up before."""
+_HOME = "go home"
+"""What a standing robot can always do, unless something is done to it meanwhile."""
 _AT_A_TABLE = (
     SENTENCE,
     SENTENCE,
     "put the red cup on the table",
-    "go home",
+    _HOME,
     "look at the red cup",
     "pick up the blue cup",
 )
-_ON_A_FLOOR = ("move forward", "move backward", "turn left", "turn right", "go home")
+_ON_A_FLOOR = ("move forward", "move backward", "turn left", "turn right", _HOME)
 _DISTURBANCES = ("none", "none", "none", "cancel", "stop 1", "stop 2", "pause", "gyro", "battery", "encoder")
 _LATEST_S = 12.0
 _PAUSED_S = 1.5
@@ -123,7 +125,7 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
     ]
     outcomes: Counter[str] = Counter()
     memory: list[tuple[float, float]] = []
-    fell, stuck_resets, hangs, passed_s = 0, 0, 0, 0.0
+    fell, stuck_resets, hangs, unusable, passed_s = 0, 0, 0, 0, 0.0
     while passed_s < until_s and not fell:
         world = worlds[int(rng.integers(len(worlds)))]
         session, clock = world.assembly.session, world.assembly.clock
@@ -132,8 +134,11 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
         what = _DISTURBANCES[int(rng.integers(len(_DISTURBANCES)))]
         world.plan(what, began_s + float(rng.uniform(0.0, _LATEST_S)))
         (command,) = parse(sentence).commands
-        outcome = session.run_task(command).outcome
+        result = session.run_task(command)
+        outcome = result.outcome
         outcomes[outcome] += 1
+        undisturbed = what in ("none", "pause")
+        unusable += int(sentence == _HOME and undisturbed and outcome != "done")
         hangs += int(clock.now_s() - began_s > LONGEST_S)
         session.hold(float(rng.uniform(0.2, 1.5)))
         world.mend()
@@ -144,7 +149,9 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
         memory.append((passed_s, _resident_mb()))
         messages.print(
             f"{passed_s:.0f} s: {sentence}, {what}: {outcome}, {sum(outcomes.values())} commands, "
-            f"{memory[-1][1]:.0f} MB"
+            f"{memory[-1][1]:.0f} MB. {result.failure.message if result.failure is not None else ''}",
+            markup=False,
+            soft_wrap=True,
         )
     growth = _growth(memory, until_s)
     lost = sum(
@@ -160,6 +167,7 @@ def run_soak(options: argparse.Namespace, messages: Console) -> int:
         Bar("memory growth", f"{growth:.1%}", f"≤ {GROWTH:.0%}", growth <= GROWTH),
         Bar("falls", str(fell), "0", fell == 0),
         Bar("commands that hung", str(hangs), "0", hangs == 0),
+        Bar("undisturbed ways home that failed", str(unusable), "0", unusable == 0),
         Bar("resets that a resting robot refused", str(stuck_resets), "0", stuck_resets == 0),
         Bar("events without their counterpart", str(lost), "0", lost == 0),
     ]

@@ -16,6 +16,7 @@ from trees.handles import HandleTarget
 from trees.held_handle import HandAtHandle, scene_of_hand
 from trees.leaf import DONE
 from trees.ports import ports
+from trees.pushed_front import outwards
 from trees.yielding_leaf import YieldingLeaf
 
 
@@ -44,7 +45,7 @@ class ApproachHandle(YieldingLeaf):
         q = toolbox.motion.reference()
         frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
         here = toolbox.model.frame_pose(q, frame)
-        ahead = here[:3, 0]
+        ahead = -outwards(toolbox.world.scene, target) if target.pushed else here[:3, 0]
         left_m = float((grasp.world_T_tcp[:3, 3] - here[:3, 3]) @ ahead)
         if left_m <= 0.0:
             return Failure.execution("the hand is beyond the handle already", left_m=left_m)

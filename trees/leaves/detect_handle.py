@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
+from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.handles import MEANT_BY, PART_KINDS, HandleTarget, handles_in
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.scene_update import kind_of, updated_scene
 from trees.sight import in_view
@@ -26,6 +30,10 @@ class DetectHandle(LookLeaf):
         "world model",
         deadline_s=2.0,
     )
+
+    def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+        """What of a look can be moved."""
+        return handles_in(seen, feet_pose(self.toolbox))
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
@@ -45,7 +53,7 @@ class DetectHandle(LookLeaf):
         kind = MEANT_BY.get(noun) if noun is not None else None
         if noun is not None and kind is None:
             return Failure.infeasible(f"a {noun} is nothing that I can open or close")
-        fitting = [item for item in handles_in(update.seen) if kind in (None, item.kind)]
+        fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
         if not fitting:
             return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
         if len(fitting) > 1:

@@ -11,8 +11,8 @@ from trees.failures import Failure, FailureKind
 from trees.leaf import DONE, Leaf
 from trees.ports import optional, ports
 
-# Parts of a pick in which a failure says something about the grasp.
-_GRASP_STAGES = frozenset({"approach", "grasp", "lift"})
+# Parts of a skill in which a failure says something about the grasp.
+_GRASP_STAGES = frozenset({"approach", "grasp", "lift", "push"})
 
 
 class ExcludeGrasp(Leaf):

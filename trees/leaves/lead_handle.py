@@ -72,6 +72,7 @@ class LeadHandle(YieldingLeaf):
                 lead_to,
                 bias=held.bias,
                 stop_from=_STOP_FROM[target.kind] if closing else None,
+                holding=not target.pushed,
             )
         )
 
@@ -117,11 +118,12 @@ class LeadHandle(YieldingLeaf):
         """Turn the door in the world model; the handle is where the hand has it."""
         self._told = True
         world, target = self.toolbox.world, held.target
-        parts = tuple(name for name in (target.part, target.handle) if name in world.scene.objects)
+        named = dict.fromkeys((target.part, target.handle))
+        parts = tuple(name for name in named if name in world.scene.objects)
         if not parts or opening == target.opening:
             return
         scene = scene_at(world.scene, parts, target.path, target.opening, opening)
-        if target.handle in scene.objects:
+        if target.handle in scene.objects and not target.pushed:
             bar = scene.objects[target.handle]
             pose = bar.world_T_object.copy()
             pose[:2, 3] = tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]

@@ -13,7 +13,7 @@ from trees.ports import ports
 class LookPast(PlannedMotionLeaf):
     """Take the eyes, with pelvis, trunk and head, to where most is seen that no look has shown yet."""
 
-    INPUT_PORTS = ports()
+    INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="tops were seen",
@@ -25,7 +25,9 @@ class LookPast(PlannedMotionLeaf):
 
     def goal(self) -> ViewRequest | Failure:
         """Towards what is left to be seen."""
-        toolbox, world = self.toolbox, self.toolbox.world
+        toolbox, world, task = self.toolbox, self.toolbox.world, self.get_input("task")
+        if getattr(task, "object", None) is None:
+            return Failure.postcondition("people do not hide behind what stands on a table")
         clear_m = toolbox.policy.blocked_by_hand_m
         points, worth = hidden_places(world.scene, world.glimpses, toolbox.model.description.camera, clear_m)
         if len(points) == 0:

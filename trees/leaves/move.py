@@ -15,6 +15,7 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose
+from trees.own_load import without_held
 from trees.ports import ports
 from trees.tasks import MoveTask
 from trees.walking_leaf import WalkingLeaf
@@ -56,13 +57,14 @@ class Move(WalkingLeaf):
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
             return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+        if self._handle is None and (beyond := self._beyond_limits(settings)) is not None:
+            return beyond
         blocked = self._blocked(settings)
         if self._handle is None and not self._seen:
             return RUNNING
         if self._handle is None:
-            refused = self._beyond_limits(settings) or blocked
-            if refused is not None:
-                return refused
+            if blocked is not None:
+                return blocked
             if task.linear_m_s == 0.0 and task.angular_rad_s == 0.0:
                 return DONE
             self._last = body_pose(toolbox)
@@ -130,7 +132,7 @@ class Move(WalkingLeaf):
             if points is None:
                 return Failure.execution("the range sensor has fallen silent") if self._seen else None
             self._looked_s, self._seen = self.elapsed_s, True
-            self._free_m = free_way_m(points, settings, task.linear_m_s)
+            self._free_m = free_way_m(without_held(self.toolbox, points), settings, task.linear_m_s)
         needed_m = stopping_distance_m(settings, task.linear_m_s)
         if self._free_m > needed_m:
             return None

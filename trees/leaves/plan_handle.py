@@ -13,6 +13,7 @@ from trees.handles import CLOSE_TO, OPEN_TO, HandleTarget
 from trees.job_leaf import JobLeaf
 from trees.plan_failures import no_plan_failure
 from trees.ports import ports
+from trees.pushed_front import PUSH_TO_RAD
 from trees.steps import Step
 from trees.tasks import OpenTask
 
@@ -38,19 +39,23 @@ class PlanHandle(JobLeaf):
         toolbox, task = self.toolbox, self.get_input("task")
         target: HandleTarget = self.get_input("handle")
         self._world_version = toolbox.world.scene.version
-        self._lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
+        if target.pushed:
+            self._lead_to = PUSH_TO_RAD
+        else:
+            self._lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
         return HandleRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
             handle=target.handle,
-            parts=(target.part, target.handle),
+            parts=tuple(dict.fromkeys((target.part, target.handle))),
             path=target.path,
             s_from=target.opening,
             s_to=self._lead_to,
             hands=target.hands if task.hand is None else (task.hand,),
             excluded=self.get_input("tried"),
             seed=int(toolbox.rng.integers(2**31)),
+            pushed=target.part if target.pushed else "",
         )
 
     def accept(self, answer: Any) -> Failure | None:

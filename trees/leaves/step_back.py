@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.requests import Grasp, RetreatRequest
-from kinematics.scene import PlanningScene
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import HandleTarget
@@ -15,6 +13,7 @@ from trees.held_handle import scene_of_hand, tcp_m
 from trees.leaf import DONE
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import optional, ports
+from trees.pushed_front import outwards
 from trees.toolbox import Toolbox
 
 _BACK_M = 0.10
@@ -66,15 +65,17 @@ class StepBack(PlannedMotionLeaf):
             target, grasp = left.target, left.grasp
         if grasp is None or target is None or target.handle not in toolbox.world.scene.objects:
             return None
+        if target.pushed and (self._clear or left is None):
+            return None
         frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
         q = toolbox.motion.reference()
         bar_m = toolbox.world.scene.objects[target.handle].world_T_object[:3, 3]
         away_m = float(np.linalg.norm(tcp_m(toolbox, grasp, q) - bar_m))
-        if away_m > (_BESIDE_M if self._clear else _NEAR_M):
+        if away_m > (_BESIDE_M if self._clear else _NEAR_M) and not target.pushed:
             return None
         back = -_BACK_M * toolbox.model.frame_pose(q, frame)[:3, 0]
-        if self._clear:
-            back = _CLEAR_M * _outward(toolbox.world.scene, target)
+        if self._clear or target.pushed:
+            back = _CLEAR_M * outwards(toolbox.world.scene, target)
         x, y, z = (float(value) for value in back)
         return RetreatRequest(
             q_start=q,
@@ -83,8 +84,8 @@ class StepBack(PlannedMotionLeaf):
             hand=grasp.hand,
             world_offset_m=(x, y, z),
             steady_m=_STEADY_M,
-            shares=_CLEAR_SHARES if self._clear else _BACK_SHARES,
-            turns_rad=_CLEAR_TURNS_RAD if self._clear else (0.0,),
+            shares=_CLEAR_SHARES if self._clear or target.pushed else _BACK_SHARES,
+            turns_rad=_CLEAR_TURNS_RAD if self._clear or target.pushed else (0.0,),
         )
 
     def step(self) -> Status | Failure:
@@ -93,14 +94,3 @@ class StepBack(PlannedMotionLeaf):
         if outcome is DONE and not self._clear:
             self.toolbox.world.at_handle = None
         return outcome
-
-
-def _outward(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
-    """Horizontal unit vector from the front to its handle, square to the front."""
-    if target.part not in scene.objects:
-        return target.path.at(target.opening).outward
-    pose = scene.objects[target.part].world_T_object
-    normal = pose[:3, 0] * np.array([1.0, 1.0, 0.0])
-    normal /= np.linalg.norm(normal)
-    bar_m = scene.objects[target.handle].world_T_object[:3, 3]
-    return np.asarray(normal if (bar_m - pose[:3, 3]) @ normal > 0.0 else -normal)

@@ -13,6 +13,7 @@ from trees.failures import Failure
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
+from trees.toolbox import Toolbox
 
 
 class Survey(LookAround):
@@ -27,6 +28,12 @@ class Survey(LookAround):
     )
 
     LOOKING_ON = True
+
+    def __init__(
+        self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None, *, keeping: bool = False
+    ) -> None:
+        super().__init__(name, toolbox, wiring)
+        self.keeping = keeping
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Keep the best confidence of each name."""

@@ -39,7 +39,7 @@ class TellCount(TellingLeaf):
         verb = "is" if count == 1 else "are"
         return self.say(
             f"there {verb} {plural(noun, count)}",
-            {"count": count, "confidence": self.confidence(names)},
+            {"count": count, **self.confidence(names)},
         )
 
 
@@ -70,7 +70,7 @@ class TellDescription(TellingLeaf):
         words = f"{where} I see {inventory(things)}"
         return self.say(
             words,
-            {"things": len(things), "names": ", ".join(names), "confidence": self.confidence(names)},
+            {"things": len(things), "names": ", ".join(names), **self.confidence(names)},
         )
 
     def _one(
@@ -83,7 +83,7 @@ class TellDescription(TellingLeaf):
             return Failure.postcondition(f"{'no' if not names else 'more than one'} {wanted} seen")
         thing = _by_name(around.objects, names[0])
         words = f"the {thing.words} is {whereabouts(thing)}"
-        evidence: dict[str, Number] = {"names": names[0], "confidence": self.confidence(names)}
+        evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}
         return self.say(words, {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m})
 
 

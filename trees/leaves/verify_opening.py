@@ -30,8 +30,9 @@ class VerifyOpening(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Compare what is seen with what was felt and with what was asked."""
         target: HandleTarget = self.get_input("handle")
-        felt = self.optional("opening")
-        seen = opening_in(estimates_of(views), target.kind)
+        # what a pushing hand felt of its way is not the door's
+        felt = None if target.pushed else self.optional("opening")
+        seen = opening_in(estimates_of(views), target.kind, self.toolbox.world.scene)
         best = seen if seen is not None else felt
         if best is None:
             return Failure.postcondition(f"the {target.part} is out of sight")

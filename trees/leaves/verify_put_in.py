@@ -34,8 +34,8 @@ class VerifyPutIn(LookAround):
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the hand was opened over the container; the head is at rest",
-        postcondition="the object was seen between the container's walls, or was seen nowhere else; the "
-        "container and everything else stand where they stood",
+        postcondition="the object was seen between the container's walls; the container and everything else "
+        "stand where they stood",
         deadline_s=2.0,
     )
 
@@ -58,16 +58,17 @@ class VerifyPutIn(LookAround):
             if name not in stood
         ]
         inside = [item for item in same if _inside(item, container)]
-        if same and not inside:
-            return Failure.postcondition(f"the {held.name} is seen beside the {place.name}")
+        if not inside:
+            where = f"is seen beside the {place.name}" if same else f"is not seen in the {place.name}"
+            return Failure.postcondition(f"the {held.name} {where}")
         policy, scene = self.toolbox.policy, self.toolbox.world.scene
         harm = disturbed(stood, scene, policy.undisturbed_m, place.name)
         if harm is not None:
             return harm
-        evidence = {"object": held.name, "in": place.name, "seen": bool(inside), "pushed_m": pushed_m}
+        evidence = {"object": held.name, "in": place.name, "seen": True, "pushed_m": pushed_m}
         self.measured(**evidence)
         self._set_output("evidence", evidence)
-        self.feedback_message = "seen inside" if inside else "not to be seen; taken to be inside"
+        self.feedback_message = "seen inside"
         return DONE
 
 

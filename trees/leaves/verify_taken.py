@@ -10,6 +10,7 @@ from py_trees.common import Status
 from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
+from trees.destination import Place
 from trees.failures import Failure
 from trees.held import HeldObject
 from trees.leaf import DONE
@@ -23,16 +24,16 @@ _ON_THE_HAND_M = 0.10
 
 
 class VerifyTaken(LookAround):
-    """What was given is seen in the air, away from the hand, or is out of sight.
+    """What was given is seen in the air, away from the hand.
 
     Nothing hangs in the air by itself: the person has it, however far the person's arm reaches.
     """
 
-    INPUT_PORTS = ports(stood=dict, held=HeldObject)
+    INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand was opened while the person pulled, and drawn back since",
-        postcondition="the object was not seen where it would be, had it fallen; the gripper is empty",
+        postcondition="the object was seen where nothing but a person carries it; the gripper is empty",
         deadline_s=2.0,
     )
 
@@ -42,6 +43,7 @@ class VerifyTaken(LookAround):
         policy, scene, stood = self.toolbox.policy, self.toolbox.world.scene, self.get_input("stood")
         if self.toolbox.grippers[held.hand].reading().holding:
             return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
+        person = self.get_input("place").name
         q = self.toolbox.sensing.state().q
         tcp = model.frame_pose(q, model.description.tcp_frames[held.hand])[:3, 3]
         for name, item in seen.items():
@@ -58,4 +60,6 @@ class VerifyTaken(LookAround):
             if stands_on is not None or height_m < _DROPPED_BELOW_M:
                 where = "" if stands_on is None else f" onto the {stands_on.name}"
                 return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
-        return DONE
+            self.feedback_message = f"seen {height_m:.2f} m above the floor"
+            return DONE
+        return Failure.postcondition(f"the {held.name} was let go, and is not seen with {person}")

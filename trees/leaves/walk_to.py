@@ -18,6 +18,7 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose, feet_pose
+from trees.own_load import without_held
 from trees.ports import ports
 from trees.seen_points import SeenPoints, apart_from
 from trees.standing_place import standing_place
@@ -30,9 +31,8 @@ _APPROACH_M = 0.45
 _TURN_ROOM_M = 0.62
 """Hands and elbows of the home posture reach so far when the robot turns on the spot."""
 _BACK_M_S = 0.25
-_CLEARANCES_M = (0.75, 0.62)
-"""Of the path, the first one that leaves a way: hands of the home posture are 0.55 m to the sides, and a
-corner is cut by some centimetres."""
+_CLEARANCES_M = (0.72, 0.62)
+"""Of the path, the first one that leaves a way; more where something is as tall as the hands are."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
@@ -69,6 +69,7 @@ class WalkTo(WalkingLeaf):
         self._seen = SeenPoints(self.toolbox.ranging)
         self._path: tuple[PlanarPose, ...] = ()
         self._clearance_m = 0.0
+        self._stopped_for: Failure | None = None
         self._scanned_s = -math.inf
 
     def aim(self) -> None:
@@ -102,7 +103,12 @@ class WalkTo(WalkingLeaf):
         if not self._handle.finished:
             left_m = body_pose(toolbox).distance_m(self._goal)
             self.feedback_message = f"{left_m:.2f} m to go"
-            return self._look_out(settings) or RUNNING
+            if self._stopped_for is None and (reason := self._look_out(settings)) is not None:
+                self._stopped_for = reason
+                toolbox.walking.finish(self._handle)
+            return RUNNING
+        if self._stopped_for is not None:
+            return self._stopped_for
         if self._backing:
             self._handle = None
             return RUNNING
@@ -110,7 +116,7 @@ class WalkTo(WalkingLeaf):
 
     def _plan(self, settings: WalkingSettings) -> Steering | Failure | None:
         toolbox = self.toolbox
-        policy, scene = toolbox.policy, toolbox.world.scene
+        policy = toolbox.policy
         body = feet_pose(toolbox)
         self._goal = self.place(body)
         self._set_output("goal", self._goal)
@@ -119,7 +125,7 @@ class WalkTo(WalkingLeaf):
             return None
         if math.hypot(left.x_m, left.y_m) < 0.3 and abs(left.yaw_rad) < 0.3:
             return PathSteering(settings, (body, self._goal))
-        obstacles = footprints(scene)
+        obstacles = self._obstacles(settings)
         self._look(obstacles)
         near_m = clearance_m(obstacles, body)
         if near_m < _TURN_ROOM_M and not self._backing:
@@ -136,7 +142,7 @@ class WalkTo(WalkingLeaf):
         before = self._goal @ PlanarPose(-self._straight_m)
         points = self._seen.beside(obstacles)
         for room_m in _CLEARANCES_M:
-            path = plan_path(body, before, obstacles, room_m, points)
+            path = plan_path(body, before, obstacles, room_m, points, _hands_m(settings))
             if path is not None:
                 break
         else:
@@ -146,10 +152,15 @@ class WalkTo(WalkingLeaf):
         self._path, self._clearance_m = path, room_m
         return PathSteering(settings, (*path, self._goal))
 
+    def _obstacles(self, settings: WalkingSettings) -> tuple[Footprint, ...]:
+        return footprints(self.toolbox.world.scene, settings.hands_from_m, _hands_m(settings))
+
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""
         self._scanned_s = self.elapsed_s
-        return apart_from(self._seen.look(body_pose(self.toolbox)), obstacles)
+        toolbox = self.toolbox
+        new = self._seen.look(body_pose(toolbox), lambda scan: without_held(toolbox, scan))
+        return apart_from(new, obstacles)
 
     def _look_out(self, settings: WalkingSettings) -> Failure | None:
         """Walk around what comes into sight."""
@@ -157,11 +168,12 @@ class WalkTo(WalkingLeaf):
         due = self.elapsed_s - self._scanned_s >= _SCAN_EVERY_S
         if self._handle is None or toolbox.walking is None or not self._path or not due:
             return None
-        obstacles = footprints(toolbox.world.scene)
+        obstacles = self._obstacles(settings)
         new = self._look(obstacles)
         if self._seen.silent:
             return Failure.execution(_SILENT)
-        if not blocked(self._path, new, self._clearance_m - _IN_THE_WAY_M):
+        room_m = self._clearance_m + _hands_m(settings) - _IN_THE_WAY_M
+        if not blocked(self._path, new, room_m):
             return None
         steering = self._way(settings, body_pose(toolbox), obstacles)
         if isinstance(steering, Failure):
@@ -174,3 +186,8 @@ class WalkTo(WalkingLeaf):
         left = feet_pose(self.toolbox).to(self._goal)
         self.measured(off_m=math.hypot(left.x_m, left.y_m), off_rad=abs(left.yaw_rad))
         return DONE
+
+
+def _hands_m(settings: WalkingSettings) -> float:
+    """How much farther than all else the hands stand out."""
+    return settings.hands_half_width_m - settings.half_width_m

@@ -6,11 +6,11 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives, defect
-from trees.failures import Failure, FailureKind
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.stands_at_handle import StandsAtHandle
 from trees.leaves.walk_to_handle import WalkToHandle
 from trees.retry import Retry
+from trees.subtrees.walk_to import another_walk_is_useless
 from trees.toolbox import Toolbox
 
 _WALKS = 3
@@ -34,9 +34,5 @@ def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
-    walks = Retry("walks", walk, again, _WALKS, _another_walk_is_useless)
+    walks = Retry("walks", walk, again, _WALKS, another_walk_is_useless)
     return Alternatives("come to it", [StandsAtHandle("stand well already", toolbox), walks], hopeless=defect)
-
-
-def _another_walk_is_useless(failure: Failure, _before: Failure | None) -> bool:
-    return defect(failure) or failure.kind is not FailureKind.POSTCONDITION

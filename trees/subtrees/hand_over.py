@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
 
+from trees.alternatives import Alternatives, defect
 from trees.best_effort import BestEffort
+from trees.failures import Failure
 from trees.leaves.await_pull import AwaitPull
 from trees.leaves.draw_back import DrawBack
 from trees.leaves.give import Give
 from trees.leaves.go_home import GoHome
+from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.offer import Offer
@@ -34,7 +38,24 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
         Hold("let it go", toolbox, policy.after_giving_s),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("go home", toolbox),
-        LookAtPlacement("look below", toolbox),
-        VerifyTaken("verify taken", toolbox),
+        _see_who_has_it(toolbox),
     ]
     return tidily("hand over", children, toolbox)
+
+
+def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
+    """Where it was offered and below, then at the height of people."""
+    level = toolbox.policy.level_gazes[0]
+    ways: list[Behaviour] = [
+        Sequence(name, memory=True, children=[look, VerifyTaken(f"verify taken {where}", toolbox)])
+        for name, where, look in (
+            ("look where it was", "below", LookAtPlacement("look below", toolbox)),
+            ("look at the person", "ahead", LookAt("look up", toolbox, level)),
+        )
+    ]
+    return Alternatives("see who has it", ways, hopeless=_seen_elsewhere)
+
+
+def _seen_elsewhere(failure: Failure) -> bool:
+    """It was seen where it should not be: another look does not help."""
+    return defect(failure) or "height_m" in failure.numbers

@@ -37,6 +37,8 @@ GAZES = (
     Gaze("low", tilt_rad=0.77),
     Gaze("far left", tilt_rad=0.6, pan_rad=0.9),
     Gaze("far right", tilt_rad=0.6, pan_rad=-0.9),
+    Gaze("down left", tilt_rad=0.7, pan_rad=0.7, lean_rad=0.3),
+    Gaze("down right", tilt_rad=0.7, pan_rad=-0.7, lean_rad=0.3),
     Gaze("beside left", tilt_rad=0.7, pan_rad=1.2),
     Gaze("beside right", tilt_rad=0.7, pan_rad=-1.2),
 )
@@ -45,12 +47,12 @@ GAZES = (
 
 def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
-    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, _hopeless)
+    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
     main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), come, attempts])
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
-    return CleanUp("open or close", timed, _leave(toolbox), worth_it=_tidying_helps)
+    return CleanUp("open or close", timed, _leave(toolbox), worth_it=tidying_helps)
 
 
 class _Sequence(Sequence):
@@ -59,58 +61,47 @@ class _Sequence(Sequence):
     transparent = False
 
 
-def _sequence(name: str, *children: Behaviour) -> _Sequence:
+def sequence(name: str, *children: Behaviour) -> _Sequence:
+    """Children in order, each once."""
     return _Sequence(name, memory=True, children=list(children))
 
 
 def _search(name: str, toolbox: Toolbox) -> Alternatives:
     """Look until the handle is seen; where one is known to be first."""
     looks = [
-        _sequence(
+        sequence(
             "look there", LookAtHandle("look", toolbox, between=0.0), DetectHandle("detect handle", toolbox)
         ),
         *(
-            _sequence(
+            sequence(
                 f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectHandle("detect handle", toolbox)
             )
             for gaze in GAZES
         ),
     ]
-    return Alternatives(name, looks, hopeless=_looking_elsewhere_is_useless)
+    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:
-    move = _sequence(
+    move = sequence(
         "move",
-        _sequence(
+        sequence(
             "plan",
             PlanHandle("plan handle", toolbox),
             CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
             CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
         ),
-        _sequence(
+        sequence(
             "reach",
             Release("open gripper", toolbox),
             StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
             ApproachHandle("approach", toolbox),
         ),
-        _sequence("grasp", GraspHandle("grasp handle", toolbox)),
-        _sequence("lead", LeadHandle("lead handle", toolbox)),
-        _sequence("let go", Release("release", toolbox), StepBack("step back", toolbox)),
-        _sequence("leave", *_going(toolbox)),
-        Alternatives(
-            "verify",
-            [
-                _sequence("look there", LookAtHandle("look", toolbox), VerifyOpening("verify", toolbox)),
-                *(
-                    _sequence(
-                        f"look {gaze.name}", LookAt("look", toolbox, gaze), VerifyOpening("verify", toolbox)
-                    )
-                    for gaze in GAZES[:3]
-                ),
-            ],
-            hopeless=defect,
-        ),
+        sequence("grasp", GraspHandle("grasp handle", toolbox)),
+        sequence("lead", LeadHandle("lead handle", toolbox)),
+        sequence("let go", Release("release", toolbox), StepBack("step back", toolbox)),
+        sequence("leave", *going(toolbox)),
+        verify(toolbox),
     )
     move.transparent = True
     attempt = Alternatives("attempt", [VerifyOpening("see whether it is so", toolbox), move])
@@ -118,12 +109,27 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     return attempt
 
 
-def _going(toolbox: Toolbox) -> list[Behaviour]:
+def verify(toolbox: Toolbox) -> Behaviour:
+    """Look where the front should be, and measure how far it is open."""
+    return Alternatives(
+        "verify",
+        [
+            sequence("look there", LookAtHandle("look", toolbox), VerifyOpening("verify", toolbox)),
+            *(
+                sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), VerifyOpening("verify", toolbox))
+                for gaze in GAZES[:3]
+            ),
+        ],
+        hopeless=defect,
+    )
+
+
+def going(toolbox: Toolbox, detect: type[DetectHandle] = DetectHandle) -> list[Behaviour]:
     """See where the door is now, for the arm has to get past it, and go home.
 
     A door that stands wide open may be where a hand is at home; then the arm stays clear of it where it is.
     """
-    seen = _sequence("see it", LookAtHandle("look", toolbox), DetectHandle("detect", toolbox, _ELSEWHERE))
+    seen = sequence("see it", LookAtHandle("look", toolbox), detect("detect", toolbox, _ELSEWHERE))
     clear = BestEffort(StepBack("step clear", toolbox, clear=True))
     return [clear, BestEffort(seen), BestEffort(GoHome("go home", toolbox))]
 
@@ -134,31 +140,32 @@ _ELSEWHERE = {"handle": "handle_now"}
 
 def _recover(toolbox: Toolbox) -> Behaviour:
     """Let go, draw back, go home, and look where it is now."""
-    return _sequence(
+    return sequence(
         "recover",
         ExcludeGrasp("exclude grasp", toolbox, {"tried_now": "tried"}),
         Release("release", toolbox),
         BestEffort(StepBack("step back", toolbox)),
-        BestEffort(_sequence("leave", *_going(toolbox))),
+        BestEffort(sequence("leave", *going(toolbox))),
         BestEffort(_search("look again", toolbox)),
     )
 
 
 def _leave(toolbox: Toolbox) -> Behaviour:
     """Whatever went wrong: the hand is free of the handle and the robot stands at home."""
-    return _sequence(
+    return sequence(
         "give up",
         BestEffort(Release("release", toolbox)),
         BestEffort(StepBack("step back", toolbox)),
-        *_going(toolbox),
+        *going(toolbox),
     )
 
 
-def _looking_elsewhere_is_useless(failure: Failure) -> bool:
+def looking_elsewhere_is_useless(failure: Failure) -> bool:
+    """Tell whether what was seen decides."""
     return defect(failure) or failure.kind is FailureKind.INFEASIBLE
 
 
-def _hopeless(failure: Failure, before: Failure | None) -> bool:
+def hopeless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
     slipped_again = before is not None and _SLIPS in before.message and _SLIPS in failure.message
@@ -169,5 +176,6 @@ def _hopeless(failure: Failure, before: Failure | None) -> bool:
 _SLIPS = "the hand slips off"
 
 
-def _tidying_helps(failure: Failure) -> bool:
+def tidying_helps(failure: Failure) -> bool:
+    """Tell whether the robot should tidy up after a failure."""
     return not defect(failure) and not failure.choices

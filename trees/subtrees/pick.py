@@ -106,7 +106,7 @@ def _look_where_the_hand_goes(toolbox: Toolbox) -> Behaviour:
     look = _sequence(
         "look where the hand goes",
         BestEffort(LookAtWay("look", toolbox)),
-        Survey("survey", toolbox, {"sightings_now": "sightings"}),
+        Survey("survey", toolbox, {"sightings_now": "sightings"}, keeping=True),
         PlanPick("plan again", toolbox),
     )
     return UnlessSeen(look, toolbox)

@@ -26,6 +26,7 @@ from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
+from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -39,12 +40,15 @@ def place(toolbox: Toolbox) -> Behaviour:
     attempts = Retry(
         "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
     )
-    children: list[Behaviour] = [
-        look_over(toolbox),
+    carry: list[Behaviour] = [
         have_it(toolbox),
         _find_room(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
+    ]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),
@@ -71,11 +75,20 @@ def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Beha
 
 
 def _find_room(toolbox: Toolbox) -> Behaviour:
-    """Looks until a surface with room is seen; no room at all is no reason to look elsewhere."""
+    """Looks until a surface with room is seen; what a hand lifts from it hides much: then from home."""
     looks: list[Behaviour] = []
-    for gaze in toolbox.policy.search_gazes:
-        children: list[Behaviour] = [LookAt("look", toolbox, gaze), FindSpots("find spots", toolbox)]
-        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+    first, *others = toolbox.policy.search_gazes
+    for name, gaze, before in (
+        ("look ahead", first, []),
+        ("draw the hand in", first, [GoHome("hand away", toolbox)]),
+        *((f"look {gaze.name}", gaze, []) for gaze in others),
+    ):
+        children: list[Behaviour] = [
+            *before,
+            LookAt("look", toolbox, gaze),
+            FindSpots("find spots", toolbox),
+        ]
+        looks.append(Sequence(name, memory=True, children=children))
     return Alternatives("find room", looks, hopeless=looking_elsewhere_is_useless)
 
 

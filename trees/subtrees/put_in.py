@@ -20,13 +20,17 @@ from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
 from trees.leaves.still_held import StillHeld
 from trees.leaves.verify_put_in import VerifyPutIn
+from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
 from trees.subtrees.place import set_down
+from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
+
+_OVER_IT = Gaze("over it", tilt_rad=0.6, lean_rad=0.6)
 
 
 def put_in(toolbox: Toolbox) -> Behaviour:
@@ -50,19 +54,39 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         toolbox.policy.place_attempts,
         _nothing_else_helps,
     )
-    children: list[Behaviour] = [
-        look_over(toolbox),
+    carry: list[Behaviour] = [
         have_it(toolbox),
         _find_container(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
+    ]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),
+        _see_it_inside(toolbox),
+    ]
+    return tidily("put in", children, toolbox)
+
+
+def _see_it_inside(toolbox: Toolbox) -> Behaviour:
+    """From home, and where a wall hides it, from above."""
+    from_home: list[Behaviour] = [
         BestEffort(LookAtPlacement("look into it", toolbox)),
         VerifyPutIn("verify put in", toolbox),
     ]
-    return tidily("put in", children, toolbox)
+    from_above: list[Behaviour] = [
+        LookAt("lean over it", toolbox, _OVER_IT),
+        VerifyPutIn("verify from above", toolbox),
+        GoHome("straighten up", toolbox),
+    ]
+    ways: list[Behaviour] = [
+        Sequence("look from home", memory=True, children=from_home),
+        Sequence("look from above", memory=True, children=from_above),
+    ]
+    return Alternatives("see it inside", ways)
 
 
 def _find_container(toolbox: Toolbox) -> Behaviour:

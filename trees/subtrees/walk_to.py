@@ -43,7 +43,7 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
-    tries = Retry("walks", attempt, again, toolbox.policy.walk_attempts, _another_walk_is_useless)
+    tries = Retry("walks", attempt, again, toolbox.policy.walk_attempts, another_walk_is_useless)
     return tidily("walk to", [_find(toolbox), tries], toolbox, toolbox.policy.walk_timeout_s)
 
 
@@ -75,6 +75,8 @@ def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:
     return (*gazes[1:], gazes[0])
 
 
-def _another_walk_is_useless(failure: Failure, _before: Failure | None) -> bool:
-    """Only standing beside the place is put right by walking again."""
-    return defect(failure) or failure.kind is not FailureKind.POSTCONDITION
+def another_walk_is_useless(failure: Failure, before: Failure | None) -> bool:
+    """Standing beside the place is put right by walking again; so is a way that was barred for a while."""
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    fine = failure.kind in (FailureKind.POSTCONDITION, FailureKind.INFEASIBLE)
+    return defect(failure) or bool(failure.choices) or twice or not fine

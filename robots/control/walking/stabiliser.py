@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory_sampler import MotionSample
+from kinematics.walking.attitude import righting_moment
 from kinematics.walking.dcm import Point
 from kinematics.walking.foot_wrenches import WrenchDistribution
 from kinematics.walking.legged_estimator import LeggedEstimator
@@ -83,13 +81,13 @@ class Stabiliser:
     ) -> Array:
         """Moment that turns the trunk to where the plan has it, shape (3,)."""
         s = self._settings
-        R = measured.odom_R_base
         heading = pattern.feet[side].yaw_rad + measured.com_from(side).heading_rad
-        turn = poses.rotation_z(heading - math.atan2(R[1, 0], R[0, 0]))
-        plan_R_base = turn.dot(R)
-        off = plan_R_base.dot(poses.rotation_from_quaternion(motion.q[3:7]).T)
-        angle = 0.5 * np.array((off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]))
-        rate = plan_R_base.dot(measured.turn_rad_s)
-        rate[2] -= motion.v[5]
-        righting: Array = -(s.trunk_stiffness_nm * angle + s.trunk_damping_nms * rate)
-        return righting
+        return righting_moment(
+            measured.odom_R_base,
+            heading,
+            motion.q[3:7],
+            measured.turn_rad_s,
+            float(motion.v[5]),
+            s.trunk_stiffness_nm,
+            s.trunk_damping_nms,
+        )

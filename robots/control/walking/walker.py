@@ -62,7 +62,7 @@ class Walker:
         self._readings: RobotState | None = None
         self._steering: Steering | None = None
         self._pausing = False
-        self._interrupted = False
+        self._interrupted = self._finishing = False
 
     # ---------------------------------------------------------------- for those who want to walk
 
@@ -84,6 +84,7 @@ class Walker:
             reason = None if conflict is None else f"{conflict[0]} is held by {conflict[1]}"
         if reason is None:
             self._handle, self._owner, self._steering = handle, handle.owner, steering
+            self._finishing = False
             self._pausing = self._streamer.paused
             if not self._pausing:
                 self._set_out(steering)
@@ -102,12 +103,20 @@ class Walker:
 
     def finish(self, handle: MotionHandle) -> None:
         """Bring a walk to its end within its last steps; its handle is done when the robot stands."""
-        if self._walk is not None and handle is self._handle:
+        if handle is not self._handle:
+            return
+        self._interrupted, self._finishing = False, True
+        if self._walk is not None:
             self._walk.pattern.finish()
+        elif not handle.finished:  # it stands because of a pause
+            self._handle = None
+            handle.progress = 1.0
+            self._end(handle, MotionStatus.DONE, "")
+            self._authority.release(self._owner)
 
     def pause(self) -> None:
         """Stand still within the last steps until ``resume``; the walk stays under way."""
-        self._pausing = self._handle is not None
+        self._pausing = self._handle is not None and not self._finishing
         if self._walk is not None and self._pausing:
             self._interrupted = True
             self._walk.pattern.finish()

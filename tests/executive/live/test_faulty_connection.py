@@ -99,6 +99,23 @@ def test_a_command_that_never_arrives_is_refused_when_the_next_one_does(attach, 
     assert executive.far.loop.motion.resting
 
 
+@pytest.mark.requirement("F7")
+def test_a_trajectory_that_was_lost_on_its_way_to_the_checker_is_sent_again(attach, talos):
+    executive = attach("drop", 0)
+    checked = swing(talos, executive.motion.reference())
+    job = executive.planning.submit("request")
+    executive.worker.answer(Planned(checked, 0.0, "{}"))
+    send = executive.link._connection.send
+    executive.link._connection.send = lambda *_frame: None
+    assert not job.done
+    executive.link._connection.send = send
+
+    executive.ticks(5)
+
+    assert job.done
+    assert job.result() is checked
+
+
 @pytest.mark.requirement("F7", "S7")
 def test_a_cancel_that_never_arrives_is_said_again(attach, talos):
     executive = attach("drop", 0)

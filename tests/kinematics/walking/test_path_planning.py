@@ -85,3 +85,21 @@ def test_a_path_is_blocked_by_what_is_near_to_any_part_of_it():
     assert blocked(path, np.array([(5.0, 5.0), (2.3, 1.0)]), 0.4)
     assert not blocked(path, np.array([(5.0, 5.0), (2.3, 1.0)]), 0.2)
     assert not blocked(path, np.zeros((0, 2)), 0.4)
+
+
+def test_what_is_as_high_as_the_hands_takes_more_room():
+    low, tall = box("table", 2.0, 0.0, (0.6, 1.2, 0.9)), box("shelf", -2.0, 0.0, (0.6, 1.2, 1.2))
+
+    table, shelf = footprints(scene(low, tall), tall_from_m=1.0, wider_m=0.2)
+
+    assert clearance_m((table,), PlanarPose()) == pytest.approx(1.7)
+    assert clearance_m((shelf,), PlanarPose()) == pytest.approx(1.5)
+
+
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize(("height_m", "free"), [(0.6, True), (1.3, False)])
+def test_a_post_beside_the_way_is_in_the_way_of_the_hands_alone(height_m, free):
+    settings = load_description("talos").walking
+    post = np.array([(1.0, 0.7, height_m)])
+
+    assert bool(np.isinf(free_way_m(post, settings, 0.3))) is free

@@ -80,3 +80,29 @@ def test_the_histogram_has_every_period():
     assert lateness.periods == 100 == sum(count for _, count in lateness.histogram)
     assert lateness.p50_ms <= 0.01
     assert lateness.p99_ms >= 0.4
+
+
+@pytest.mark.requirement("F4")
+def test_a_machine_that_is_always_late_is_not_caught_up_with_but_for_a_fifth_of_the_time():
+    wall = Wall()
+    pacer = Pacer(wall, 0.002)
+    caught_up, periods = 0, 2000
+
+    for _ in range(periods):
+        wall.t_s += 0.03
+        caught_up += pacer.wait()
+
+    assert 0.15 * periods < caught_up < 0.3 * periods
+    assert pacer.lateness().lost_s > 0.8 * 0.028 * periods
+
+
+def test_time_that_was_held_is_no_lateness():
+    wall = Wall()
+    pacer = Pacer(wall, 0.002, 0.5)
+    pacer.wait()
+
+    pacer.hold(0.3)
+
+    assert pacer.wait() == 0
+    assert pacer.lateness().held_s == pytest.approx(0.15)
+    assert pacer.lateness().lost_s == 0.0

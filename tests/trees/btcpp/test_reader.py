@@ -1,5 +1,7 @@
 """Documents that people write: trees in trees, handed-on ports, and what is refused with which words."""
 
+import sys
+
 import pytest
 
 from trees.btcpp.errors import TreeDocumentError
@@ -113,3 +115,16 @@ def test_nothing_but_a_judgement_can_be_named_as_one(stage, judgement):
 
     with pytest.raises(TreeDocumentError, match="hopeless: "):
         read_tree(tree(body), stage.toolbox)
+
+
+def test_a_module_that_brings_no_trees_is_not_even_imported(stage, tmp_path, monkeypatch):
+    (tmp_path / "stranger.py").write_text(
+        "from trees.failures import Failure\n\n\ndef judge(failure: Failure) -> bool:\n    return True\n"
+    )
+    monkeypatch.syspath_prepend(str(tmp_path))
+    body = '<Alternatives hopeless="stranger:judge"><GoHome/></Alternatives>'
+
+    with pytest.raises(TreeDocumentError, match="is no judgement of trees"):
+        read_tree(tree(body), stage.toolbox)
+
+    assert "stranger" not in sys.modules

@@ -105,6 +105,42 @@ def test_a_walk_stops_when_an_obstacle_comes_near(move, stage):
     assert walking.cancelled
 
 
+@pytest.mark.requirement("S2")
+def test_nothing_moves_before_the_range_sensor_has_spoken(move, stage):
+    ranges = Ranges((2.0, 0.0, 0.9))
+    seen, ranges.points = ranges.points, None
+    leaf, walking = move(MoveTask("go", 0.3, 0.0, 5.0), ranges)
+    for _ in range(10):
+        leaf.tick_once()
+        stage.fake.step()
+    assert leaf.status is Status.RUNNING
+    assert walking.handle is None
+
+    ranges.points = seen
+    leaf.tick_once()
+
+    assert walking.handle is not None
+
+
+@pytest.mark.requirement("S2", "F5")
+def test_a_walk_stops_when_the_range_sensor_falls_silent(move, stage):
+    ranges = Ranges((2.0, 0.0, 0.9))
+    leaf, walking = move(MoveTask("go", 0.3, 0.0, 5.0), ranges)
+    leaf.tick_once()
+    assert leaf.status is Status.RUNNING
+
+    ranges.points = None
+    for _ in range(10):
+        stage.fake.step()
+        leaf.tick_once()
+        if leaf.status is not Status.RUNNING:
+            break
+
+    assert leaf.status is Status.FAILURE
+    assert "silent" in leaf.failure.message
+    assert walking.cancelled
+
+
 def test_an_obstacle_ahead_does_not_keep_it_from_going_back(move):
     leaf, _ = move(MoveTask("back", -0.3, 0.0, 1.0), Ranges((0.5, 0.0, 0.9)))
 

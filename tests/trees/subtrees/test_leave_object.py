@@ -2,10 +2,12 @@
 
 import pytest
 
+from kinematics.requests import CheckRequest, RetreatRequest
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.events import NodeChanged
 from trees.hand_about import objects_in_open_grasp
+from trees.leaves.lift_clear import held_near_support
 from trees.tasks import GoHomeTask, ObjectDescription, PickTask, SayTask
 
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
@@ -110,3 +112,25 @@ def test_what_is_nowhere_is_not_looked_for_twice_from_home(stage):
     assert tree.status == "failure"
     looks = [e for e in stage.events if isinstance(e, NodeChanged) and e.where.endswith("look ahead/look")]
     assert len([e for e in looks if e.status == "running"]) <= 1
+
+
+@pytest.mark.requirement("S7")
+def test_what_a_cancelled_task_left_standing_in_the_hand_is_lifted_clear_first(stage):
+    cancelled_at(stage, "stream lift")
+    assert held_near_support(stage.toolbox) is not None
+    before = len(stage.fake.planning.requests)
+
+    tree = stage.play(build_tree(GO_HOME, stage.toolbox))
+
+    assert tree.status == "success", tree.failure
+    plans = [one for one in stage.fake.planning.requests[before:] if not isinstance(one, CheckRequest)]
+    assert isinstance(plans[0], RetreatRequest)
+    assert plans[0].world_offset_m[2] > 0.03
+    assert plans[0].scene.is_allowed("red cup", "table")
+    assert "red cup" in stage.told.scene.attached
+
+
+def test_what_is_held_in_the_air_needs_no_lifting(stage):
+    stage.play(stage.pick())
+
+    assert held_near_support(stage.toolbox) is None

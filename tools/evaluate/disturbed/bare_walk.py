@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import deque
-from typing import Any, cast
 
 import numpy as np
 
@@ -15,37 +13,12 @@ from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.control.motion_handle import MotionHandle
 from robots.description import load_description
-from robots.interface import Robot, RobotState
 from robots.scene_description import Furniture, RobotStart, SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
 
 PERIOD_S = 0.002
 STILL_M_S = 0.02
 _STANDS_WITHIN_S = 4.0
-
-
-class DelayedRobot:
-    """A robot whose readings come some control periods late; all else of it is the robot's own."""
-
-    def __init__(self, robot: Robot, periods: int) -> None:
-        self._robot = robot
-        self._readings: deque[RobotState] = deque(maxlen=periods + 1)
-        self._fresh = True
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._robot, name)
-
-    def read(self) -> RobotState:
-        """The readings of some periods ago."""
-        if self._fresh:
-            self._readings.append(self._robot.read())
-            self._fresh = False
-        return self._readings[0]
-
-    def advance(self, period_s: float) -> None:
-        """Let a control period pass."""
-        self._robot.advance(period_s)
-        self._fresh = True
 
 
 class BareWalk:
@@ -78,11 +51,10 @@ class BareWalk:
         self.settings: WalkingSettings = description.walking
         scene = SceneDescription("floor", RobotStart(), furniture=plates)
         self.world: SimulatedWorld = build_world(description, scene, np.random.default_rng(seed))
-        body: Robot = self.world.robot
-        if delay_periods:
-            body = cast(Robot, DelayedRobot(body, delay_periods))
+        self.world.body_faults.delay_sensors(delay_periods)
         self.events: list[object] = []
-        self.loop = ControlLoop(body, RobotModel(description), ManualClock(), self.events.append, PERIOD_S)
+        model = RobotModel(description)
+        self.loop = ControlLoop(self.world.robot, model, ManualClock(), self.events.append, PERIOD_S)
 
     def go_on(self, seconds: float) -> bool:
         """Let time pass; False as soon as the robot has fallen."""

@@ -9,9 +9,12 @@ from dataclasses import dataclass
 from executive.assembly import assemble
 from executive.task_result import TaskResult, chain
 from robots.simulated.truth import SimulatorTruth
+from tools.evaluate.opening.faults import OPENING_FAULTS, OpeningBench
 from tools.evaluate.opening.judge import OpeningJudge
 from tools.evaluate.opening.records import OpeningRecord
 from tools.evaluate.opening.scenes import FURNITURE, OpeningScene, opening_scene
+from tools.evaluate.phases import PhaseWatch
+from tools.evaluate.scenes import episode_rng
 from trees.events import Measured
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
@@ -25,6 +28,7 @@ class OpeningOrder:
     suite: str
     seed: int
     robot: str
+    fault: str | None = None
 
 
 def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
@@ -52,29 +56,44 @@ def _broken(order: OpeningOrder, scene: OpeningScene, why: str) -> OpeningRecord
 
 def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
     felt: list[float] = []
+    phases = PhaseWatch()
 
     def listen(event: object) -> None:
+        phases.take(event)
         if isinstance(event, Measured) and "peak_force_n" in event.numbers:
             felt.append(float(event.numbers["peak_force_n"]))
 
     assembly = assemble(order.robot, scene.read(), order.seed, sink=listen)
     truth: SimulatorTruth = assembly.world.truth
     soles = tuple(sole.frame for sole in assembly.model.description.soles)
-    judge = OpeningJudge(truth, soles, FURNITURE)
+    grippers = assembly.model.description.grippers.values()
+    hands = frozenset(link for gripper in grippers for link in gripper.touch_links)
+    pushing = hands if order.suite == "close" and scene.kind == "door" else frozenset()
+    judge = OpeningJudge(truth, soles, FURNITURE, pushing)
     faults = assembly.perception.faults
     faults.misplace("handle", scene.handle_error_m, first_look_only=False)
     faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
+    fired: list[float] = []
+    if order.fault is not None:
+        rng = episode_rng(order.seed, 17)
+        bench = OpeningBench(scene, truth, assembly.world.faults, faults, phases, rng, fired)
+        OPENING_FAULTS[order.fault](bench)
     session = assembly.session
     session.watch_periods(judge.on_period)
     noun = ObjectDescription(kind="fridge" if scene.kind == "door" else "drawer")
     command = OpenTask("open it", noun) if order.suite == "open" else CloseTask("close it", noun)
     result = session.run_task(command)
     session.hold(_HELD_S)
-    return _record(order, scene, judge, result, max(felt, default=0.0))
+    return _record(order, scene, judge, result, max(felt, default=0.0), bool(fired))
 
 
 def _record(
-    order: OpeningOrder, scene: OpeningScene, judge: OpeningJudge, result: TaskResult, felt_n: float
+    order: OpeningOrder,
+    scene: OpeningScene,
+    judge: OpeningJudge,
+    result: TaskResult,
+    felt_n: float,
+    fault_fired: bool,
 ) -> OpeningRecord:
     door = scene.kind == "door"
     unit = "deg" if door else "m"
@@ -96,6 +115,7 @@ def _record(
         claimed=None if claim is None else float(claim),
         felt=None if felt is None else float(felt),
         felt_n=felt_n,
+        fault_fired=fault_fired,
         peak_n=judge.peak_force_n,
         feet_slip_m=judge.feet_slip_m,
         com_margin_m=judge.com_margin_m,

@@ -20,8 +20,23 @@ class OpeningJudge:
         touched: Pairs "link and solid" that touched, handles left out.
     """
 
-    def __init__(self, truth: SimulatorTruth, soles: tuple[str, ...], furniture: str) -> None:
+    def __init__(
+        self,
+        truth: SimulatorTruth,
+        soles: tuple[str, ...],
+        furniture: str,
+        pushing: frozenset[str] = frozenset(),
+    ) -> None:
+        """Begin to watch.
+
+        Args:
+            truth: The simulator's.
+            soles: Frames of the soles.
+            furniture: Which piece is opened or closed.
+            pushing: Links of the robot that may touch its door.
+        """
         self._truth, self._soles, self._furniture = truth, soles, furniture
+        self._pushing = pushing
         self._stood = [truth.world_T_link(sole)[:3, 3].copy() for sole in soles]
         self._periods = 0
         self.fell = False
@@ -35,6 +50,8 @@ class OpeningJudge:
         force_n = float(np.linalg.norm(self._truth.furniture_force_on_robot()))
         self.peak_force_n = max(self.peak_force_n, force_n)
         for contact in self._truth.contacts_with_furniture():
+            if contact.first in self._pushing and contact.second.endswith("/door"):
+                continue
             self.touched.add(f"{contact.first} and {contact.second}")
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()

@@ -32,6 +32,7 @@ class OpeningRecord:
         stuck: Whether it said that it is stuck.
         opening: By the truth at the end; ``claimed`` by the robot, None without a claim.
         felt_n, peak_n: Largest estimated and true force.
+        fault_fired: Whether the episode's injected fault happened.
     """
 
     seed: int
@@ -49,6 +50,7 @@ class OpeningRecord:
     felt: float | None = None
     felt_n: float = 0.0
     peak_n: float = 0.0
+    fault_fired: bool = False
     feet_slip_m: float = 0.0
     com_margin_m: float = 0.0
     fell: bool = False
@@ -93,8 +95,10 @@ class OpeningRecord:
 class OpeningSummary:
     """What many say together."""
 
-    def __init__(self, suite: str, seed: int, records: Sequence[OpeningRecord]) -> None:
-        self.suite, self.seed, self.records = suite, seed, records
+    def __init__(
+        self, suite: str, seed: int, records: Sequence[OpeningRecord], fault: str | None = None
+    ) -> None:
+        self.suite, self.seed, self.records, self.fault = suite, seed, records, fault
 
     def bars(self) -> list[Bar]:
         """The demands of the suite."""
@@ -103,7 +107,8 @@ class OpeningSummary:
         good = sum(record.truth and record.outcome == "done" for record in free)
         share = good / max(len(free), 1)
         what = "opened" if self.suite == "open" else "closed"
-        bars = [Bar(f"{what}, of {len(free)}", f"{share:.1%}", f"≥ {SUCCESS:.0%}", share >= SUCCESS)]
+        wanted = SUCCESS if self.fault is None else 0.0
+        bars = [Bar(f"{what}, of {len(free)}", f"{share:.1%}", f"≥ {wanted:.0%}", share >= wanted)]
         names = [
             ("broken", "broken episodes"),
             ("fell", "falls"),
@@ -130,6 +135,7 @@ class OpeningSummary:
             "com_margin_mm_min": round(1e3 * min(r.com_margin_m for r in self.records), 1),
             "claim_error_deg_max": round(max(errors, default=0.0), 2),
             "simulated_s_p50": round(float(np.median([r.simulated_s for r in self.records])), 1),
+            "faults_fired": float(sum(r.fault_fired for r in self.records)),
             "furniture_touched": float(sum(bool(r.touched) for r in self.records)),
         }
 
@@ -143,6 +149,7 @@ class OpeningSummary:
         factors = [r.simulated_s / r.wall_s for r in records if r.wall_s > 0.0] or [0.0]
         return {
             "suite": self.suite,
+            "fault": self.fault,
             "episodes": len(records),
             "seed": self.seed,
             "success_rate": round(good / max(len(records), 1), 4),

@@ -8,6 +8,7 @@ from functools import partial
 from rich.console import Console
 
 from tools.evaluate.opening.episode import OpeningOrder, died, run_openings
+from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.records import OpeningRecord, OpeningSummary
 from tools.evaluate.record_suite import run_record_suite
 
@@ -16,15 +17,23 @@ OPENING_SUITES = ("open", "close")
 
 def run_opening_suite(options: argparse.Namespace, messages: Console) -> int:
     """Run it; 0 when every demand is met, 1 when not, 2 for an option that it does not have."""
-    if options.fault or options.scene:
-        messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
+    if options.scene or options.fault not in (None, *OPENING_FAULTS):
+        known = ", ".join(OPENING_FAULTS)
+        messages.print(
+            f"error: the suite {options.suite} takes no scene, and of faults {known}",
+            style="bold",
+            markup=False,
+        )
         return 2
     return run_record_suite(
         options.suite,
-        [OpeningOrder(options.suite, options.seed + i, options.robot) for i in range(options.episodes)],
+        [
+            OpeningOrder(options.suite, options.seed + i, options.robot, options.fault)
+            for i in range(options.episodes)
+        ],
         run_openings,
         died,
-        partial(OpeningSummary, options.suite, options.seed),
+        partial(OpeningSummary, options.suite, options.seed, fault=options.fault),
         line=_line,
         place=lambda record: (record.seed,),
         jobs=options.jobs,

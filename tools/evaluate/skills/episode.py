@@ -13,6 +13,7 @@ from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.skills.faults import SKILL_FAULTS
+from tools.evaluate.skills.planning_watch import PlanningWatch
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import SkillJudge, Trial
 from tools.evaluate.skills.watch import SafetyWatch
@@ -64,13 +65,13 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
             fault,
         )
     results = []
-    planned_s = 0.0
+    planning = PlanningWatch(assembly.planning)
     for task in trial.tasks:
-        planned_s = assembly.planning.cpu_s
-        results.append(assembly.session.run_task(task))
+        planning.begin()
+        with assembly.session.events.heard_by(planning.take):
+            results.append(assembly.session.run_task(task))
         if results[-1].outcome != "done":
             break
-    planned_s = assembly.planning.cpu_s - planned_s
     prepared = len(results) == len(trial.tasks)
     assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)
@@ -92,11 +93,11 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         fell=watch.fell,
         furniture_contacts=tuple(sorted(watch.contacts)),
         com_margin_m=watch.com_margin_m if SKILL_SUITES[suite].stands else math.inf,
-        planning_ms=1e3 * planned_s / max(last.attempts, 1),
+        planning_ms=sum(planning.requests_ms) / max(last.attempts, 1),
         simulated_s=last.times.simulated_s,
         wall_s=last.times.wall_s,
         realtime_factor=last.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,
-        numbers=dict(verdict.numbers),
+        numbers={**verdict.numbers, "slowest_plan_ms": round(max(planning.requests_ms, default=0.0), 1)},
     )
 
 

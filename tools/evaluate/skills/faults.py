@@ -9,17 +9,17 @@ from tools.evaluate.faults import FAULTS, Arm, FaultBench, FaultState, slip_in, 
 
 FAULTED_SUITES = frozenset({"place", "put_in", "hand_over"})
 # The leaf in which a skill carries what it holds.
-_CARRYING = ("transfer", "offer")
+CARRYING = ("transfer", "offer")
 
 
 def _taken_on_the_way(bench: FaultBench, state: FaultState) -> None:
     """Somebody takes the object out of the hand that carries it."""
-    take_in(bench, state, _CARRYING, float(bench.rng.uniform(0.1, 1.5)))
+    take_in(bench, state, CARRYING, float(bench.rng.uniform(0.1, 1.5)))
 
 
 def _slip_on_the_way(bench: FaultBench, state: FaultState) -> None:
     """The object turns slippery while it is carried."""
-    slip_in(bench, state, _CARRYING)
+    slip_in(bench, state, CARRYING)
 
 
 SKILL_FAULTS: Mapping[str, Arm] = MappingProxyType(

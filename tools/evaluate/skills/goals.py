@@ -29,8 +29,10 @@ BEARING_RAD = math.radians(60.0)
 OBSTACLES = 4
 FREE_AT_START_M = 0.95
 FREE_AT_GOAL_M = 0.95
-WAY_M = 0.75
+WAY_M = 0.72
 """Obstacles leave a way that is so far from all of them."""
+_TALL_M, _HANDS_M = 1.0, 0.20
+"""Hands stand out farther than all else, by so much, above so much."""
 OFF_M = 0.02
 OFF_RAD = math.radians(2.0)
 _SIZES = {
@@ -195,14 +197,14 @@ def _piece(kind: str, before: PlanarPose, rng: np.random.Generator) -> Furniture
 
 def _passable(scene: SceneDescription, start: PlanarPose, goal: PlanarPose, people_aimed_at: int) -> bool:
     """Whether there is room at both ends, and a way between them."""
-    everything = footprints(planning_scene(scene))
+    everything = footprints(planning_scene(scene), _TALL_M, _HANDS_M)
     if clearance_m(everything, start) < FREE_AT_START_M:
         return False
     aim_count = 1 - people_aimed_at
     rest = SceneDescription(
         scene.name, furniture=scene.furniture[aim_count:], people=scene.people[people_aimed_at:]
     )
-    if clearance_m(footprints(planning_scene(rest)), goal) < FREE_AT_GOAL_M:
+    if clearance_m(footprints(planning_scene(rest), _TALL_M, _HANDS_M), goal) < FREE_AT_GOAL_M:
         return False
     before = goal @ PlanarPose(-0.5)
     return plan_path(start, before, everything, WAY_M) is not None

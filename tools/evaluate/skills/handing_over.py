@@ -38,6 +38,7 @@ class TakingJudge:
         person = next(one for one in trial.scene.people if one.name == getattr(self._task, "to", ""))
         self._person = np.array([*person.position_m, 0.0])
         self._hand = PersonHand(assembly.world.physics, person.name)
+        self._fingers = f"{person.name}/"
         self._hand.force_n = 20.0
         self._pull_n, self._reaction_s = float(rng.uniform(*PULL_N)), float(rng.uniform(*REACTION_S))
         item = next(one for one in trial.scene.objects if one.name == trial.aim)
@@ -95,6 +96,7 @@ class TakingJudge:
             f"the person got to {self._stage}": self._stage != "pulling",
             f"carried {self._carried_m:.2f} m": self._carried_m < CARRIED_M,
             "dropped": place[2] < DROPPED_BELOW_M,
+            "not in the person's hand": not any(name.startswith(self._fingers) for name in touching),
             "still in the robot's hand": any("gripper" in name for name in touching),
         }
         wrong = [words for words, so in faults.items() if so]

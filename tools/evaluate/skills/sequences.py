@@ -1,8 +1,9 @@
-"""Suite of sequences: five different skills, one after the other, in one room."""
+"""Suite of sequences: five different skills, one after the other, at dinner."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,11 +11,12 @@ from executive.assembly import Assembly
 from executive.events import TaskAccepted, TaskEnded
 from executive.task_result import TaskResult, TaskTimes
 from robots.scene_description import SceneDescription, SceneItem
+from robots.scene_file import load_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.gestures import LookJudge, PointJudge, WaveJudge
-from tools.evaluate.skills.handing_over import BEARING_RAD, TakingJudge
+from tools.evaluate.skills.handing_over import TakingJudge
 from tools.evaluate.skills.placing import PlaceJudge
-from tools.evaluate.skills.putting_in import PutInJudge, container_on
+from tools.evaluate.skills.putting_in import PutInJudge
 from tools.evaluate.skills.suite import SkillJudge, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.telling import AnswerJudge
 from trees.tasks import (
@@ -34,7 +36,8 @@ LENGTH = 5
 SKILLS = ("pick", "place", "put_in", "hand_over", "wave", "point_at", "look_at", "find")
 SEQUENCE_BAR = 0.90
 HELD_M = 0.05
-_THINGS = ("cup", "can", "bottle")
+# From where the scene has it.
+MOVED_M = 0.03
 
 MakeJudge = Callable[[Assembly, Trial, np.random.Generator], SkillJudge]
 
@@ -135,22 +138,22 @@ class SequenceJudge:
 
 
 def sequence_trial(rng: np.random.Generator) -> Trial:
-    """A table with a container and things, people behind it, and five different skills."""
-    table = rooms.table(rng)
-    container = container_on(table, rng)
-    objects = [container]
-    for number in range(3):
-        place = rooms.spot(rng, table, objects)
-        if place is not None:
-            kind, color = _THINGS[int(rng.integers(len(_THINGS)))], rooms.COLORS[number]
-            shape = rooms.shape_of(kind, rng)
-            objects.append(rooms.item(f"{color} {kind}", kind, color, shape, table, place, rng))
-    crowd = rooms.people(rng, int(rng.integers(1, 3)), [table], BEARING_RAD)
-    if len(objects) < 4 or not crowd:
-        return sequence_trial(rng)
-    scene = rooms.room("sequence", rng, [table], objects, crowd)
+    """Dinner, with everything on its table a little elsewhere, and five different skills."""
+    dinner = load_scene("dinner")
+    table = next(piece for piece in dinner.furniture if piece.kind == "table")
+    on_table, elsewhere = [], []
+    for item in dinner.objects:
+        if np.all(np.abs(item.world_T_object[:2, 3] - table.position_m) <= 0.5 * np.array(table.size_m[:2])):
+            moved = item.world_T_object.copy()
+            moved[:2, 3] += rng.uniform(-MOVED_M, MOVED_M, 2)
+            on_table.append(replace(item, world_T_object=moved))
+        else:
+            elsewhere.append(item)
+    container = next(item for item in on_table if item.wall_m is not None)
+    things = [item for item in on_table if item is not container]
+    scene = rooms.room("sequence", rng, dinner.furniture, [*on_table, *elsewhere], dinner.people)
     skills = [SKILLS[i] for i in rng.permutation(len(SKILLS))[:LENGTH]]
-    tasks, aims = _tasks(skills, scene, objects[0], objects[1:], rng)
+    tasks, aims = _tasks(skills, scene, container, things, rng)
     return Trial(scene, tasks, ", ".join(aims))
 
 
@@ -168,7 +171,7 @@ def _tasks(
     aims: list[str] = []
     for skill in skills:
         person = people[int(rng.integers(len(people)))]
-        others = [one for one in free if one.name != held] or [container]
+        others = [one for one in free if one.name != held and fits(skill, one)] or [container]
         thing = others[int(rng.integers(len(others)))]
         if held and skill in ("place", "put_in", "hand_over"):
             thing = next(one for one in free if one.name == held)
@@ -181,6 +184,11 @@ def _tasks(
             if skill != "place":
                 free = [one for one in free if one is not thing]
     return tuple(tasks), aims
+
+
+def fits(skill: str, thing: SceneItem) -> bool:
+    """Whether one would ask for that: nobody puts a bottle into a bowl."""
+    return thing.kind != "bottle" or skill not in ("pick", "put_in")
 
 
 def _task(skill: str, thing: SceneItem, container: SceneItem, person: str) -> Task:

@@ -165,7 +165,7 @@ GESTURE = Course("wave, point", _gesture, None, ("gesture",) * 5, GO_HOME)
 PLACING = Course("pick, place", _of_trial(place_trial), None, ("place",) * 5, GO_HOME)
 OPENING = Course("open", _open, None, ("open",) * 5, GO_HOME)
 
-CYCLE = (PICK, MOVED, WALKING, PICK, MOVED, GESTURE, PICK, MOVED, PLACING, PICK, MOVED, OPENING)
+CYCLE = (PICK, PLACING, WALKING, OPENING, MOVED, GESTURE, *(PICK, MOVED) * 3)
 """Runs of one evaluation, over and over: each phase in a fifteenth of the instants, and an arm moves in more
 than seven of ten."""
 

@@ -154,3 +154,24 @@ def test_a_walk_that_stands_in_a_pause_ends_with_a_stop():
 
     assert handle.status is MotionStatus.CANCELED
     assert not floor.loop.walking.active
+
+
+@pytest.mark.parametrize("order", ["finish first", "in its last steps", "standing"])
+def test_a_paused_walk_that_is_to_end_ends_where_it_stands(order):
+    floor = Floor()
+    handle = floor.walk(0.3)
+    floor.run(1.5)
+
+    if order == "finish first":
+        floor.loop.walking.finish(handle)
+    floor.loop.pause("by the test")
+    floor.run(3.0 if order == "standing" else 0.3)
+    floor.loop.resume()
+    if order != "finish first":
+        floor.loop.walking.finish(handle)
+    floor.until_it_stands()
+    floor.run(0.1)
+
+    assert handle.status is MotionStatus.DONE
+    assert not floor.loop.walking.active
+    assert floor.loop.still

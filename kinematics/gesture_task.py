@@ -1,0 +1,187 @@
+"""What planning a gesture goes by: where things are at a posture, and how one is reached."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.arm_posture import Residual, arm_posture
+from kinematics.balanced_timing import time_in_balance
+from kinematics.curves import Curve
+from kinematics.free_coordinates import FreeCoordinates, free_coordinates
+from kinematics.gaze import gaze_joints
+from kinematics.gesture_requests import (
+    GestureRequest,
+)
+from kinematics.lead_in import lead_in
+from kinematics.path_planner import PathPlanner
+from kinematics.requests import MovePlan, NoPlan, PlannedStep
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.start_state import relaxed_at
+from kinematics.timing import Pace
+from kinematics.validity import validity
+
+Array = NDArray[np.float64]
+
+GESTURE_PACE = Pace(velocity=0.5, acceleration=0.7)
+# Kept in reserve against the checker, which judges with the scene's own margins.
+RESERVE_M = 0.003
+STARTS = 12
+# Residual that a posture may keep: a centimetre, or half a degree.
+ENOUGH = 0.02
+_SPREAD_RAD = 0.6
+
+
+class GestureTask:
+    """The state of one gesture's planning.
+
+    Attributes:
+        arm: Joints of the arm.
+        outwards: 1 for the left hand, -1 for the right one: the sign of its side.
+        space: The free coordinates.
+        scene: The scene, with margins that the start keeps.
+        planner: Of paths in that scene.
+    """
+
+    def __init__(
+        self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int
+    ) -> None:
+        groups = model.description.groups
+        self._model, self._hand, self._q_start = model, hand, q_start
+        self._stance = request.stance
+        self._rng = np.random.default_rng(seed)
+        self._data, self._placed_at = model.pin.createData(), b""
+        self.arm = groups[f"{hand}_arm"]
+        self.outwards = 1.0 if hand == "left" else -1.0
+        self._turning = tuple(joint for joint in groups["torso"] if _is_vertical(model, joint))
+        self._shoulder_id = model.pin.getJointId(self.arm[1])
+        self._elbow_id = model.pin.getJointId(self.arm[3])
+        self._chest_id = int(model.pin.parents[model.pin.getJointId(self.arm[0])])
+        self._tcp_id = model.frame_id(model.description.tcp_frames[hand])
+        self._home = model.home_over(request.stance)
+        self._chest_home = self._placed(self._home).oMi[self._chest_id].rotation.copy()
+        self.space: FreeCoordinates = free_coordinates(model, request.stance)
+        self.scene: PlanningScene = relaxed_at(model, request.scene, q_start, RESERVE_M)
+        self.planner = PathPlanner(
+            model, self.space, validity(model, request.stance, self.scene, RESERVE_M, RESERVE_M)
+        )
+
+    # where things are at a configuration
+
+    def shoulder(self, q: Array) -> Array:
+        """Of the arm's second joint, shape (3,)."""
+        return np.array(self._placed(q).oMi[self._shoulder_id].translation)
+
+    def elbow(self, q: Array) -> Array:
+        """Of the arm's fourth joint, shape (3,)."""
+        return np.array(self._placed(q).oMi[self._elbow_id].translation)
+
+    def tcp(self, q: Array) -> poses.Transform:
+        """``world_T_tcp``."""
+        data = self._placed(q)
+        return np.array(pin.updateFramePlacement(self._model.pin, data, self._tcp_id).homogeneous)
+
+    def heading(self, q: Array) -> float:
+        """Where the chest faces: its turn about the vertical from where it faces at home, rad."""
+        turn = self._placed(q).oMi[self._chest_id].rotation @ self._chest_home.T
+        return poses.yaw_of(turn) + poses.yaw_of(poses.rotation_from_quaternion(self._home[3:7]))
+
+    def bearing(self, q: Array, point: Array) -> float:
+        """Direction of a point from the chest, rad."""
+        x, y = (point - self._placed(q).oMi[self._chest_id].translation)[:2]
+        return float(np.arctan2(y, x))
+
+    def turned_past(self, q: Array, point: Array) -> float:
+        """How far the chest is turned past a point, rad."""
+        angle = self.heading(q) - self.bearing(q, point)
+        return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
+
+    def length_m(self, q: Array) -> float:
+        """From shoulder to elbow to TCP."""
+        shoulder, elbow, tcp = self.shoulder(q), self.elbow(q), self.tcp(q)[:3, 3]
+        return float(np.linalg.norm(elbow - shoulder) + np.linalg.norm(tcp - elbow))
+
+    def _placed(self, q: Array) -> pin.Data:
+        if q.tobytes() != self._placed_at:
+            pin.forwardKinematics(self._model.pin, self._data, q)
+            self._placed_at = q.tobytes()
+        return self._data
+
+    # planning
+
+    def reach(
+        self,
+        name: str,
+        residual: Residual,
+        look_m: Array,
+        good: Callable[[Array], bool],
+        goodness: str,
+        enough: float = ENOUGH,
+        starts: int = STARTS,
+    ) -> MovePlan | NoPlan:
+        """Plan to a posture with a small residual that is ``good`` and free, looking at a point."""
+        reasons: Counter[str] = Counter()
+        joints = (*self.arm, *self._turning)
+        columns = 7 + self._model.indices(joints)
+        for q_seed in self._starts(columns, look_m, starts):
+            found = arm_posture(self._model, q_seed, joints, residual, self._home[columns])
+            if found.error > enough:
+                reasons["out of reach"] += 1
+                continue
+            if not good(found.q):
+                reasons[f"not {goodness}"] += 1
+                continue
+            goal = found.q.copy()
+            for joint, angle in gaze_joints(self._model, goal, look_m).items():
+                goal[7 + self._model.joint_index(joint)] = angle
+            x_start, x_goal = self.space.from_q(self._q_start), self.space.from_q(goal)
+            if not self.planner.is_free(x_goal):
+                reasons["collision or lost balance"] += 1
+                continue
+            curve = self.planner.plan(x_start, x_goal, self._moving(joints), self._rng)
+            if curve is None:
+                reasons["no path"] += 1
+                continue
+            return self.timed(name, curve, GESTURE_PACE)
+        return NoPlan(f"no posture of the {self._hand} arm for that was found", reasons)
+
+    def timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:
+        """Give a free curve its time."""
+        trajectory = time_in_balance(self._model, self.space, self._stance, curve, pace)
+        if trajectory is None:
+            return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+        trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)
+        return MovePlan(PlannedStep(name, trajectory, self.scene))
+
+    def _starts(self, columns: NDArray[np.intp], look_m: Array, count: int) -> Iterator[Array]:
+        """From home with the trunk turned, the other arm where it is, then random ones about that."""
+        q = self._home.copy()
+        other_arm = self._model.group("left_arm" if self._hand == "right" else "right_arm")
+        q[7 + other_arm] = self._q_start[7 + other_arm]
+        turning = 7 + self._model.indices(self._turning)
+        q[turning] -= self.turned_past(q, look_m) / max(len(turning), 1)
+        yield q
+        for _ in range(count):
+            other = q.copy()
+            other[columns] += self._rng.uniform(-_SPREAD_RAD, _SPREAD_RAD, len(columns))
+            yield other
+
+    def _moving(self, joints: Sequence[str]) -> list[int]:
+        return [self.space.index(joint) for joint in joints]
+
+
+def _is_vertical(model: RobotModel, joint: str) -> bool:
+    """Whether a joint turns about the vertical at home."""
+    data = model.pin.createData()
+    pin.computeJointJacobians(model.pin, data, model.q_home)
+    index = model.pin.getJointId(joint)
+    axis = pin.getJointJacobian(model.pin, data, index, pin.ReferenceFrame.WORLD)[3:, :]
+    own = axis[:, int(model.pin.joints[index].idx_v)]
+    return bool(abs(own[2]) > 0.99)

@@ -1,0 +1,79 @@
+"""Where a hand pushes a door shut: against its front, from outside, with whatever of the hand comes first.
+
+An open door stands edge-on before the robot, with its handle on the far side: often out of sight, and
+always at an awkward angle for fingers. A push needs neither, and the hand may turn as it likes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.errors import InvalidMotionError
+from kinematics.grasping import key_of
+from kinematics.opening_path import DoorArc
+from kinematics.requests import Grasp, HandleRequest
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.shapes import Box
+
+Array = NDArray[np.float64]
+
+APPROACH_M = 0.07
+_PLACES_M = ((0.40, 1.05), (0.30, 1.05), (0.48, 1.38), (0.36, 1.25), (0.24, 1.05))
+"""Distance from the hinge and height, m: clear of where handles are, far out first."""
+_FOLLOWED = (0.8, 0.6, 1.0, 0.4)
+"""Of the door's angle: the hand is turned by so much less than square to the front."""
+
+
+def outward_of(request: HandleRequest) -> Array:
+    """Horizontal unit vector square to the front, to the side that a push comes from, shape (3,)."""
+    path = request.path
+    if not isinstance(path, DoorArc):
+        raise InvalidMotionError("only doors are pushed")
+    yaw = path.closed_yaw_rad - path.side * request.s_from
+    return np.array([-math.cos(yaw), -math.sin(yaw), 0.0])
+
+
+def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
+    """Poses of the hand that touches the front from outside, the most promising first."""
+    path, s, front = request.path, request.s_from, request.scene.objects[request.pushed]
+    outward = outward_of(request)
+    if not isinstance(path, DoorArc) or not isinstance(front.shape, Box):
+        return
+    inward_yaw = math.atan2(-outward[1], -outward[0])
+    along = path.side * np.array([math.sin(inward_yaw), -math.cos(inward_yaw), 0.0])
+    hinge = np.array([*path.hinge_m, 0.0])
+    thickness_m, width_m, _ = front.shape.size_m
+    for hand in request.hands:
+        points = hand_points(model, hand, request.q_start)
+        for away_m, height_m in _PLACES_M:
+            for followed in _FOLLOWED:
+                label = f"push at {away_m:.2f} {height_m:.2f} turned {followed:.1f}"
+                if away_m > width_m or key_of(hand, label) in request.excluded:
+                    continue
+                rotation = poses.rotation_z(inward_yaw + path.side * followed * s)
+                stands_off_m = 0.5 * thickness_m + float(np.max(points @ rotation.T @ -outward))
+                place = hinge + away_m * along + stands_off_m * outward
+                place[2] = height_m
+                yield Grasp(hand, label, poses.transform(rotation, place), APPROACH_M, 0.0)
+
+
+def hand_points(model: RobotModel, hand: Hand, q: Array) -> Array:
+    """Corners of the hand's collision shapes in its TCP frame, shape (n, 3); the fingers are as in ``q``."""
+    gripper, geometry = model.description.grippers[hand], model.geometry()
+    data, placed = model.pin.createData(), geometry.createData()
+    pin.updateGeometryPlacements(model.pin, data, geometry, placed, q)
+    tcp_T_world = poses.inverse(model.frame_pose(q, gripper.tcp_frame))
+    found = []
+    for item, pose in zip(geometry.geometryObjects, placed.oMg, strict=True):
+        if model.link_of(item) in gripper.touch_links:
+            corners = np.asarray(item.geometry.points())
+            at = tcp_T_world @ pose.homogeneous
+            found.append(corners @ at[:3, :3].T + at[:3, 3])
+    return np.concatenate(found)

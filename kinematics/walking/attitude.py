@@ -1,0 +1,196 @@
+"""Compiled: what is computed each control period from orientation, soles and CoM."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.kernel.compiler import compiled, inlined
+
+Array = NDArray[np.float64]
+
+
+@inlined
+def _rotation(x: float, y: float, z: float) -> Array:
+    """Rotation of a rotation vector, by Rodrigues' formula."""
+    angle2 = x * x + y * y + z * z
+    angle = math.sqrt(angle2)
+    if angle < 1e-6:
+        a, b = 1.0 - angle2 / 6.0, 0.5 - angle2 / 24.0
+    else:
+        a, b = math.sin(angle) / angle, (1.0 - math.cos(angle)) / angle2
+    R = np.empty((3, 3))
+    R[0, 0], R[1, 1], R[2, 2] = (
+        1.0 - b * (y * y + z * z),
+        1.0 - b * (x * x + z * z),
+        1.0 - b * (x * x + y * y),
+    )
+    R[0, 1], R[1, 0] = b * x * y - a * z, b * x * y + a * z
+    R[0, 2], R[2, 0] = b * x * z + a * y, b * x * z - a * y
+    R[1, 2], R[2, 1] = b * y * z - a * x, b * y * z + a * x
+    return R
+
+
+@inlined
+def _product(A: Array, B: Array) -> Array:
+    C = np.empty((3, 3))
+    for i in range(3):
+        for j in range(3):
+            C[i, j] = A[i, 0] * B[0, j] + A[i, 1] * B[1, j] + A[i, 2] * B[2, j]
+    return C
+
+
+@inlined
+def _wrapped(angle: float) -> float:
+    return (angle + math.pi) % (2.0 * math.pi) - math.pi
+
+
+@compiled
+def turned(
+    odom_R_base: Array,
+    rate: Array,
+    dt: float,
+    loads: Array,
+    sole_R: Array,
+    relied: int,
+    anchor_yaw: float,
+    force: Array,
+    times_s: Array,
+) -> Array:
+    """Integrate the gyro, then bring the soles that carry, and gravity, a little nearer to upright.
+
+    Args:
+        odom_R_base: Orientation before, shape (3, 3).
+        rate: Angular velocity in the base's frame, rad/s, shape (3,).
+        dt: Time since then, s.
+        loads: Normal force on each sole, 0 where it carries nothing, shape (feet,).
+        sole_R: Each sole in the base's frame, shape (feet, 3, 3).
+        relied: Index of the sole whose heading is known.
+        anchor_yaw: That heading.
+        force: What the accelerometer shows, in the base's frame, m/s^2, shape (3,).
+        times_s: Time constants: soles, heading, gravity, shape (3,).
+
+    Returns:
+        Orientation now, shape (3, 3).
+    """
+    R = _product(odom_R_base, _rotation(rate[0] * dt, rate[1] * dt, rate[2] * dt))
+    ex = ey = ez = 0.0
+    total = 0.0
+    for k in range(len(loads)):
+        total += loads[k]
+    if total > 0.0:
+        gain = dt / times_s[0]
+        for k in range(len(loads)):
+            if loads[k] <= 0.0:
+                continue
+            sole = _product(R, sole_R[k])
+            share = gain * loads[k] / total
+            # the turn that brings the sole's z axis up
+            ex += share * sole[1, 2]
+            ey -= share * sole[0, 2]
+            if k == relied:
+                ez += dt / times_s[1] * _wrapped(anchor_yaw - math.atan2(sole[1, 0], sole[0, 0]))
+    fx = R[0, 0] * force[0] + R[0, 1] * force[1] + R[0, 2] * force[2]
+    fy = R[1, 0] * force[0] + R[1, 1] * force[1] + R[1, 2] * force[2]
+    fz = R[2, 0] * force[0] + R[2, 1] * force[1] + R[2, 2] * force[2]
+    gain = dt / times_s[2]
+    size = max(math.sqrt(fx * fx + fy * fy + fz * fz), 1e-6)
+    ex += gain * fy / size
+    ey -= gain * fx / size
+    return _product(_rotation(ex, ey, ez), R)
+
+
+@compiled
+def com_seen(
+    odom_R_base: Array,
+    sole_R: Array,
+    sole_p: Array,
+    sole_v: Array,
+    com: Array,
+    com_v: Array,
+    rate: Array,
+) -> Array:
+    """The CoM as a sole sees it, along the sole's heading.
+
+    Args:
+        odom_R_base: Orientation, shape (3, 3).
+        sole_R, sole_p, sole_v: Pose and velocity of the sole in the base's frame.
+        com, com_v: The CoM and its velocity there, shape (3,) each.
+        rate: Angular velocity of the base in its own frame, rad/s, shape (3,).
+
+    Returns:
+        Position (3), velocity (3), and the base's heading from the sole, shape (7,).
+    """
+    c0 = (
+        odom_R_base[0, 0] * sole_R[0, 0] + odom_R_base[0, 1] * sole_R[1, 0] + odom_R_base[0, 2] * sole_R[2, 0]
+    )
+    s0 = (
+        odom_R_base[1, 0] * sole_R[0, 0] + odom_R_base[1, 1] * sole_R[1, 0] + odom_R_base[1, 2] * sole_R[2, 0]
+    )
+    heading = math.atan2(s0, c0)
+    c, s = math.cos(heading), math.sin(heading)
+    arm = com - sole_p
+    moving = np.empty(3)
+    moving[0] = com_v[0] - sole_v[0] + rate[1] * arm[2] - rate[2] * arm[1]
+    moving[1] = com_v[1] - sole_v[1] + rate[2] * arm[0] - rate[0] * arm[2]
+    moving[2] = com_v[2] - sole_v[2] + rate[0] * arm[1] - rate[1] * arm[0]
+    seen = np.empty(7)
+    R = odom_R_base
+    for k in range(2):
+        v = arm if k == 0 else moving
+        x = R[0, 0] * v[0] + R[0, 1] * v[1] + R[0, 2] * v[2]
+        y = R[1, 0] * v[0] + R[1, 1] * v[1] + R[1, 2] * v[2]
+        seen[3 * k], seen[3 * k + 1] = c * x + s * y, c * y - s * x
+        seen[3 * k + 2] = R[2, 0] * v[0] + R[2, 1] * v[1] + R[2, 2] * v[2]
+    seen[6] = _wrapped(math.atan2(R[1, 0], R[0, 0]) - heading)
+    return seen
+
+
+@compiled
+def righting_moment(
+    odom_R_base: Array,
+    heading: float,
+    quaternion: Array,
+    rate: Array,
+    plan_turn: float,
+    stiffness: float,
+    damping: float,
+) -> Array:
+    """Moment that turns the trunk to where a plan has it, in the plan's axes, shape (3,).
+
+    Args:
+        odom_R_base: Measured orientation, shape (3, 3).
+        heading: The measured heading in the plan's frame.
+        quaternion: The planned orientation (x, y, z, w), shape (4,).
+        rate: Measured angular velocity in the base's frame, rad/s, shape (3,).
+        plan_turn: The planned turning about the vertical, rad/s.
+        stiffness, damping: Nm/rad and Nms/rad.
+    """
+    angle = heading - math.atan2(odom_R_base[1, 0], odom_R_base[0, 0])
+    c, s = math.cos(angle), math.sin(angle)
+    R = np.empty((3, 3))
+    for j in range(3):
+        R[0, j] = c * odom_R_base[0, j] - s * odom_R_base[1, j]
+        R[1, j] = s * odom_R_base[0, j] + c * odom_R_base[1, j]
+        R[2, j] = odom_R_base[2, j]
+    x, y, z, w = quaternion[0], quaternion[1], quaternion[2], quaternion[3]
+    norm = math.sqrt(x * x + y * y + z * z + w * w)
+    x, y, z, w = x / norm, y / norm, z / norm, w / norm
+    P = np.empty((3, 3))
+    P[0, 0], P[0, 1], P[0, 2] = 1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)
+    P[1, 0], P[1, 1], P[1, 2] = 2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)
+    P[2, 0], P[2, 1], P[2, 2] = 2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)
+    off = np.empty((3, 3))
+    for i in range(3):
+        for j in range(3):
+            off[i, j] = R[i, 0] * P[j, 0] + R[i, 1] * P[j, 1] + R[i, 2] * P[j, 2]
+    moment = np.empty(3)
+    moment[0], moment[1], moment[2] = off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]
+    for i in range(3):
+        turning = R[i, 0] * rate[0] + R[i, 1] * rate[1] + R[i, 2] * rate[2]
+        if i == 2:
+            turning -= plan_turn
+        moment[i] = -(0.5 * stiffness * moment[i] + damping * turning)
+    return moment

@@ -1,0 +1,39 @@
+"""What is offered is upright, within reach, and not behind a finger for who pulls."""
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.gesture_planner import BESIDE_FINGERS, GesturePlanner
+from kinematics.gesture_requests import OfferRequest
+from kinematics.requests import MovePlan
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Cylinder
+from kinematics.stance import stance_at
+from robots.description import load_description
+
+
+@pytest.fixture(scope="module")
+def model():
+    return RobotModel(load_description("talos"))
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+@pytest.mark.parametrize("person", [(1.4, -0.5, 0.9), (1.4, 0.5, 0.9)])
+def test_what_hangs_from_a_hand_can_be_pulled_out_between_the_fingers(model, hand, person):
+    frame = model.description.tcp_frames[hand]
+    hanging = poses.transform(poses.rotation_y(-0.5 * np.pi), (0.0, 0.0, 0.0))  # the hand points down at it
+    cup = SceneObject("cup", Cylinder(0.03, 0.1), hanging)
+    links = model.description.grippers[hand].touch_links
+    scene = PlanningScene().with_objects([cup]).with_attached("cup", frame, hanging, links)
+    stance = stance_at(model, model.q_home)
+
+    answer = GesturePlanner(model).plan(OfferRequest(model.q_home, stance, scene, "cup", person, 1))
+
+    assert isinstance(answer, MovePlan)
+    tcp = model.frame_pose(answer.step.trajectory.q[-1], frame)
+    upright = (tcp @ scene.attached["cup"].frame_T_object)[:3, 2]
+    towards = np.array(person[:2]) - tcp[:2, 3]
+    assert upright[2] >= np.cos(0.06)
+    assert abs(tcp[:2, 1] @ towards) / np.linalg.norm(towards) <= BESIDE_FINGERS + 0.01

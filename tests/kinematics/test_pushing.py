@@ -1,0 +1,74 @@
+"""Where a hand pushes a door shut."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinematics.opening_path import DoorArc
+from kinematics.pushing import hand_points, outward_of, push_grasps
+from kinematics.requests import HandleRequest
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+from kinematics.stance import stance_at
+from robots.description import load_description
+
+THICK_M, WIDE_M = 0.04, 0.60
+HINGE = np.array([0.8, 0.75])
+
+
+@pytest.fixture(scope="module")
+def model():
+    return RobotModel(load_description("talos"))
+
+
+def request(model, side, opening):
+    """A push at a door that hangs on one side, opened so far."""
+    arc = DoorArc(HINGE * (1.0, side), 0.15 * side, side, 0.5 * WIDE_M, 0.0, 0.9)
+    middle = arc.at(opening)
+    pose = np.eye(4)
+    yaw = arc.closed_yaw_rad - side * opening
+    pose[:2, :2] = [[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]]
+    pose[:3, 3] = middle.position_m
+    panel = SceneObject("door", Box((THICK_M, WIDE_M, 1.6)), pose)
+    return HandleRequest(
+        q_start=model.q_home,
+        stance=stance_at(model, model.q_home),
+        scene=PlanningScene().with_object(panel),
+        handle="door",
+        parts=("door",),
+        path=arc,
+        s_from=opening,
+        s_to=-0.1,
+        hands=("left" if side > 0.0 else "right",),
+        pushed="door",
+    )
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("opening", [0.5, 1.1])
+def test_the_hand_just_touches_the_front_from_outside(model, side, opening):
+    asked = request(model, side, opening)
+    panel_T_world = np.linalg.inv(asked.scene.objects["door"].world_T_object)
+    outward = panel_T_world[:3, :3] @ outward_of(asked)
+
+    grasps = list(push_grasps(model, asked))
+
+    assert outward == pytest.approx([-1.0, 0.0, 0.0], abs=1e-9), "x of a front points inwards"
+    assert grasps
+    for grasp in grasps:
+        hand = grasp.world_T_tcp
+        points = hand_points(model, grasp.hand, model.q_home) @ hand[:3, :3].T + hand[:3, 3]
+        local = points @ panel_T_world[:3, :3].T + panel_T_world[:3, 3]
+        assert local[:, 0].max() == pytest.approx(-0.5 * THICK_M, abs=1e-9)
+        assert abs(local[np.argmax(local[:, 0]), 1]) < 0.5 * WIDE_M, "it would push beside the door"
+
+
+def test_a_place_that_was_tried_in_vain_is_left_out(model):
+    asked = request(model, 1.0, 1.0)
+    first = next(push_grasps(model, asked))
+    again = next(push_grasps(model, replace(asked, excluded=frozenset({f"left {first.label}"}))))
+
+    assert again.label != first.label

@@ -1,0 +1,62 @@
+"""A hand is drawn back no farther than the body's balance allows."""
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.free_coordinates import free_coordinates
+from kinematics.requests import MovePlan, NoPlan, RetreatRequest
+from kinematics.retreat_planner import plan_retreat
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.stance import SupportPolygon
+from kinematics.trajectory import Stance
+from robots.description import load_description
+
+BESIDE_A_DOOR = [
+    -0.0429, 0.0322, 0.8895, -0.0314, 0.0249, -0.0486, -0.0353, 0.0479,
+    0.314, 1.0813, 0.2948, -1.1291, 0.8387, -1.3601, -0.2001,
+    -0.42, -0.45, -0.6, -1.7, -0.71, 0.55, 0.0, 0.5763, 0.5045,
+]  # fmt: skip
+"""Free coordinates after a door was opened: the left wrist is at its limit."""
+AWAY_M = (-0.0527, 0.1078, 0.0)
+
+
+@pytest.fixture(scope="module")
+def model():
+    return RobotModel(load_description("talos"))
+
+
+def request(model, **wishes):
+    stance = Stance(
+        tuple(
+            (f"{side}_sole_link", poses.translation(0.0, y, 0.0))
+            for side, y in (("left", 0.085), ("right", -0.085))
+        )
+    )
+    q, _ = free_coordinates(model, stance).to_q(np.array([BESIDE_A_DOOR]))
+    return RetreatRequest(q[0], stance, PlanningScene(), "left", AWAY_M, **wishes)
+
+
+def least_margin_m(model, asked, plan):
+    polygon = SupportPolygon(asked.stance, model.description.soles)
+    return min(polygon.com_margin_m(model.com(q)) for q in plan.step.trajectory.q)
+
+
+def test_a_hand_that_may_turn_or_stop_short_leaves_the_robot_in_balance(model):
+    asked = request(model, steady_m=0.075, shares=(1.0, 0.6), turns_rad=(0.0, 0.5, -0.5))
+
+    plan = plan_retreat(model, asked)
+
+    assert isinstance(plan, MovePlan)
+    assert least_margin_m(model, asked, plan) >= 0.07
+
+
+def test_a_retreat_that_would_bring_the_robot_off_balance_is_not_made(model):
+    insisting = request(model, steady_m=0.075)
+
+    plan = plan_retreat(model, insisting)
+
+    assert isinstance(plan, NoPlan)
+    assert "balance" in plan.reasons
+    assert plan.numbers["com_margin_m"] < 0.065

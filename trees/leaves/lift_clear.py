@@ -1,0 +1,71 @@
+"""Lift what a hand holds off what it stands on, before anything else moves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from kinematics.requests import RetreatRequest
+from kinematics.robot_description import HANDS, Hand
+from kinematics.support import lowest_point_m, supports_of, top_m
+from trees.contract import Contract
+from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import ports
+from trees.toolbox import Toolbox
+
+_NEAR_M = 0.02
+"""What is held nearer than this above furniture stands on it, or would break its margin at the start."""
+_UP_M = 0.05
+
+
+class LiftClear(PlannedMotionLeaf):
+    """Straight up, when a cancelled task left what is held on furniture or just above it.
+
+    From there no other way can be planned: it begins in contact.
+    """
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="nothing that a hand holds is near what could carry it",
+        deadline_s=30.0,
+        moves="body",
+    )
+
+    def goal(self) -> RetreatRequest | None:
+        """Up, unless nothing is held, or nothing is under it."""
+        found = held_near_support(self.toolbox)
+        if found is None:
+            return None
+        hand, pairs = found
+        toolbox = self.toolbox
+        return RetreatRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene.allowing(pairs),
+            hand=hand,
+            world_offset_m=(0.0, 0.0, _UP_M),
+        )
+
+
+def held_near_support(toolbox: Toolbox) -> tuple[Hand, list[tuple[str, str]]] | None:
+    """The hand whose object is on furniture or just above it, and the pairs that touch there; else None."""
+    scene, model = toolbox.world.scene, toolbox.model
+    if not scene.attached:
+        return None
+    q = toolbox.motion.reference()
+    for hand in HANDS:
+        frame = model.description.tcp_frames.get(hand)
+        for name, body in sorted(scene.attached.items()):
+            if body.frame != frame:
+                continue
+            pose = model.frame_pose(q, body.frame) @ body.frame_T_object
+            item = replace(body.body, world_T_object=pose)
+            under = [
+                other
+                for other in supports_of(item, scene)
+                if lowest_point_m(item) - top_m(scene.objects[other]) < _NEAR_M
+            ]
+            if under:
+                return hand, [(min(name, other), max(name, other)) for other in under]
+    return None

@@ -1,0 +1,32 @@
+"""Tell at once when what is to be closed is nothing that is pushed shut."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.handles import DOOR, MEANT_BY
+from trees.leaf import DONE, Leaf
+from trees.ports import ports
+from trees.tasks import ObjectDescription
+
+
+class NamesDoor(Leaf):
+    """Succeed unless the task names a drawer."""
+
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the task names a door, or leaves open what it is about",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Look at the noun."""
+        wanted = self.get_input("task").object
+        noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
+        if noun is not None and MEANT_BY.get(noun, DOOR) != DOOR:
+            return Failure.infeasible(f"a {noun} is closed by its handle")
+        return DONE

@@ -1,0 +1,101 @@
+"""Close a door by a push against its front, else by its handle; a drawer by its handle."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+
+from trees.alternatives import Alternatives, defect
+from trees.best_effort import BestEffort
+from trees.clean_up import CleanUp
+from trees.deadline import Deadline
+from trees.failures import Failure
+from trees.leaves.approach_handle import ApproachHandle
+from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.detect_front import DetectFront
+from trees.leaves.exclude_grasp import ExcludeGrasp
+from trees.leaves.lead_handle import LeadHandle
+from trees.leaves.look_at import LookAt
+from trees.leaves.names_door import NamesDoor
+from trees.leaves.plan_handle import PlanHandle
+from trees.leaves.step_back import StepBack
+from trees.leaves.stream_motion import StreamMotion
+from trees.leaves.touch_front import TouchFront
+from trees.leaves.verify_opening import VerifyOpening
+from trees.retry import Retry
+from trees.subtrees.come_to_handle import come_to_handle
+from trees.subtrees.open import (
+    ATTEMPTS,
+    GAZES,
+    going,
+    hopeless,
+    looking_elsewhere_is_useless,
+    open_or_close,
+    sequence,
+    tidying_helps,
+    verify,
+)
+from trees.toolbox import Toolbox
+
+
+def close(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    return Alternatives("close", [_push_shut(toolbox), open_or_close(toolbox)], hopeless=_handle_is_no_help)
+
+
+def _push_shut(toolbox: Toolbox) -> Behaviour:
+    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
+    come = come_to_handle(toolbox, _search("look again", toolbox))
+    main = sequence("push the front", _search("search", toolbox), come, attempts)
+    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
+    tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
+    return sequence("push", NamesDoor("names a door", toolbox), tidy)
+
+
+def _search(name: str, toolbox: Toolbox) -> Alternatives:
+    looks = [
+        sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectFront("detect front", toolbox))
+        for gaze in GAZES
+    ]
+    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+
+
+def _attempt(toolbox: Toolbox) -> Behaviour:
+    move = sequence(
+        "move",
+        sequence(
+            "plan",
+            PlanHandle("plan push", toolbox),
+            CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
+            CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
+        ),
+        sequence(
+            "push",
+            StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
+            ApproachHandle("approach", toolbox),
+            TouchFront("touch front", toolbox),
+            LeadHandle("push front", toolbox),
+        ),
+        sequence("let go", StepBack("step back", toolbox)),
+        sequence("leave", *going(toolbox, DetectFront)),
+        verify(toolbox),
+    )
+    return Alternatives("attempt", [VerifyOpening("see whether it is so", toolbox), move])
+
+
+def _recover(toolbox: Toolbox) -> Behaviour:
+    return sequence(
+        "recover",
+        ExcludeGrasp("exclude place", toolbox, {"tried_now": "tried"}),
+        BestEffort(StepBack("step back", toolbox)),
+        BestEffort(sequence("leave", *going(toolbox, DetectFront))),
+        BestEffort(_search("look again", toolbox)),
+    )
+
+
+def _leave(toolbox: Toolbox) -> Behaviour:
+    """Whatever went wrong: the hand is off the door and the robot stands at home."""
+    return sequence("give up", BestEffort(StepBack("step back", toolbox)), *going(toolbox, DetectFront))
+
+
+def _handle_is_no_help(failure: Failure) -> bool:
+    return defect(failure) or bool(failure.choices) or "is stuck" in failure.message
