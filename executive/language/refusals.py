@@ -44,7 +44,7 @@ _NEVER_USED = frozenset({"NEGATION", "CONDITION", "LIMITLESS", "DOUBT", "HESITAT
 """Word classes that decide a refusal wherever they stand before the place that broke the parse."""
 
 _DECIDING = frozenset({"HARM", "THROW"})
-"""Word classes that explain a refusal better than the place that broke the parse."""
+"""Word classes that explain a refusal better than the place that broke the parse, when nothing else does."""
 
 _SHOWN = 40
 """Characters of an offending word that are repeated to the user."""
@@ -79,12 +79,11 @@ class Explainer:
             shown = printable(lattice.pieces[0].text)
             message = f"a command begins with what to do, not with {shown!r}"
             return Refusal(message, shown, self.nearest_example(plain))
-        decided = self._refused(lattice, chart, only=_DECIDING)
-        if decided is not None:
-            return Refusal(decided[1], decided[0], None)
-        if position >= len(lattice.pieces) or lattice.ends[position]:
+        ended = position >= len(lattice.pieces) or lattice.ends[position]
+        found = None if ended else self._refused(lattice, chart)
+        found = found or self._refused(lattice, chart, only=_DECIDING)
+        if found is None and ended:
             return self._incomplete(lattice, chart)
-        found = self._refused(lattice, chart)
         if found is not None:
             word, message = found
             return Refusal(message, word, None)
@@ -127,7 +126,7 @@ class Explainer:
             for position in range(last + 1)
             for word in sorted(lattice.phrase(position), key=lambda one: -one.end)
         ]
-        harmful = [word for word in phrases if word.word_class in _DECIDING]
+        harmful = [word for word in phrases if word.word_class in (only or ("HARM",))]
         here = [
             word for word in phrases if word.start <= chart.furthest < word.end and word.word_class != _LINK
         ]

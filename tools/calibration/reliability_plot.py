@@ -42,7 +42,7 @@ def as_svg(found: Mapping[str, Sequence[Answer]]) -> str:
         for item in reliability(answers):
             _point(picture, item, color)
         words = f"{name} camera: {len(answers)} answers, error {expected_error(answers):.3f}"
-        _text(picture, _x(0.03), _TOP + 18.0 * (number + 1), words, "start").set("fill", color)
+        _text(picture, _x(0.03), _y(0.12) + 18.0 * number, words, "start").set("fill", color)
     indent(picture)
     return tostring(picture, encoding="unicode") + "\n"
 
