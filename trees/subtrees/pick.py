@@ -5,18 +5,18 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.alternatives import Alternatives, defect
+from trees.alternatives import defect
 from trees.best_effort import BestEffort
 from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
-from trees.leaves.already_held import AlreadyHeld
 from trees.leaves.attach import Attach
 from trees.leaves.back_out import BackOut
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.close_gripper import CloseGripper
 from trees.leaves.confirm_target import ConfirmTarget
 from trees.leaves.go_home import GoHome
+from trees.leaves.hand_for_it import HandForIt
 from trees.leaves.look_at import LookAtTarget, LookAtWay
 from trees.leaves.open_gripper import OpenGripper
 from trees.leaves.plan_pick import PlanPick
@@ -30,20 +30,15 @@ from trees.retry import Retry
 from trees.subtrees.recover import recover
 from trees.subtrees.search import search_from_home_too
 from trees.toolbox import Toolbox
+from trees.unless_held import UnlessHeld
 from trees.unless_seen import UnlessSeen
 
 
-def pick(toolbox: Toolbox) -> Alternatives:
+def pick(toolbox: Toolbox) -> Behaviour:
     """The whole skill, unless it is held already. Reads "task" of the tree's namespace, writes "evidence"."""
-    held = AlreadyHeld("is it held already", toolbox)
-    ways = Alternatives("pick", [held, _fetched(toolbox)], hopeless=no_hand_for_it)
-    ways.transparent = True
-    return ways
-
-
-def no_hand_for_it(failure: Failure) -> bool:
-    """It is in another hand than the one that was named, or no hand is free."""
-    return defect(failure) or failure.kind is FailureKind.INFEASIBLE
+    root = _sequence("pick", HandForIt("a hand for it", toolbox), UnlessHeld(_fetched(toolbox)))
+    root.transparent = True
+    return root
 
 
 def _fetched(toolbox: Toolbox) -> CleanUp:

@@ -14,20 +14,20 @@ from trees.steps import Target
 from trees.tasks import ObjectDescription, PickTask
 
 
-class AlreadyHeld(Leaf):
-    """What is meant is held already: done, if it is in the hand that was named, or none was.
+class HandForIt(Leaf):
+    """What is meant is in a hand already, or a hand is free for it; which of the two is written.
 
     It fails at once, as infeasible, when it is in the other hand than the one that was named, and when
-    there is something else to be picked up and no hand is free for it. Any other failure only says that
-    it has to be picked up. A description that compares things ("the other cup"), or says where it is,
-    means nothing that is held; one that also fits something that stands about means that.
+    there is something else to be picked up and no hand is free for it. A description that compares
+    things ("the other cup"), or says where it is, means nothing that is held; one that also fits
+    something that stands about means that.
     """
 
     INPUT_PORTS = ports(task=PickTask)
-    OUTPUT_PORTS = ports(target=Target, evidence=dict)
+    OUTPUT_PORTS = ports(in_hand=bool, target=Target, evidence=dict)
     CONTRACT = Contract(
         precondition="none",
-        postcondition="what is meant is an attached body, and its gripper says holding",
+        postcondition="what is meant is an attached body and its gripper says holding, or a hand is free",
         deadline_s=1.0,
     )
 
@@ -44,7 +44,8 @@ class AlreadyHeld(Leaf):
             free = free_hands(self.toolbox, task.hand)
             if isinstance(free, Failure):
                 return free
-            return Failure.postcondition(f"no {task.object} is in a hand")
+            self._set_output("in_hand", False)
+            return DONE
         if task.hand not in (None, held.hand):
             return Failure.infeasible(
                 f"the {held.name} is in the {held.hand} hand already, not in the {task.hand}",
@@ -80,6 +81,7 @@ class AlreadyHeld(Leaf):
             "effort_nm": reading.effort_nm,
             "already_held": True,
         }
+        self._set_output("in_hand", True)
         self._set_output("evidence", evidence)
         self.measured(**evidence)
         self.feedback_message = f"the {held.name} is in the {held.hand} hand already"
