@@ -9,7 +9,7 @@ from typing import Any
 
 from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
 from executive.language.lattice import Word
-from executive.language.nominals import shared_adjective, words
+from executive.language.nominals import said_again, shared_adjective, words
 from executive.language.phrases import (
     Bundle,
     Clause,
@@ -223,7 +223,11 @@ def _more(parts: Parts) -> list[Arranged]:
     if not loose:
         return []
     paired = [part.item for part in parts if isinstance(part, Pair)]
-    unclear = shared_adjective((*paired, *loose))
+    each_item = (*paired, *loose)
+    again = said_again(each_item[-2].of, each_item[-1].of, parts)
+    if again is not None:
+        raise trouble(again.message, asks=True)
+    unclear = shared_adjective(each_item)
     if unclear is not None:
         raise trouble(unclear.message, asks=True)
     each = arranged(loose)
@@ -427,6 +431,13 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
             pulled = any(word.said.startswith("pull") and "out" in word.said for word in words(parts, "OPEN"))
             if pulled and nominal.kind not in ("drawer", "drawers"):
                 raise unfit()
+            relation = nominal.relation
+            if (
+                nominal.sort == "door"
+                and relation is not None
+                and (relation.kind, relation.to.sort) == ("behind", "you")
+            ):
+                raise trouble("which door? is it behind the robot, or the one it walks through?", asks=True)
             if nominal.count != 1 or nominal.plural:
                 raise trouble(f"only one at a time can be told to {action}", nominal.kind)
             if not nominal.reference and nominal.sort not in ("container", "door"):

@@ -276,6 +276,8 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     ):
         return None
     told = described(nominal, parts[1:])
+    if isinstance(told, Nominal) and told.size in SUPERLATIVES and told.ordinal in _COUNTED_FROM:
+        return Trouble(f"the {told.ordinal} {told.size}: things are not ranked by size", told.ordinal)
     if isinstance(told, Nominal) and told.plural and not told.counted and told.count == 1:
         only = told.size if told.size in SUPERLATIVES else told.ordinal
         if only not in (None, "other"):
@@ -340,15 +342,21 @@ def _items(parts: Parts) -> Items | Trouble:
     """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
     each = tuple(part for part in parts if isinstance(part, Item))
     links = [part for part in parts if isinstance(part, _Joined)]
-    if len(each) > 1 and len(links) == len(each) - 1 and links[-1].commas:
-        before, last = each[-2].of, each[-1].of
+    if len(each) > 1 and len(links) == len(each) - 1:
         placed = bool(each[-2].details and each[-1].details)
-        if not placed and (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
-            return Trouble(
-                f"{spoken(before)}, {spoken(last)}: is this one thing or two? say 'and' between two",
-                asks=True,
-            )
+        unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
+        if unclear is not None:
+            return unclear
     return shared_adjective(each) or Items(each)
+
+
+def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:
+    """The cup, the red one: after a mere comma it may be told again which thing is meant."""
+    commas = any(isinstance(link, _Joined) and link.commas for link in links)
+    if not commas or not (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
+        return None
+    question = "is this one thing or two? say 'and' between two"
+    return Trouble(f"{spoken(before)}, {spoken(last)}: {question}", asks=True)
 
 
 def shared_adjective(each: Iterable[Item]) -> Trouble | None:

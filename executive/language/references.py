@@ -86,6 +86,7 @@ class Resolver:
         self._kind: Nominal | None = None
         self._mention: Mention | None = None
         self._called: dict[str, str] = {}
+        self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._clause = 0
 
     def commands(self, clauses: Sequence[Clause]) -> tuple[Command, ...]:
@@ -212,6 +213,12 @@ class Resolver:
             else:
                 slots[name] = value
         action = slots.pop("action", one.action)
+        if action in ("place", "put_in"):
+            goal = (action, slots.get("on"), slots.get("to"))
+            before = self._placed.get(root)
+            if before is not None and root not in self._held and goal in (before, ("place", None, None)):
+                return ObjectOf(root)  # "carry it to the hall and leave it there": it is there already
+            self._placed[root] = goal
         if isinstance(slots.get("object"), str):
             raise UnresolvedError(
                 Trouble(f"{slots['object']!r} is a person, and nothing to {action}", slots["object"])
