@@ -9,7 +9,8 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
-from executive.language.nominals import said_again, words
+from executive.language.lists import said_again
+from executive.language.nominals import words
 from executive.language.phrases import (
     Clause,
     Item,
