@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
+from executive.language.lists import said_again
 from executive.language.nominals import words
 from executive.language.phrases import (
     Clause,
@@ -95,6 +97,10 @@ def _toward_relation(parts: Parts) -> Relative:
 
 def _walk(parts: Parts) -> Clause:
     goals = [part for part in parts if isinstance(part, (Nominal, Relative))]
+    for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
+        again = said_again(before, after, parts)
+        if again is not None:
+            raise trouble(again.message, asks=True)
     return clause(parts, [(draft("walk_to", to=goal),) for goal in goals])
 
 

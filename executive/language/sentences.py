@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language import attention, going, handling, nominals, places, speech
+from executive.language import attention, going, handling, lists, nominals, places, placing, speech
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 
 Parts = tuple[Any, ...]
@@ -197,8 +197,10 @@ def _more(parts: Parts) -> Any:
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         **nominals.MEANINGS,
+        **lists.MEANINGS,
         **places.MEANINGS,
         **handling.MEANINGS,
+        **placing.MEANINGS,
         **going.MEANINGS,
         **attention.MEANINGS,
         **speech.MEANINGS,
