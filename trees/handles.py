@@ -23,6 +23,10 @@ DOOR: Final = "door"
 DRAWER: Final = "drawer"
 HANDLE: Final = "handle"
 PART_KINDS = (DOOR, DRAWER, HANDLE)
+DRAWER_BOTTOM: Final = "drawer bottom"
+DRAWER_WALL: Final = "drawer wall"
+INSIDE_KINDS = (DRAWER_BOTTOM, DRAWER_WALL)
+"""What goes with a drawer's front, and shows when it is open."""
 BODY_OF: Mapping[str, str] = {DOOR: "fridge", DRAWER: "drawers"}
 """What a door or drawer belongs to, by the kinds that perception tells."""
 MEANT_BY: Mapping[str, str] = {
@@ -78,6 +82,22 @@ class HandleTarget:
     def shown(self, opening: float) -> float:
         """An opening in ``unit``."""
         return math.degrees(opening) if self.kind == DOOR else opening
+
+
+def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate]) -> PlanningScene:
+    """A scene without the doors, drawers and handles that a look has seen anew.
+
+    Unlike other furniture they move: a door that was opened would stand in the scene twice.
+    """
+    fresh = [item for item in estimates if item.kind in PART_KINDS]
+    for name, known in list(scene.objects.items()):
+        if kind_of(name) in PART_KINDS and any(
+            item.kind == kind_of(name)
+            and np.linalg.norm(item.odom_T_object[:3, 3] - known.world_T_object[:3, 3]) <= _PAIRED_M
+            for item in fresh
+        ):
+            scene = scene.without_object(name)
+    return scene
 
 
 def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = None) -> list[HandleTarget]:

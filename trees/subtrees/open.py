@@ -20,9 +20,9 @@ from trees.leaves.lead_handle import LeadHandle, is_stuck, slips_off
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_handle import LookAtHandle
 from trees.leaves.plan_handle import PlanHandle
+from trees.leaves.reach_watching import ReachWatching
 from trees.leaves.release import Release
 from trees.leaves.step_back import StepBack
-from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_opening import VerifyOpening
 from trees.policy import Gaze
 from trees.retry import Retry
@@ -49,7 +49,11 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), come, attempts])
+    do = _Sequence("come and move it", memory=True, children=[come, attempts])
+    do.transparent = True
+    ways = Alternatives("unless it is so", [VerifyOpening("see whether it is so already", toolbox), do])
+    ways.transparent = True
+    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), ways])
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=tidying_helps)
@@ -99,7 +103,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         sequence(
             "reach",
             Release("open gripper", toolbox),
-            StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
+            ReachWatching("stream reach", toolbox, {"checked": "checked_reach"}),
             ApproachHandle("approach", toolbox),
         ),
         sequence("grasp", GraspHandle("grasp handle", toolbox)),

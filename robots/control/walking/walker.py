@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,6 +20,7 @@ from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
+from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.stabiliser import Stabiliser
 from robots.interface import RobotState
@@ -59,6 +58,7 @@ class Walker:
         self._walk: _Walk | None = None
         self._gyro_at_rest = np.zeros(3)
         self._rested = 0
+        self._scales = HandScales(model, period_s)
         self._readings: RobotState | None = None
         self._steering: Steering | None = None
         self._pausing = False
@@ -177,7 +177,9 @@ class Walker:
         """Take in what the sensors say while nobody walks: where the gyro's zero is, above all."""
         self._readings = readings
         if not self._streamer.resting:
+            self._scales.moved()
             return
+        self._scales.sense(readings.effort[: self._bodies])
         self._rested += 1
         share = max(1.0 / self._rested, self._period_s / _GYRO_TIME_S)
         self._gyro_at_rest += share * (readings.gyro - self._gyro_at_rest)
@@ -197,7 +199,7 @@ class Walker:
         q, v = standing.q.copy(), standing.v.copy()
         q[: self._bodies], v[: self._bodies] = self._walk.joints(body)
         owners = [self._owner] if standing.owner == HOLD else [self._owner, standing.owner]
-        return dataclasses.replace(standing, owner=together(owners), q=q, v=v, body=body, efforts=efforts)
+        return Proposal(together(owners), q, v, body, standing.refusal, efforts)
 
     def commit(self) -> tuple[Stance, Array] | None:
         """The last proposal is what the robot follows now.
@@ -223,7 +225,8 @@ class Walker:
 
     def _set_out(self, steering: Steering) -> None:
         self._interrupted = False
-        self._walk = _Walk(self._model, self._streamer, self._gyro_at_rest, self._period_s)
+        model = self._model.carrying(self._scales.masses_kg(self._streamer.reference()))
+        self._walk = _Walk(model, self._streamer, self._gyro_at_rest, self._period_s)
         if self._readings is not None:
             self._walk.sense(self._readings)
         self._walk.pattern.steer(steering)

@@ -13,6 +13,7 @@ from tools.evaluate.skills import (
     handing_over,
     placing,
     putting_in,
+    putting_in_drawer,
     sequences,
     talk,
     telling,
@@ -29,6 +30,7 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "look_at": gestures.LOOK_AT,
         "place": placing.PLACE,
         "put_in": putting_in.PUT_IN,
+        "put_in_drawer": putting_in_drawer.PUT_IN_DRAWER,
         "hand_over": handing_over.HAND_OVER,
         "find": telling.FIND,
         "count": telling.COUNT,
@@ -40,5 +42,6 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "flat_fridge": errands.FLAT_FRIDGE,
         "carry": carrying.CARRY,
         "flat_pick": errands.FLAT_PICK,
+        "flat_bring": errands.FLAT_BRING,
     }
 )
