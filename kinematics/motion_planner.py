@@ -82,6 +82,8 @@ class MotionPlanner:
             goal = space.from_q(model.home_over(request.stance))
         for joint, angle in request.joints.items():
             goal[space.index(joint)] = angle
+        if space.base_size:
+            goal[:3] += request.pelvis_m
         scene = relaxed_at(model, request.scene, request.q_start)
         planner = PathPlanner(model, space, validity(model, request.stance, scene))
         arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]

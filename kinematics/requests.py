@@ -77,6 +77,7 @@ class MoveRequest:
         scene: What is around.
         joints: Goal positions of some body joints, rad.
         keep_others: Joints left out stay where they are instead of going home.
+        pelvis_m: How far the pelvis goes beside, in the world, shape (3,); nothing for a welded base.
         seed: Of everything random in the plan.
     """
 
@@ -85,6 +86,7 @@ class MoveRequest:
     scene: PlanningScene
     joints: Mapping[str, float] = field(default_factory=dict)
     keep_others: bool = False
+    pelvis_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     seed: int = 0
 
 

@@ -24,6 +24,9 @@ DRAWER: Final = "drawer"
 HANDLE: Final = "handle"
 """Kinds of the moving solids, as perception tells them."""
 PART_KINDS = (DOOR, DRAWER, HANDLE)
+DRAWER_BOTTOM: Final = "drawer bottom"
+DRAWER_WALL: Final = "drawer wall"
+"""Kinds of what an open drawer shows behind its front; perception tells them together, as one piece."""
 
 WALL_M = 0.02
 PANEL_M = 0.04
@@ -48,14 +51,15 @@ class MovingSolid:
 
     Attributes:
         name: "fridge/door", "fridge/handle", ...
-        kind: "door", "drawer" or "handle" for what perception tells, "" for the rest.
+        kind: "door", "drawer", "handle", "drawer bottom" or "drawer wall" for what perception tells, "" for
+            the rest.
         shape: Its solid.
         part_T_solid: Pose in the moving part's frame, shape (4, 4).
         grasped: Whether a hand takes hold of it: bar and posts.
     """
 
     name: str
-    kind: Literal["door", "drawer", "handle", ""]
+    kind: Literal["door", "drawer", "handle", "drawer bottom", "drawer wall", ""]
     shape: Box | Cylinder
     part_T_solid: Transform
     grasped: bool = False
@@ -174,7 +178,12 @@ def _drawer(item: Furniture) -> tuple[MovingSolid, ...]:
         MovingSolid(f"{item.name}/drawer", DRAWER, Box((FRONT_M, width, high)), np.eye(4)),
         *_handle(item, lift @ lying, -0.5 * FRONT_M),
         *(
-            MovingSolid(f"{item.name}/drawer_{name}", "", Box(size), poses.translation(*place))
+            MovingSolid(
+                f"{item.name}/drawer_{name}",
+                DRAWER_BOTTOM if name == "floor" else DRAWER_WALL,
+                Box(size),
+                poses.translation(*place),
+            )
             for name, size, place in sides
         ),
     )

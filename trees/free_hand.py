@@ -20,5 +20,5 @@ def free_hands(toolbox: Toolbox, named: Hand | None) -> tuple[Hand, ...] | Failu
     free = tuple(hand for hand in wanted if frames[hand] not in carrying)
     if free:
         return free
-    held = ", ".join(carrying[frames[hand]] for hand in wanted)
-    return Failure.infeasible(f"no hand is free: {' and '.join(wanted)} hold {held}")
+    held = " and ".join(f"the {hand} hand holds the {carrying[frames[hand]]}" for hand in wanted)
+    return Failure.infeasible(f"no hand is free: {held}")

@@ -23,6 +23,10 @@ DOOR: Final = "door"
 DRAWER: Final = "drawer"
 HANDLE: Final = "handle"
 PART_KINDS = (DOOR, DRAWER, HANDLE)
+DRAWER_BOTTOM: Final = "drawer bottom"
+DRAWER_WALL: Final = "drawer wall"
+INSIDE_KINDS = (DRAWER_BOTTOM, DRAWER_WALL)
+"""What goes with a drawer's front, and shows when it is open."""
 BODY_OF: Mapping[str, str] = {DOOR: "fridge", DRAWER: "drawers"}
 """What a door or drawer belongs to, by the kinds that perception tells."""
 MEANT_BY: Mapping[str, str] = {

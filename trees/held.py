@@ -51,13 +51,7 @@ def held_object(toolbox: Toolbox, wanted: Thing | None, hand: Hand | None) -> He
         wanted: What is meant, or None for whatever is held.
         hand: The hand that is named, or None.
     """
-    frames = {frame: side for side, frame in toolbox.model.description.tcp_frames.items()}
-    fitting = []
-    for name, body in sorted(toolbox.world.scene.attached.items()):
-        side = frames.get(body.frame)
-        if side is None or hand not in (None, side) or not _is_meant(name, wanted):
-            continue
-        fitting.append(HeldObject(name, side, body.body.shape, body.frame_T_object))
+    fitting = [one for one in held_objects(toolbox, wanted) if hand in (None, one.hand)]
     if not fitting:
         what = "nothing" if wanted is None else f"no {wanted}"
         return Failure.postcondition(f"{what} is in the {hand} hand" if hand else f"{what} is in a hand")
@@ -68,6 +62,16 @@ def held_object(toolbox: Toolbox, wanted: Thing | None, hand: Hand | None) -> He
             opening_m=toolbox.grippers[held.hand].reading().opening_m,
         )
     return held
+
+
+def held_objects(toolbox: Toolbox, wanted: Thing | None = None) -> list[HeldObject]:
+    """Everything that the world model has in a hand and that may be meant, in the order of the names."""
+    frames = {frame: side for side, frame in toolbox.model.description.tcp_frames.items()}
+    return [
+        HeldObject(name, frames[body.frame], body.body.shape, body.frame_T_object)
+        for name, body in sorted(toolbox.world.scene.attached.items())
+        if body.frame in frames and fits(name, wanted)
+    ]
 
 
 def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
@@ -89,7 +93,8 @@ def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
     )
 
 
-def _is_meant(name: str, wanted: Thing | None) -> bool:
+def fits(name: str, wanted: Thing | None) -> bool:
+    """Tell whether kind, colour and name of a thing of the planning scene are those that are meant."""
     if not isinstance(wanted, ObjectDescription):
         return wanted is None
     kind, color = split_words(name)

@@ -41,6 +41,8 @@ class TreePolicy:
         search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
             too near for the head alone (on a high table with less of a lean: nothing is seen nearer to the
             camera than 0.3 m), then what is far to the sides.
+        first_lean_rad: Of the trunk, in the first look for what is to be picked up: what stands at the near
+            edge of a low table is below the picture of who stands upright, and in the way of the hand.
         survey_gazes: Where else the head looks before it is said which of several things is meant: what the
             first gaze cuts off on both sides of a table, without leaning.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
@@ -70,7 +72,8 @@ class TreePolicy:
         move_s: How long a move takes that is asked for without an end.
         level_gazes: The order in which people are looked for.
         looks_past: How often, after all gazes, the eyes are taken elsewhere, past what hides something.
-        inventory_gazes: The looks that together see everything within reach of the arms.
+        inventory_gazes: The looks that together see everything within reach of the arms, the near corners of
+            a table beside the robot at last.
         wave_swings: How often a waving hand goes from side to side.
         wave_width_m: From one side to the other.
         wave_least_m: A swing narrower than this, as measured, does not count.
@@ -117,6 +120,7 @@ class TreePolicy:
         Gaze("far left", tilt_rad=0.5, pan_rad=0.7),
         Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
     )
+    first_lean_rad: float = 0.2
     survey_gazes: tuple[Gaze, ...] = (
         Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),
         Gaze("to the right", tilt_rad=0.75, pan_rad=-0.5),
@@ -153,6 +157,8 @@ class TreePolicy:
         Gaze("near", tilt_rad=0.77, lean_rad=0.5),
         Gaze("near left", tilt_rad=0.7, pan_rad=-0.4, lean_rad=0.5, turn_rad=0.7),
         Gaze("near right", tilt_rad=0.7, pan_rad=0.4, lean_rad=0.5, turn_rad=-0.7),
+        Gaze("beside left", tilt_rad=0.77, pan_rad=0.2, lean_rad=0.35, turn_rad=0.4),
+        Gaze("beside right", tilt_rad=0.77, pan_rad=-0.2, lean_rad=0.35, turn_rad=-0.4),
     )
     looks_past: int = 6
     wave_swings: int = 4

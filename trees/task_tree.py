@@ -11,6 +11,7 @@ from py_trees.common import Status
 from trees.events import LeafFailed, NodeChanged
 from trees.failure_chain import failure_of, place_of
 from trees.failures import Failure, FailureKind, Number
+from trees.handles import BODY_OF, DRAWER, HandleTarget
 from trees.leaf import Leaf, from_exception
 from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
@@ -34,7 +35,8 @@ class TaskTree:
         status: "running" until it has ended, then "success" or "failure".
         failure: Why it failed or was halted, the whole chain; None otherwise.
         evidence: What the robot measured that proves the success; empty before.
-        acted_on: Name in the planning scene of the object that it was about; None before one was chosen.
+        acted_on: Name in the planning scene of the object that it was about, or of what was opened or closed;
+            None before one was chosen.
         others: Names of further objects that the task means, for trees of their own.
     """
 
@@ -148,6 +150,9 @@ class TaskTree:
         if isinstance(target, Target):
             self.acted_on = self._toolbox.world.last_acted_on = target.name
             self.others = tuple(self._written("others") or ())
+        handle = self._written("handle")
+        if isinstance(handle, HandleTarget):
+            self.acted_on = handle.part if handle.kind == DRAWER else BODY_OF[handle.kind]
         for table in (Blackboard.storage, Blackboard.metadata):
             for key in [key for key in table if key.startswith(f"{self._namespace}/")]:
                 del table[key]

@@ -36,6 +36,7 @@ class Pairs(NamedTuple):
         limb_bodies: Bodies that carry solids, by limb.
         body_start: Where the solids of each of those bodies begin in ``body_solids``.
         body_solids: The moving solids by body, shape (moving,).
+        object_low, object_high: Boxes along the world's axes that hold the objects, shape (3, objects), m.
     """
 
     first: Indices
@@ -55,6 +56,8 @@ class Pairs(NamedTuple):
     limb_bodies: Indices
     body_start: Indices
     body_solids: Indices
+    object_low: Array
+    object_high: Array
 
 
 class OwnPair(NamedTuple):
@@ -123,7 +126,13 @@ def joined(one: OwnPairs, other: OwnPairs) -> OwnPairs:
 
 
 def pairs_of(
-    own: OwnPairs, limb: Indices, limbs: int, body: Sequence[int], object_margin: Array, judged: Indices
+    own: OwnPairs,
+    limb: Indices,
+    limbs: int,
+    body: Sequence[int],
+    object_margin: Array,
+    judged: Indices,
+    object_box: Array,
 ) -> Pairs:
     """All pairs of a scene.
 
@@ -132,6 +141,7 @@ def pairs_of(
         limb, limbs: Limb of each body, and how many there are.
         body: Body of each moving solid.
         object_margin, judged: As in ``Pairs``.
+        object_box: ``object_low`` and ``object_high`` of ``Pairs``, shape (2, 3, objects), m.
     """
     carrier = np.array(body, np.int64)
     order = np.lexsort((carrier, limb[carrier]))
@@ -147,6 +157,8 @@ def pairs_of(
         limb_bodies=carriers[place],
         body_start=_starts(counts[place]),
         body_solids=order.astype(np.int64),
+        object_low=object_box[0],
+        object_high=object_box[1],
     )
 
 

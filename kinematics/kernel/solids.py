@@ -20,6 +20,8 @@ Indices = NDArray[np.int64]
 HULL, BOX, CYLINDER, POINT, SEGMENT = 0, 1, 2, 3, 4
 # Vertices are left out of a hull as long as none of them is farther from the rest than this.
 REDUCTION_M = 0.002
+# The same for the rough hull that is asked first.
+ROUGH_M = 0.01
 
 
 class Solids(NamedTuple):
@@ -37,6 +39,8 @@ class Solids(NamedTuple):
         all: First and last row of all its vertices, shape (s, 2).
         points: Vertices in the body's frame, shape (n, 3), m.
         centre, radius: Bounding ball in the body's frame, shapes (s, 3) and (s,), m.
+        rough: The chosen vertices up to this row are a rough hull, shape (s,).
+        rough_pad: With this rounding it encloses the whole hull, shape (s,), m.
     """
 
     kind: Indices
@@ -51,6 +55,8 @@ class Solids(NamedTuple):
     points: Array
     centre: Array
     radius: Array
+    rough: Indices
+    rough_pad: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +73,16 @@ class Solid:
     few: Array
     all: Array
     pad_m: float = 0.0
+    rough: int = 0
+    rough_pad_m: float = 0.0
+
+    def half_extents_m(self) -> Array:
+        """Half-sizes of the box along its body's axes that just holds it, shape (3,); not of a hull."""
+        R, size = self.pose[:3, :3], self.size
+        if self.kind == BOX:
+            return np.asarray(np.abs(R) @ size + self.round_m)
+        around = size[0] * np.sqrt(R[:, 0] ** 2 + R[:, 1] ** 2) + size[1] * np.abs(R[:, 2])
+        return np.asarray(around + self.round_m)
 
 
 _NO_POINTS = np.zeros((0, 3))
@@ -119,11 +135,15 @@ def _hull(body: int, points: Array) -> Solid:
 
     points = np.ascontiguousarray(points)
     order = np.empty(len(points), np.int64)
+    # vertices are chosen in one order, whatever the tolerance
+    rough, rough_pad = reduced_hull(points, ROUGH_M, order)
     count, pad = reduced_hull(points, REDUCTION_M, order)
     few = points[order[:count]]
     centre = _ball_centre(points)
     radius = float(np.linalg.norm(points - centre, axis=1).max())
-    return Solid(HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad)
+    return Solid(
+        HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad
+    )
 
 
 def _ball_centre(points: Array) -> Array:
@@ -152,6 +172,8 @@ def flatten(solids: Sequence[Solid]) -> Solids:
         points=np.concatenate([_NO_POINTS, *clouds]),
         centre=np.array([solid.centre for solid in solids], np.float64).reshape(-1, 3),
         radius=np.array([solid.radius_m for solid in solids], np.float64),
+        rough=ends[:-1:2] + np.array([solid.rough for solid in solids], np.int64),
+        rough_pad=np.array([solid.rough_pad_m for solid in solids], np.float64),
     )
 
 

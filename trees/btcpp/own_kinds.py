@@ -18,6 +18,7 @@ from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
+from trees.unless_held import UnlessHeld
 from trees.unless_seen import UnlessSeen
 
 JUDGES = Callable[[Failure], bool]
@@ -114,6 +115,14 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
             _failure("input"),
         ),
         (1, 1),
+        transparent=True,
+    ),
+    UnlessHeld: NodeKind(
+        "UnlessHeld",
+        "Decorator",
+        lambda parts: UnlessHeld(parts.children[0]),
+        ports=(Port("in_hand", "input", "bool", description="whether it is held already"),),
+        children=(1, 1),
         transparent=True,
     ),
     UnlessSeen: NodeKind(

@@ -6,6 +6,7 @@ from py_trees.common import Status
 
 from trees.contract import Contract
 from trees.failures import Failure
+from trees.free_hand import free_hands
 from trees.held import HeldObject
 from trees.leaf import DONE, Leaf
 from trees.ports import optional, ports
@@ -18,7 +19,7 @@ class AskForPick(Leaf):
     INPUT_PORTS = ports(task=object, held=optional(HeldObject))
     OUTPUT_PORTS = ports(pick_task=PickTask)
     CONTRACT = Contract(
-        precondition="no hand holds anything",
+        precondition="a hand is free",
         postcondition="the pick is described",
         deadline_s=1.0,
     )
@@ -33,9 +34,9 @@ class AskForPick(Leaf):
             return DONE
         if task.object is None:
             return Failure.postcondition("nothing is in a hand, and nothing was named")
-        if self.toolbox.world.scene.attached:
-            held = ", ".join(sorted(self.toolbox.world.scene.attached))
-            return Failure.infeasible(f"the hands are not free: they hold the {held}")
+        free = free_hands(self.toolbox, task.hand)
+        if isinstance(free, Failure):
+            return free
         source = getattr(task, "source", None)
         self._set_output("pick_task", PickTask(task.text, task.object, source, task.hand))
         return DONE

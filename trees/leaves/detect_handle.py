@@ -9,7 +9,7 @@ from py_trees.common import Status
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
-from trees.handles import MEANT_BY, PART_KINDS, HandleTarget, handles_in
+from trees.handles import INSIDE_KINDS, MEANT_BY, PART_KINDS, HandleTarget, handles_in
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.odometry import feet_pose
@@ -40,7 +40,7 @@ class DetectHandle(LookLeaf):
         world, policy = self.toolbox.world, self.toolbox.policy
         estimates = estimates_of(views)
         scene = world.scene
-        fresh = {estimate.kind for estimate in estimates} & set(PART_KINDS)
+        fresh = {estimate.kind for estimate in estimates} & {*PART_KINDS, *INSIDE_KINDS}
         for name in [name for name in scene.objects if kind_of(name) in fresh]:
             scene = scene.without_object(name)  # unlike other furniture, these move
         camera, pose = self.toolbox.model.description.camera, views[-1].odom_T_camera

@@ -14,11 +14,14 @@ from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.destination import Place, resolve
+from trees.drawer_inside import inside_of_drawer, spots_in_drawer
 from trees.failures import Failure
+from trees.handles import DRAWER, MEANT_BY
 from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
+from trees.scene_update import kind_of
 from trees.tasks import PutInTask
 
 # Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.
@@ -37,7 +40,8 @@ class FindContainer(LookAround):
     OUTPUT_PORTS = ports(spots=tuple, place=Place)
     CONTRACT = Contract(
         precondition="the head is at rest; the object is an attached body",
-        postcondition="exactly one container that fits was seen, wide enough for the object",
+        postcondition="exactly one container that fits was seen, wide enough for the object, and if it is "
+        "a drawer, open",
         deadline_s=2.0,
     )
 
@@ -47,15 +51,23 @@ class FindContainer(LookAround):
         place = resolve(self.get_input("task").to, seen, self.around())
         if isinstance(place, Failure):
             return place
-        if place.category != "object":
-            return Failure.infeasible(f"nothing can be put into the {place.name}")
-        spots = _spots(held, place)
+        spots = self._spots_in(held, place)
+        if isinstance(spots, Failure):
+            return spots
         if not spots:
             return Failure.infeasible(f"the {held.name} is too wide for the {place.name}")
         self._set_output("place", place)
         self._set_output("spots", spots)
         self.feedback_message = f"into the {place.name}"
         return DONE
+
+    def _spots_in(self, held: HeldObject, place: Place) -> tuple[Spot, ...] | Failure:
+        if place.category == "object":
+            return _spots(held, place)
+        if MEANT_BY.get(kind_of(place.name)) != DRAWER:
+            return Failure.infeasible(f"nothing can be put into the {place.name}")
+        inside = inside_of_drawer(self.toolbox.world.scene)
+        return inside if isinstance(inside, Failure) else spots_in_drawer(held, inside)
 
 
 def _spots(held: HeldObject, place: Place) -> tuple[Spot, ...]:

@@ -15,10 +15,11 @@ from robots.control.motion_handle import MotionHandle
 from robots.control.yield_order import YieldOrder
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.handles import OPEN_TO, SHUT
+from trees.handles import INSIDE_KINDS, OPEN_TO, SHUT
 from trees.held_handle import HeldHandle, scene_of_hand, tcp_m
 from trees.leaf import DONE, RUNNING
 from trees.ports import ports
+from trees.scene_update import kind_of
 from trees.yielding_leaf import YieldingLeaf
 
 _MOST_S = 40.0
@@ -119,7 +120,8 @@ class LeadHandle(YieldingLeaf):
         self._told = True
         world, target = self.toolbox.world, held.target
         named = dict.fromkeys((target.part, target.handle))
-        parts = tuple(name for name in named if name in world.scene.objects)
+        inside = [name for name in world.scene.objects if kind_of(name) in INSIDE_KINDS]
+        parts = tuple(name for name in (*named, *sorted(inside)) if name in world.scene.objects)
         if not parts or opening == target.opening:
             return
         scene = scene_at(world.scene, parts, target.path, target.opening, opening)

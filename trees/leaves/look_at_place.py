@@ -7,7 +7,7 @@ import math
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.body_gaze import body_gaze
+from kinematics.body_gaze import body_gaze, pelvis_offset
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
 from trees.destination import Place
@@ -19,7 +19,7 @@ from trees.ports import ports
 
 
 class LookAtPlace(PlannedMotionLeaf):
-    """Turn the head, and where that is not enough the trunk, to what is meant."""
+    """Turn the head, and where that is not enough trunk and pelvis, to what is meant."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports(evidence=dict)
@@ -32,19 +32,21 @@ class LookAtPlace(PlannedMotionLeaf):
     )
 
     def goal(self) -> MoveRequest | Failure:
-        """A motion of head and trunk alone."""
+        """A motion of head and trunk alone, unless these do not get there."""
         toolbox, place = self.toolbox, self.get_input("place")
         reference = toolbox.motion.reference()
         turning = turning_joint(toolbox.model.description)
-        joints = body_gaze(toolbox.model, reference, place.aim_m, turning)
-        if joints is None:
+        gaze = body_gaze(toolbox.model, reference, place.aim_m, turning)
+        if gaze is None:
             return Failure.infeasible(f"no posture looks at the {place.name} from here")
+        x, y, z = (float(value) for value in pelvis_offset(reference, gaze.pelvis_m))
         return MoveRequest(
             q_start=reference,
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
-            joints=joints,
+            joints=gaze.joints,
             keep_others=True,
+            pelvis_m=(x, y, z),
             seed=int(toolbox.rng.integers(2**31)),
         )
 

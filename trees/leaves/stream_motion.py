@@ -44,5 +44,5 @@ class StreamMotion(MotionLeaf):
     @property
     def deadline_s(self) -> float:
         """The contract's deadline, longer by the motion's duration."""
-        step: CheckedStep = self.get_input("checked")
-        return self.CONTRACT.deadline_s + step.checked.trajectory.duration_s
+        step: CheckedStep | None = self.optional("checked")
+        return self.CONTRACT.deadline_s + (0.0 if step is None else step.checked.trajectory.duration_s)

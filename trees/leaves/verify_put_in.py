@@ -14,6 +14,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.bystanders import disturbed
 from trees.contract import Contract
 from trees.destination import Place
+from trees.drawer_inside import inside_of_drawer
 from trees.failures import Failure
 from trees.held import HeldObject
 from trees.leaf import DONE
@@ -44,10 +45,15 @@ class VerifyPutIn(LookAround):
         held, place = self.get_input("held"), self.get_input("place")
         if self.toolbox.grippers[held.hand].reading().holding:
             return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
+        drawer = inside_of_drawer(self.toolbox.world.scene) if place.category == "furniture" else None
+        if isinstance(drawer, Failure):
+            return drawer
         container = seen.get(place.name)
-        if container is None:
+        if container is None and drawer is None:
             return Failure.postcondition(f"the {place.name} is not seen where it was")
-        pushed_m = float(np.linalg.norm((container.odom_T_object - place.odom_T_place)[:2, 3]))
+        # of a drawer its front is out of sight when the head looks into it
+        now = place.odom_T_place if container is None else container.odom_T_object
+        pushed_m = float(np.linalg.norm((now - place.odom_T_place)[:2, 3]))
         if pushed_m > _PUSHED_M:
             return Failure.postcondition(f"the {place.name} was pushed", pushed_m=pushed_m)
         stood = self.get_input("stood")  # one like it that was there before tells nothing
@@ -57,7 +63,15 @@ class VerifyPutIn(LookAround):
             if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
             if name not in stood
         ]
-        inside = [item for item in same if _inside(item, container)]
+        inside = [
+            item
+            for item in same
+            if (
+                drawer.holds(item.odom_T_object[:3, 3])
+                if drawer is not None
+                else container is not None and _inside(item, container)
+            )
+        ]
         if not inside:
             where = f"is seen beside the {place.name}" if same else f"is not seen in the {place.name}"
             return Failure.postcondition(f"the {held.name} {where}")

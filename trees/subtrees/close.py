@@ -15,8 +15,8 @@ from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.lead_handle import LeadHandle, is_stuck
 from trees.leaves.look_at import LookAt
 from trees.leaves.names_door import NamesDoor
+from trees.leaves.reach_watching import ReachWatching
 from trees.leaves.step_back import StepBack
-from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.touch_front import TouchFront
 from trees.leaves.verify_opening import VerifyOpening
 from trees.retry import Retry
@@ -64,7 +64,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         planned("plan push", toolbox),
         sequence(
             "push",
-            StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
+            ReachWatching("stream reach", toolbox, {"checked": "checked_reach"}),
             ApproachHandle("approach", toolbox),
             TouchFront("touch front", toolbox),
             LeadHandle("push front", toolbox),

@@ -20,9 +20,9 @@ from trees.leaves.lead_handle import LeadHandle, is_stuck, slips_off
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_handle import LookAtHandle
 from trees.leaves.plan_handle import PlanHandle
+from trees.leaves.reach_watching import ReachWatching
 from trees.leaves.release import Release
 from trees.leaves.step_back import StepBack
-from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_opening import VerifyOpening
 from trees.policy import Gaze
 from trees.retry import Retry
@@ -103,7 +103,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         sequence(
             "reach",
             Release("open gripper", toolbox),
-            StreamMotion("stream reach", toolbox, {"checked": "checked_reach"}),
+            ReachWatching("stream reach", toolbox, {"checked": "checked_reach"}),
             ApproachHandle("approach", toolbox),
         ),
         sequence("grasp", GraspHandle("grasp handle", toolbox)),

@@ -16,6 +16,7 @@ from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.close_gripper import CloseGripper
 from trees.leaves.confirm_target import ConfirmTarget
 from trees.leaves.go_home import GoHome
+from trees.leaves.hand_for_it import HandForIt
 from trees.leaves.look_at import LookAtTarget, LookAtWay
 from trees.leaves.open_gripper import OpenGripper
 from trees.leaves.plan_pick import PlanPick
@@ -29,11 +30,18 @@ from trees.retry import Retry
 from trees.subtrees.recover import recover
 from trees.subtrees.search import search_from_home_too
 from trees.toolbox import Toolbox
+from trees.unless_held import UnlessHeld
 from trees.unless_seen import UnlessSeen
 
 
-def pick(toolbox: Toolbox) -> CleanUp:
-    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+def pick(toolbox: Toolbox) -> Behaviour:
+    """The whole skill, unless it is held already. Reads "task" of the tree's namespace, writes "evidence"."""
+    root = _sequence("pick", HandForIt("a hand for it", toolbox), UnlessHeld(_fetched(toolbox)))
+    root.transparent = True
+    return root
+
+
+def _fetched(toolbox: Toolbox) -> CleanUp:
     attempts = Retry(
         "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
     )
@@ -72,6 +80,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
             PlanPick("plan pick", toolbox),
             _look_where_the_hand_goes(toolbox),
             _look_where_the_hand_goes(toolbox),  # the other hand, perhaps
+            _look_where_the_hand_goes(toolbox),  # and what was found on its way
             CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
             CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
             CheckTrajectory("check lift", toolbox, {"step": "lift", "checked": "checked_lift"}),

@@ -52,7 +52,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         look_over(toolbox),
-        LookAtPlacement("look", toolbox),
+        BestEffort(LookAtPlacement("look", toolbox)),
         VerifyPlaced("verify placed", toolbox),
     ]
     return tidily("place", children, toolbox)

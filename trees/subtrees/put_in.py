@@ -1,4 +1,7 @@
-"""Put an object into something: over its opening, as deep as the hand gets, let go, look."""
+"""Put an object into something: over its opening, as deep as the hand gets, let go, look.
+
+A drawer has to be open: that is looked at before anything is picked up.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.let_go import LetGo
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.not_shut import NotShut
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
@@ -62,6 +66,7 @@ def put_in(toolbox: Toolbox) -> Behaviour:
     ]
     children: list[Behaviour] = [
         look_over(toolbox),
+        NotShut("is it open", toolbox),
         regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),

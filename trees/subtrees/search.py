@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
@@ -24,7 +26,9 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     When several things fit, or the description compares them, the head looks to both sides before one is
     chosen or a question is put: what is out of view counts as well.
     """
-    gazes, survey = toolbox.policy.search_gazes, toolbox.policy.survey_gazes
+    policy, survey = toolbox.policy, toolbox.policy.survey_gazes
+    upright, *others = policy.search_gazes
+    gazes = [replace(upright, lean_rad=policy.first_lean_rad), *others, replace(upright, name="far ahead")]
     looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
     looks += [_look(gaze, toolbox, surveyed=gaze is survey[-1]) for gaze in survey]
     return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)

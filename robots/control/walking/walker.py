@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -202,7 +200,7 @@ class Walker:
         q, v = standing.q.copy(), standing.v.copy()
         q[: self._bodies], v[: self._bodies] = self._walk.joints(body)
         owners = [self._owner] if standing.owner == HOLD else [self._owner, standing.owner]
-        return dataclasses.replace(standing, owner=together(owners), q=q, v=v, body=body, efforts=efforts)
+        return Proposal(together(owners), q, v, body, standing.refusal, efforts)
 
     def commit(self) -> tuple[Stance, Array] | None:
         """The last proposal is what the robot follows now.

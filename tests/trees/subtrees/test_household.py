@@ -8,8 +8,11 @@ from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandReq
 from kinematics.requests import NoPlan
 from kinematics.shapes import Box
 from kinematics.view_request import ViewRequest
+from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.fake.fake_world import bowl, cup, person, table
+from robots.furniture import floor_pose, solids
 from robots.perception.truth_view import TrueObject
+from robots.scene_file import load_scene
 from trees.build import build_tree
 from trees.events import Said
 from trees.failures import FailureKind
@@ -304,6 +307,59 @@ def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):
 
     assert tree.status == "failure"
     assert "beside" in tree.failure.message
+
+
+def chest(opening_m):
+    """A chest of drawers ahead, its drawer out so far, as the truth has it."""
+    (piece,) = load_scene("drawers").furniture
+    fixed = [
+        TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
+        for solid in solids(piece)
+    ]
+    part = floor_pose(piece) @ furniture_T_part(piece) @ opened(piece, opening_m)
+    moving = [
+        TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, part @ solid.part_T_solid)
+        for solid in moving_solids(piece)
+        if solid.kind
+    ]
+    return *fixed, *moving
+
+
+ON_THE_CHEST = cup(place_m=(0.85, 0.33), table_height_m=1.05)
+
+
+def test_a_cup_is_put_into_an_open_drawer(stage_with):
+    stage = stage_with(*chest(0.3), ON_THE_CHEST)
+
+    tree = run(stage, PutInTask("put the red cup in the drawer", RED_CUP, "drawer"))
+
+    place = stage.fake.world.object("red cup").world_T_object[:3, 3]
+    assert tree.status == "success"
+    assert tree.evidence["in"] == "drawer"
+    assert 0.45 < place[0] < 0.72
+    assert 0.2 < place[1] < 0.56
+
+
+@pytest.mark.requirement("F1")
+def test_a_shut_drawer_is_told_before_anything_is_picked_up(stage_with):
+    stage = stage_with(*chest(0.0), ON_THE_CHEST)
+
+    tree = run(stage, PutInTask("put the red cup in the drawer", RED_CUP, "drawer"))
+
+    assert tree.status == "failure"
+    assert tree.failure.kind is FailureKind.INFEASIBLE
+    assert "the drawer is shut: open it first" in tree.failure.message
+    assert not [name for name in map(str, stage.fake.motion.started) if "gripper" in name]
+
+
+def test_a_cup_that_lies_on_the_chest_afterwards_is_not_claimed_to_be_in_the_drawer(stage_with):
+    stage = stage_with(*chest(0.3), ON_THE_CHEST)
+    stage.when("clear the view", lambda: stage.fake.world.move("red cup", (0.3, 0.0, 0.2)))
+
+    tree = run(stage, PutInTask("put the red cup in the drawer", RED_CUP, "drawer"))
+
+    assert tree.status == "failure"
+    assert "red cup" in tree.failure.message
 
 
 def test_an_object_is_given_to_whom_pulls(stage_with):

@@ -1,0 +1,104 @@
+"""Picking something up while a hand is full: said at once, or done with the other hand."""
+
+import pytest
+
+from robots.fake.fake_world import cup, table
+from trees.build import build_tree
+from trees.failures import FailureKind
+from trees.tasks import ObjectDescription, PickTask, PlaceTask
+
+RED_CUP, BLUE_CUP = ObjectDescription("cup", "red"), ObjectDescription("cup", "blue")
+AT_ONCE_S = 0.3
+
+
+@pytest.fixture
+def stage(stage_with):
+    """Two cups, the red one in the right hand."""
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.45, 0.2)))
+    assert stage.play(stage.pick()).evidence["hand"] == "right"
+    return stage
+
+
+def run(stage, task):
+    return stage.play(build_tree(task, stage.toolbox))
+
+
+def carried_by(stage, name):
+    return stage.fake.world.carried_by(name)
+
+
+@pytest.mark.parametrize("hand", [None, "right"])
+def test_what_was_asked_for_and_is_held_already_is_done_at_once(stage, hand):
+    began_s, moved = stage.fake.clock.now_s(), len(stage.fake.motion.started)
+
+    tree = run(stage, PickTask("pick up the red cup", RED_CUP, hand=hand))
+
+    assert tree.status == "success"
+    assert tree.evidence["already_held"]
+    assert tree.acted_on == "red cup"
+    assert stage.fake.clock.now_s() - began_s < AT_ONCE_S
+    assert len(stage.fake.motion.started) == moved
+
+
+def test_what_the_other_hand_holds_is_told_at_once_and_nothing_moves(stage):
+    began_s, moved = stage.fake.clock.now_s(), len(stage.fake.motion.started)
+
+    tree = run(stage, PickTask("pick it up with the left hand", RED_CUP, hand="left"))
+
+    assert tree.status == "failure"
+    assert tree.failure.kind is FailureKind.INFEASIBLE
+    assert "the red cup is in the right hand already, not in the left" in tree.failure.message
+    assert stage.fake.clock.now_s() - began_s < AT_ONCE_S
+    assert len(stage.fake.motion.started) == moved
+
+
+def test_a_full_hand_that_is_named_is_told_at_once(stage):
+    tree = run(stage, PickTask("pick up the blue cup with the right hand", BLUE_CUP, hand="right"))
+
+    assert tree.failure.kind is FailureKind.INFEASIBLE
+    assert "no hand is free: the right hand holds the red cup" in tree.failure.message
+
+
+def test_another_thing_is_taken_with_the_other_hand(stage):
+    tree = run(stage, PickTask("pick up the blue cup", BLUE_CUP))
+
+    assert tree.status == "success"
+    assert (carried_by(stage, "red cup"), carried_by(stage, "blue cup")) == ("right", "left")
+
+
+def test_with_both_hands_full_nothing_else_is_looked_for(stage):
+    run(stage, PickTask("pick up the blue cup", BLUE_CUP))
+    began_s = stage.fake.clock.now_s()
+
+    tree = run(stage, PickTask("pick up a can", ObjectDescription("can")))
+
+    assert tree.failure.kind is FailureKind.INFEASIBLE
+    assert "no hand is free" in tree.failure.message
+    assert stage.fake.clock.now_s() - began_s < AT_ONCE_S
+
+
+@pytest.mark.parametrize("wanted", [ObjectDescription("cup"), ObjectDescription("cup", ordinal="other")])
+def test_a_description_that_also_fits_another_thing_means_that(stage, wanted):
+    tree = run(stage, PickTask("pick up the cup", wanted))
+
+    assert tree.status == "success"
+    assert carried_by(stage, "blue cup") == "left"
+
+
+def test_what_a_hand_has_lost_in_between_is_picked_up_again(stage):
+    stage.fake.world.remove("red cup")
+    stage.fake.step()
+    stage.fake.world.put(cup())
+
+    tree = run(stage, PickTask("pick up the red cup", RED_CUP))
+
+    assert tree.status == "success"
+    assert "already_held" not in tree.evidence
+    assert carried_by(stage, "red cup") == "right"
+
+
+def test_something_else_is_put_down_with_the_free_hand(stage):
+    tree = run(stage, PlaceTask("put the blue cup on the table", BLUE_CUP, on="table"))
+
+    assert tree.status == "success"
+    assert (carried_by(stage, "red cup"), carried_by(stage, "blue cup")) == ("right", None)
