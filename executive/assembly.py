@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -23,7 +23,9 @@ from robots.control.control_loop import ControlLoop
 from robots.description import load_description_for_tasks
 from robots.perception.place_map import place_map
 from robots.perception.stub import PerceptionStub
+from robots.planned_fault import PlannedFault
 from robots.scene_description import SceneDescription
+from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
 from trees.policy import TreePolicy
@@ -140,3 +142,13 @@ def assemble(
         pausing=loop,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)
+
+
+def plan_faults(world: SimulatedWorld, faults: Iterable[PlannedFault]) -> None:
+    """Let things go wrong on purpose, each at its simulated time.
+
+    Raises:
+        ValueError: There is no such joint or object.
+    """
+    for fault in faults:
+        plan_fault(world, fault)

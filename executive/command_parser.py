@@ -71,7 +71,7 @@ def parser_with(user_files: tuple[Path, ...] = ()) -> CommandParser:
     Raises:
         VocabularyError: A file of words is malformed.
     """
-    return CommandParser(load_vocabulary(user_files), _rules())
+    return CommandParser(load_vocabulary(user_files, cache_directory()), _rules())
 
 
 @lru_cache(maxsize=1)
@@ -137,6 +137,13 @@ class CommandParser:
             choices = tuple(
                 ", then ".join(wording(command) for command in commands) for commands in understood
             )
+            if len(set(choices)) < len(choices):  # the same words, and different things to do
+                choices = tuple(
+                    ", then ".join(
+                        f"{command.action.replace('_', ' ')} ({wording(command)})" for command in one
+                    )
+                    for one in understood
+                )
             return Parsed(
                 text, question=Question("this can be read in several ways; which is meant?", choices)
             )

@@ -22,6 +22,7 @@ from executive.clarification import (
 )
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
+from executive.preparing import prepared, spoken_by
 from executive.references import references, with_references
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
@@ -30,8 +31,8 @@ from kinematics import poses
 from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
 from trees.failures import Failure, FailureKind
-from trees.grounding import exactly, ground
-from trees.tasks import ObjectOf, Task
+from trees.grounding import Found, exactly, ground
+from trees.tasks import ObjectOf, PickTask, Task
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -70,7 +71,10 @@ class Errand:
         if refused is not None:
             return (refused,)
         results: list[TaskResult] = []
-        for command, provenance in zip(self._commands, self._provenance, strict=True):
+        speaker = ""
+        for step in prepared(self._commands, self._walks(), self._in_view):
+            provenance = None if step.said is None else self._provenance[step.said]
+            command = spoken_by(step.command, speaker) if speaker else step.command
             names: list[str] = []
             waiting = list(self._filled(command))
             while waiting:
@@ -80,8 +84,21 @@ class Errand:
                     return tuple(results)
                 names += [] if result.acted_on is None else [result.acted_on]
                 waiting[:0] = [_of_one(command, name) for name in result.others]
-            self._acted_on.append(tuple(names))
+                if step.finds_speaker:
+                    speaker = str(result.evidence.get("found", ""))
+            if step.said is not None:
+                self._acted_on.append(tuple(names))
         return tuple(results)
+
+    def _in_view(self, pick: PickTask) -> bool:
+        """Whether the object of a pick is believed to be where it is said to be."""
+        if isinstance(pick.object, ObjectOf) or isinstance(pick.source, ObjectOf):
+            return False
+        return isinstance(ground(pick.object, self._around(), pick.source, pick.count), Found)
+
+    def _walks(self) -> bool:
+        toolbox = self._session.toolbox
+        return toolbox.walking is not None and toolbox.model.description.walking is not None
 
     # --- one task, with its questions -----------------------------------------------------------
 

@@ -35,12 +35,13 @@ class NotWritableError(UserError):
 
 
 class UnknownRunError(UserError):
-    """A recorded run that is not there."""
+    """A recorded run that is not there; ``looked`` is where it was looked for."""
 
-    def __init__(self, name: str, known: Sequence[str]) -> None:
+    def __init__(self, name: str, known: Sequence[str], looked: Sequence[Path] = ()) -> None:
         close = difflib.get_close_matches(name, known, n=1, cutoff=0.3)
         hint = f"; the nearest is {close[0]!r}" if close else f"; {len(known)} runs are recorded"
-        super().__init__(f"no recorded run {name!r}{hint}")
+        where = f" in {', '.join(map(str, looked))}; a run's folder can be given as well" if looked else ""
+        super().__init__(f"no recorded run {name!r}{hint}{where}")
 
 
 class ScriptError(UserError):

@@ -21,6 +21,7 @@ from executive.outputs.report import Report, SafetyCounts
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
+from executive.settled_heap import settled_heap
 from kinematics.trajectory_document import StoredTrajectory, write_trajectory
 from robots.control.events import SetpointRefused, StopStarted
 from robots.description import load_description_for_tasks
@@ -91,6 +92,7 @@ def perform(
         "on_question": request.on_question,
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
+        **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
     }
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     tally = _Tally()
@@ -167,7 +169,7 @@ def _results(
     spoiled = [one for one in statements if not may_start(one)]
     if spoiled or not any(one.parsed.commands for one in statements):
         return [(one, [not_understood(one, 0.0, sink)]) for one in spoiled[:1] or statements], 0
-    from executive.assembly import assemble
+    from executive.assembly import assemble, plan_faults
 
     def judged(stored: StoredTrajectory, safe: bool) -> None:
         if keep is not None:
@@ -177,11 +179,12 @@ def _results(
     assembly = assemble(
         request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=on_judged
     )
+    plan_faults(assembly.world, request.faults)
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
     attendant.begin(assembly.session)
-    with _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
+    with settled_heap(), _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)

@@ -23,6 +23,7 @@ from executive.run_log import RecordedRun
 from executive.run_request import RunRequest
 from executive.task_script import load_script, script_for
 from executive.trust import Trust
+from robots.planned_fault import PlannedFault, fault_from_json
 
 _SHOWN = 400
 """Characters of a differing event that are shown."""
@@ -160,7 +161,16 @@ def _request(recorded: RecordedRun, folder: Path) -> RunRequest:
         record=folder,
         on_question=header.get("on_question", "ask"),
         trust=trust,
+        faults=_faults(recorded),
     )
+
+
+def _faults(recorded: RecordedRun) -> tuple[PlannedFault, ...]:
+    """What went wrong on purpose, to go wrong again at the same instants."""
+    try:
+        return tuple(fault_from_json(one) for one in recorded.header.get("faults", ()))
+    except (TypeError, ValueError) as wrong:
+        raise NotReplayableError(recorded.name, f"its faults: {wrong}") from wrong
 
 
 def _recorded_lines(recorded: RecordedRun) -> list[str]:

@@ -132,6 +132,11 @@ def recorded_runs(directory: Path) -> list[RecordedRun]:
     return [run for run in found if run is not None]
 
 
+def run_in(folder: Path) -> RecordedRun | None:
+    """The run that a folder holds, or None when it is no run's folder."""
+    return _read(folder.resolve())
+
+
 def recorded_run(directory: Path, name: str) -> RecordedRun:
     """One run by its name, or the latest.
 

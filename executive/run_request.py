@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from executive.trust import OnQuestion, Trust
+from robots.planned_fault import PlannedFault
 
 if TYPE_CHECKING:
     from executive.statement import Statement
@@ -34,6 +35,7 @@ class RunRequest:
         trust: How far a model's output is trusted.
         script: The task script that the statements come from, or None.
         junit: Where to write a JUnit report, or None.
+        faults: What goes wrong on purpose in the simulated world, for tests and evaluations.
     """
 
     input: str
@@ -50,3 +52,4 @@ class RunRequest:
     trust: Trust = field(default_factory=Trust)
     script: Path | None = None
     junit: Path | None = None
+    faults: tuple[PlannedFault, ...] = ()

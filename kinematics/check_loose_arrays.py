@@ -59,4 +59,6 @@ def loose_solids(solids: Solids) -> Solids:
         loose2(solids.points),
         loose2(solids.centre),
         loose1(solids.radius),
+        loose_ints1(solids.rough),
+        loose1(solids.rough_pad),
     )

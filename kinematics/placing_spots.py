@@ -137,29 +137,33 @@ def _chosen(
     known: Callable[[Array], bool],
 ) -> list[FreeSpot]:
     height = float(top.world_T_object[2, 3]) + 0.5 * top.shape.height_m
-    around = [
-        (item.world_T_object[:2, 3], footprint_radius_m(item.shape))
-        for item in scene.objects.values()
-        if item.name != top.name and _stands_at(item, height)
-    ]
+    around = [item for item in scene.objects.values() if item.name != top.name and _stands_at(item, height)]
+    listed = list(places)
     free = []
-    for place in places:
-        gap = min(
-            (float(np.linalg.norm(place[:2] - at)) - radius - radius_m for at, radius in around),
-            default=ROOM_M,
-        )
+    for place, gap in zip(listed, _gaps_m(listed, around, radius_m), strict=True):
         if gap >= GAP_M:
             crowded = max(0.0, 1.0 - gap / ROOM_M)
             free.append(FreeSpot(place, wish(place) + ROOM_COST * crowded * 0.2))
     free.sort(key=lambda spot: (spot.cost, *spot.place_m.tolist()))
     chosen: list[FreeSpot] = []
     for spot in free:
-        apart = all(np.linalg.norm(spot.place_m - other.place_m) >= APART_M for other in chosen)
+        apart = all(math.dist(spot.place_m, other.place_m) >= APART_M for other in chosen)
         if apart and known(spot.place_m):
             chosen.append(spot)
         if len(chosen) == MOST:
             break
     return chosen
+
+
+def _gaps_m(places: list[Array], around: list[SceneObject], radius_m: float) -> list[float]:
+    """From each place's foot to that of its nearest neighbour."""
+    if not places or not around:
+        return [ROOM_M] * len(places)
+    at = np.array([item.world_T_object[:2, 3] for item in around])
+    radii = np.array([footprint_radius_m(item.shape) for item in around])
+    ways = np.array(places)[:, None, :2] - at
+    gaps: list[float] = (np.sqrt((ways * ways).sum(axis=2)) - radii - radius_m).min(axis=1).tolist()
+    return gaps
 
 
 def _stands_at(item: SceneObject, height_m: float) -> bool:

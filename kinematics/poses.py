@@ -77,19 +77,20 @@ def vector_from_rotation(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def quaternion_from_rotation(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
     """Unit quaternion (x, y, z, w) of a rotation matrix, by Shepperd's method."""
-    m = rotation
-    trace = m[0, 0] + m[1, 1] + m[2, 2]
-    k = int(np.argmax((m[0, 0], m[1, 1], m[2, 2], trace)))
-    if k == 3:
-        q = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1], 1.0 + trace])
+    # Plain numbers: calls on arrays of three would take five times as long.
+    (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
+    trace = a + e + i
+    largest = max(a, e, i, trace)
+    if a == largest:
+        q = (1.0 + a - e - i, b + d, c + g, h - f)
+    elif e == largest:
+        q = (b + d, 1.0 + e - i - a, f + h, c - g)
+    elif i == largest:
+        q = (c + g, f + h, 1.0 + i - a - e, d - b)
     else:
-        i, j = (k + 1) % 3, (k + 2) % 3
-        q = np.empty(4)
-        q[k] = 1.0 + m[k, k] - m[i, i] - m[j, j]
-        q[i] = m[i, k] + m[k, i]
-        q[j] = m[j, k] + m[k, j]
-        q[3] = m[j, i] - m[i, j]
-    return np.asarray(q / np.linalg.norm(q), dtype=np.float64)
+        q = (h - f, c - g, d - b, 1.0 + trace)
+    x, y, z, w = q
+    return np.array(q) / math.sqrt(x * x + y * y + z * z + w * w)
 
 
 def quaternions_from_rotations(rotations: NDArray[np.float64]) -> NDArray[np.float64]:

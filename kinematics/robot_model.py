@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.poses import Transform
-from kinematics.robot_description import RobotDescription
+from kinematics.robot_description import Hand, RobotDescription
 from kinematics.trajectory import Stance
 
 Array = NDArray[np.float64]
@@ -64,6 +65,24 @@ class RobotModel:
     def mass_kg(self) -> float:
         """Mass of the whole robot."""
         return float(pin.computeTotalMass(self.pin))
+
+    def carrying(self, masses_kg: Mapping[Hand, float]) -> RobotModel:
+        """The same robot with point masses at its TCPs: its CoM, its mass and its dynamics are those of both.
+
+        Args:
+            masses_kg: What hangs on each hand; hands left out are empty.
+        """
+        if not masses_kg:
+            return self
+        loaded = copy.copy(self)
+        loaded.pin = pin.Model(self.pin)
+        for hand, mass_kg in masses_kg.items():
+            frame = self.pin.frames[self.frame_id(self.description.tcp_frames[hand])]
+            load = pin.Inertia(mass_kg, frame.placement.translation, np.zeros((3, 3)))
+            loaded.pin.inertias[frame.parentJoint] += load
+        loaded._data = loaded.pin.createData()
+        vars(loaded).pop("mass_kg", None)
+        return loaded
 
     def joint_index(self, name: str) -> int:
         """Index of a joint in ``q[7:]``.

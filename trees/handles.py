@@ -84,6 +84,22 @@ class HandleTarget:
         return math.degrees(opening) if self.kind == DOOR else opening
 
 
+def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate]) -> PlanningScene:
+    """A scene without the doors, drawers and handles that a look has seen anew.
+
+    Unlike other furniture they move: a door that was opened would stand in the scene twice.
+    """
+    fresh = [item for item in estimates if item.kind in PART_KINDS]
+    for name, known in list(scene.objects.items()):
+        if kind_of(name) in PART_KINDS and any(
+            item.kind == kind_of(name)
+            and np.linalg.norm(item.odom_T_object[:3, 3] - known.world_T_object[:3, 3]) <= _PAIRED_M
+            for item in fresh
+        ):
+            scene = scene.without_object(name)
+    return scene
+
+
 def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = None) -> list[HandleTarget]:
     """Every handle that was seen with its door or drawer.
 

@@ -12,6 +12,7 @@ from robots.perception.standing import standing_on_tops
 from trees.believed_thing import Surroundings, surroundings
 from trees.failures import Failure
 from trees.glimpse_of import glimpse_of
+from trees.handles import without_moved_parts
 from trees.in_hand import not_in_hand
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.scene_update import updated_scene
@@ -51,7 +52,7 @@ class LookAround(LookLeaf):
         glimpse = glimpse_of(self.toolbox, views[-1])
         camera, near_m = self.toolbox.model.description.camera, policy.hidden_by_hand_m
         update = updated_scene(
-            world.scene,
+            without_moved_parts(world.scene, estimates),
             estimates,
             policy,
             lambda point: self.keeping or not glimpse.shows(camera, point, near_m),

@@ -9,10 +9,11 @@ import numpy as np
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
-from kinematics.support import support_of
+from kinematics.support import support_of, top_m
 from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from trees.destination import Place
+from trees.scene_update import kind_of
 
 EDGE_M = 0.34
 """From the middle between the feet to a table's edge: picks reach best from 0.29 to 0.36, and the
@@ -20,6 +21,10 @@ fingertips of the home posture stand out by 0.20."""
 PERSON_M = 0.9
 FREE_M = 0.7
 """From something that stands on the floor by itself."""
+_TALL_M, _TALL_EDGE_M = 1.3, 1.0
+"""From what is taller than this one stands farther away: before the eyes it would hide itself, and a door
+opens towards whoever stands there."""
+_SAME_PIECE_M = 1.0
 _FROM_CORNER_M = 0.25
 _FROM_BORDER_M = 0.4
 """Who stands in a room stands so far inside it."""
@@ -40,7 +45,8 @@ def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support
     if place.category == "region" and isinstance(place.shape, Box):
         return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
     if place.category == "furniture" and isinstance(place.shape, Box):
-        return _before(place.shape, place.odom_T_place, body)
+        edge_m = _TALL_EDGE_M if _height_m(place, scene) >= _TALL_M else EDGE_M
+        return _before(place.shape, place.odom_T_place, body, edge_m=edge_m)
     if place.category == "object":
         item = SceneObject(place.name, place.shape, place.odom_T_place)
         under = support_of(item, scene, support_gap_m)
@@ -56,6 +62,19 @@ def stands_inside(place: Place, body: PlanarPose) -> bool:
     seen = PlanarPose.of(place.odom_T_place).to(body)
     half_x, half_y = (0.5 * size for size in getattr(place.shape, "size_m", (0.0, 0.0))[:2])
     return abs(seen.x_m) <= half_x - _FROM_BORDER_M and abs(seen.y_m) <= half_y - _FROM_BORDER_M
+
+
+def _height_m(place: Place, scene: PlanningScene) -> float:
+    """Of the highest solid of a piece of furniture; boards and sides have the same word and number apart."""
+    x, y = (float(value) for value in place.odom_T_place[:2, 3])
+    tops = [
+        top_m(item)
+        for name, item in scene.objects.items()
+        if not item.movable
+        and kind_of(name) == kind_of(place.name)
+        and math.hypot(item.world_T_object[0, 3] - x, item.world_T_object[1, 3] - y) <= _SAME_PIECE_M
+    ]
+    return max(tops, default=float(place.odom_T_place[2, 3]))
 
 
 def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
@@ -74,7 +93,11 @@ def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
 
 
 def _before(
-    box: Box, odom_T_box: poses.Transform, near: PlanarPose, toward: PlanarPose | None = None
+    box: Box,
+    odom_T_box: poses.Transform,
+    near: PlanarPose,
+    toward: PlanarPose | None = None,
+    edge_m: float = EDGE_M,
 ) -> PlanarPose:
     """Square in front of the side of a box that is nearest, level with a point of it."""
     middle = PlanarPose.of(odom_T_box)
@@ -92,4 +115,4 @@ def _before(
     room_m = max(0.0, wide_m - _FROM_CORNER_M)
     along_m = float(np.clip(along_m if toward else 0.0, -room_m, room_m))
     side = middle @ PlanarPose(yaw_rad=outward)
-    return side @ PlanarPose(out_m + EDGE_M, along_m, math.pi)
+    return side @ PlanarPose(out_m + edge_m, along_m, math.pi)

@@ -7,23 +7,20 @@ from typing import Annotated
 
 import typer
 
-from executive.config import runs_directory
 from executive.exit_codes import ExitCode
 
 
 def replay(
     run: Annotated[
-        str, typer.Argument(metavar="[RUN]", help="A run's name; the latest by default.")
+        str, typer.Argument(metavar="[RUN]", help="A run's name or folder; the latest by default.")
     ] = "latest",
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
 ) -> None:
     """Run a recorded run again, and tell the first event that differs."""
     from executive.replay import replay as run_again
-    from executive.run_log import recorded_run
+    from executive.run_search import find_run
 
-    verdict = run_again(
-        recorded_run(record or runs_directory(), run), lambda line: typer.echo(line, err=True)
-    )
+    verdict = run_again(find_run(run, record), lambda line: typer.echo(line, err=True))
     for line in verdict.lines():
         typer.echo(line)
     raise typer.Exit(ExitCode.DONE if verdict.difference is None else ExitCode.FAILED)

@@ -67,6 +67,7 @@ def run(
     """Carry out one sentence, or a task script."""
     from executive.diagnosis import compile_kernel
     from executive.performance import perform
+    from executive.run_search import note_folder
     from executive.task_script import is_script, script_for
 
     use_config(config)
@@ -91,6 +92,7 @@ def run(
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
     with ExitStack() as terminal:
         display, attendant = _terminal(request, quiet, plain, terminal)
+        note_folder(request.record)
         try:
             performance = perform(request, display, attendant)
         finally:

@@ -7,21 +7,21 @@ from typing import Annotated
 
 import typer
 
-from executive.config import runs_directory
-
 
 def runs(
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
 ) -> None:
     """List recorded runs: when, what, outcome, duration."""
-    from executive.run_log import recorded_runs
+    from executive.run_search import find_runs, folders
 
-    folder = record or runs_directory()
-    found = recorded_runs(folder)
+    found = find_runs(record)
+    looked = folders(record)
     if not found:
-        typer.echo(f"no runs are recorded in {folder}", err=True)
+        typer.echo(f"no runs are recorded in {', '.join(map(str, looked))}", err=True)
     for run in found:
         tasks = run.report.get("tasks", ())
         simulated_s = sum(task["time_s"]["simulated"] for task in tasks)
         outcome = run.report.get("outcome", "cut off")
-        typer.echo(f"{run.name:<22} {outcome:<10} {simulated_s:7.1f} s  {run.header.get('input', '')!r}")
+        elsewhere = f"  in {run.path.parent}" if run.path.parent != looked[0] else ""
+        said = run.header.get("input", "")
+        typer.echo(f"{run.name:<22} {outcome:<10} {simulated_s:7.1f} s  {said!r}{elsewhere}")

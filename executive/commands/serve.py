@@ -43,6 +43,7 @@ def serve(
     from executive.command_parser import parser_with
     from executive.diagnosis import compile_kernel
     from executive.live.service import Service, ServiceRequest
+    from executive.run_search import note_folder
     from robots.description import load_description_for_tasks
     from robots.scene_file import load_scene
 
@@ -67,6 +68,7 @@ def serve(
         realtime=not ordinary,
         evaluation=evaluation,
     )
+    note_folder(request.record)
     service = Service(request, say)
     say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
     raise typer.Exit(service.watch())

@@ -8,13 +8,12 @@ from typing import Annotated, Any
 
 import typer
 
-from executive.config import runs_directory
 from executive.errors import UserError
 
 
 def why(
     run: Annotated[
-        str, typer.Argument(metavar="[RUN]", help="A run's name; the latest by default.")
+        str, typer.Argument(metavar="[RUN]", help="A run's name or folder; the latest by default.")
     ] = "latest",
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
     full: Annotated[bool, typer.Option("--full", help="Every link of the failure chain as well.")] = False,
@@ -22,9 +21,9 @@ def why(
     """Say why a run ended as it did."""
     from executive.explanation import explained
     from executive.feedback import failure_lines
-    from executive.run_log import recorded_run
+    from executive.run_search import find_run
 
-    recorded = recorded_run(record or runs_directory(), run)
+    recorded = find_run(run, record)
     typer.echo(f"run {recorded.name}: {recorded.header.get('input', '')!r}")
     if not recorded.report:
         raise UserError(f"run {recorded.name} was cut off before its report; its events are in events.jsonl")

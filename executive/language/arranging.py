@@ -31,7 +31,7 @@ class _UnfitError(Exception):
     """The parts do not go together in this way."""
 
 
-class _TroubleError(Exception):
+class TroubleError(Exception):
     """They do, and it cannot be acted on."""
 
     def __init__(self, trouble: Trouble) -> None:
@@ -83,7 +83,7 @@ def guarded(meaning: Callable[[Parts], Any]) -> Meaning:
             return meaning(parts)
         except _UnfitError:
             return None
-        except _TroubleError as error:
+        except TroubleError as error:
             return error.trouble
 
     return run
@@ -96,15 +96,15 @@ def unfit() -> _UnfitError:
 
 def trouble(
     message: str, word: str | None = None, *, asks: bool = False, rivals: bool = False
-) -> _TroubleError:
+) -> TroubleError:
     """They do, and cannot be acted on."""
-    return _TroubleError(Trouble(message, word, asks, rivals=rivals))
+    return TroubleError(Trouble(message, word, asks, rivals=rivals))
 
 
 def checked(value: Nominal | Trouble) -> Nominal:
     """The nominal, unless it is trouble."""
     if isinstance(value, Trouble):
-        raise _TroubleError(value)
+        raise TroubleError(value)
     return value
 
 
@@ -220,8 +220,11 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
             result = _told_apart(result, _kind(where), where.of)
         elif result.source is None:
             result = replace(result, source=where.of)
-        elif where.of.sort == "room" and result.source.sort != "room":
-            result = replace(result, source=checked(result.source.placed(Relative("in", where.of))))
+        elif (where.of.sort == "room" and result.source.sort != "room") or (
+            result.source.sort == "thing" and where.of.is_place and where.preposition in ("on", "in")
+        ):
+            inner = Relative("in" if where.of.sort == "room" else _kind(where), where.of)
+            result = replace(result, source=checked(result.source.placed(inner)))
         elif result.source != where.of:
             names = [str(one.kind) for one in (result.source, where.of) if one]
             raise trouble(f"two places are named: {names[0]!r} and {names[1]!r}", names[1])

@@ -36,7 +36,7 @@ def _side(parts: Parts) -> str | None:
 def _person(nominal: Nominal, doing: str) -> Nominal:
     if not nominal.is_person and nominal.reference not in ("it", "them"):
         raise trouble(f"{doing} {nominal.kind or 'a thing'}: only a person can be meant", nominal.kind)
-    if nominal.reference in ("it", "them"):
+    if nominal.reference == "it":
         raise trouble("who is meant?", asks=True)
     return nominal
 
@@ -144,6 +144,12 @@ def _is_it(parts: Parts) -> Clause:
     return _find(parts)
 
 
+def _whether_at(parts: Parts) -> Clause:
+    """Check whether the cup is on the table."""
+    nominal, where = (part for part in parts if not isinstance(part, Word))
+    return _find((Items((Item(nominal, (where,)),)),))
+
+
 def _search(parts: Parts) -> Clause:
     place = next(part for part in parts if isinstance(part, Item))
     nominal = target(place)
@@ -220,6 +226,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "look_around": _look_around,
     "find": _find,
     "is_it": _is_it,
+    "whether_at": _whether_at,
     "search": _search,
     "count": _count,
     "describe_scene": _describe_scene,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from executive.language.arranging import ME, Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
+from executive.language.lists import said_again
 from executive.language.nominals import words
 from executive.language.phrases import (
     Clause,
@@ -95,12 +97,25 @@ def _toward_relation(parts: Parts) -> Relative:
 
 def _walk(parts: Parts) -> Clause:
     goals = [part for part in parts if isinstance(part, (Nominal, Relative))]
+    for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
+        again = said_again(before, after, parts)
+        if again is not None:
+            raise trouble(again.message, asks=True)
     return clause(parts, [(draft("walk_to", to=goal),) for goal in goals])
+
+
+def _walk_bare(parts: Parts) -> Clause:
+    """Terse: "go kitchen", "walk table"."""
+    item: Item = parts[-1]
+    if item.details or item.of.determined or not (item.of.is_place and item.of.is_plain):
+        raise unfit()
+    return clause(parts, [(draft("walk_to", to=target(item)),)])
 
 
 def _walk_item(parts: Parts) -> Clause:
     goal = target(parts[-1])
-    if any(word.said.startswith("reach") for word in words(parts, "APPROACH")) and not goal.is_place:
+    reached = any(word.said.startswith("reach") for word in words(parts, "APPROACH"))
+    if reached and not (goal.is_place and goal.is_plain):
         raise unfit()  # with a hand, or on foot?
     return clause(parts, [(draft("walk_to", to=goal),)])
 
@@ -147,6 +162,19 @@ def _move(parts: Parts) -> Clause:
     return clause(parts, [(move,)])
 
 
+def _move_on(parts: Parts) -> Clause:
+    """Terse: "forward 2 m", "backwards"; a mere "left" is no turn yet, and "back" may be to where it was."""
+    said = words(parts, "FORWARD", "BACKWARD")
+    if not said:
+        raise unfit()
+    if said[0].said == "back" and len(parts) == 1:
+        raise trouble("back to where, or backward?", asks=True)
+    try:
+        return replace(_move(parts), terse=True)
+    except TroubleError:
+        raise unfit() from None  # what is wrong is said of the reading with a verb
+
+
 def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, float]:
     said = [
         one.meaning.partition(":")[0]
@@ -162,6 +190,8 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
         raise trouble("walk ahead, or go on with what?", asks=True)
     if _is_return(parts, measures):
         raise trouble("back to where, or backward?", asks=True)
+    if not said and any(word.said.startswith("advanc") for word in words(parts, "MOVE")):
+        said = ["forward"]
     if not said:
         raise trouble("to the left or to the right?" if turns else "in which direction?", asks=True)
     return (0.0, _ANGULAR[said[0]]) if turns else (_LINEAR[said[0]], 0.0)
@@ -241,6 +271,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
             "go_there": _go_there,
             "go_somewhere": _go_somewhere,
             "move": _move,
+            "move_on": _move_on,
+            "walk_bare": _walk_bare,
             "turn_around": _turn_around,
             "wait": _wait,
             "go_home": _go_home,

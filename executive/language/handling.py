@@ -1,4 +1,4 @@
-"""What is done with things: picking, bringing, giving, placing, opening."""
+"""Who gets which thing: picking, bringing, giving."""
 
 from __future__ import annotations
 
@@ -8,52 +8,26 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.handled_thing import ASKER, PREVIOUS, count_of, thing, with_it
 from executive.language.lattice import Word
-from executive.language.nominals import shared_adjective, words
-from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Pair, Relative, Where, draft
-
-PREVIOUS = Nominal("any", reference="previous", determined=True)
-BACK = Nominal("any", reference="there", name="back")
-"""The place that a thing was taken from."""
+from executive.language.lists import said_again, shared_adjective
+from executive.language.nominals import words
+from executive.language.phrases import (
+    Bundle,
+    Clause,
+    Item,
+    Meaning,
+    Mention,
+    Nominal,
+    Pair,
+    Relative,
+    Where,
+    draft,
+)
+from executive.language.placing import put_draft
 
 _SHARP = frozenset({"knife", "scissors", "screwdriver", "drill"})
 _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
-
-_SHELVES = frozenset({"shelf", "bookshelf"})
-"""Furniture that things are put into as well as onto."""
-
-
-def thing(one: Arranged, doing: str) -> Nominal:
-    """The object, if it is something that a hand can take."""
-    nominal = one.object
-    if nominal.is_person or nominal.sort == "you":
-        raise trouble(f"{doing} a person ({nominal.kind!r}) is nothing that this robot does", nominal.kind)
-    if nominal.is_place:
-        raise trouble(
-            f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind
-        )
-    if nominal.reference == "this":
-        raise trouble("which one is meant?", asks=True)
-    unclear = nominal.plural and not nominal.reference and not nominal.counted and not nominal.determined
-    if unclear or nominal.count == "some":
-        raise trouble("how many of them?", asks=True)
-    if (
-        nominal.sort == "any"
-        and nominal.kind is None
-        and not nominal.reference
-        and nominal.is_plain
-        and nominal.count == 1
-        and one.source is None
-    ):
-        raise trouble("which object is meant?", asks=True)
-    if nominal.plural and not nominal.reference and not nominal.counted:
-        nominal = replace(nominal, count="all")
-    return nominal
-
-
-def count_of(nominal: Nominal) -> int | str | None:
-    """The slot ``count``, unless it is one."""
-    return None if nominal.count == 1 else nominal.count
 
 
 def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
@@ -105,6 +79,8 @@ def _fetch(parts: Parts) -> Clause:
 def _recipient(nominal: Nominal) -> Nominal:
     if nominal.reference == "here":
         return ME
+    if nominal.reference == "them":
+        return nominal
     if not nominal.is_person:
         raise unfit()
     if nominal.count != 1 or nominal.plural:
@@ -128,16 +104,30 @@ def _transport(one: Arranged) -> Bundle:
         where = f"{relation.kind.replace('_', ' ')} {relation.to.kind}"
         raise trouble(f"is it {where}, or shall it go there?", asks=True)
     if goal is None:
-        return _handed(one, taken, one.person or ME)
+        return _handed(one, taken, one.person or ASKER)
     if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
         return _handed(one, taken, goal.of)
     if goal.of.reference == "there":
         return (taken, draft("place", object=PREVIOUS, there=goal))
-    return (taken, _put_draft(PREVIOUS, goal, None, None))
+    return (taken, put_draft(PREVIOUS, goal, None, None))
 
 
 def _bring(parts: Parts) -> Clause:
     return clause(parts, [_transport(one) for one in arranged(parts)])
+
+
+def _bring_it(parts: Parts) -> Clause:
+    if any(isinstance(part, Where) and part.of.is_place and part.relation for part in parts):
+        raise unfit()
+    if words(parts, "CARRY") and any(
+        isinstance(part, Where) and part.of.reference == "here" for part in parts
+    ):
+        raise unfit()
+    return _bring(with_it(parts))
+
+
+def _give_it(parts: Parts) -> Clause:
+    return _give(with_it(parts))
 
 
 def _carry(parts: Parts) -> Clause:
@@ -172,7 +162,11 @@ def _more(parts: Parts) -> list[Arranged]:
     if not loose:
         return []
     paired = [part.item for part in parts if isinstance(part, Pair)]
-    unclear = shared_adjective((*paired, *loose))
+    each_item = (*paired, *loose)
+    again = said_again(each_item[-2].of, each_item[-1].of, parts)
+    if again is not None:
+        raise trouble(again.message, asks=True)
+    unclear = shared_adjective(each_item)
     if unclear is not None:
         raise trouble(unclear.message, asks=True)
     each = arranged(loose)
@@ -199,7 +193,7 @@ def _give(parts: Parts) -> Clause:
         if person is None:
             if not over and not one.back:
                 raise trouble("to whom?", asks=True)
-            person = ME
+            person = ASKER
         bundles.append(_give_bundle(one, person))
     return clause(parts, bundles)
 
@@ -238,98 +232,21 @@ def _can_i_have(parts: Parts) -> Clause:
     return clause(parts, [_give_bundle(one, ME) for one in each])
 
 
-def _put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str | None) -> Any:
-    of = goal.of
-    slots = {"object": nominal, "source": source, "hand": hand, "count": count_of(nominal)}
-    if of.count != 1:
-        raise trouble("several places at once: name one", of.kind)
-    if goal.relation is not None:
-        return draft("place", **slots, to=Relative(goal.relation, of))
-    if of.reference == "here" or of.reference == "this":
-        raise trouble("where shall it be put?", asks=True)
-    if of.reference == "there":
-        return draft("place", **slots, there=goal)
-    if of.is_person:
-        raise trouble(f"nothing is put on or into a person ({of.kind!r})", of.kind)
-    if of.sort == "you":
+def _mention(parts: Parts) -> Clause:
+    """A statement of where a thing is."""
+    each = arranged(tuple(part for part in parts if isinstance(part, (Item, Where))))
+    (one,) = each
+    nominal = one.object
+    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
         raise unfit()
-    if goal.preposition == "in":
-        if of.sort == "room":
-            return draft("place", **slots, to=of)
-        if of.sort == "furniture" and of.kind in _SHELVES:
-            return draft("place", **slots, on=of)
-        if of.sort in ("furniture", "door"):
-            raise trouble(f"nothing can be put into the {of.kind}", of.kind)
-        return draft("put_in", **slots, to=of)
-    if of.sort == "door":
-        raise trouble(f"nothing can be put on the {of.kind}", of.kind)
-    if goal.preposition == "on":
-        if of.sort == "room":
-            raise unfit()
-        return draft("place", **slots, on=of)
-    if of.sort == "furniture":
-        return draft("place", **slots, on=of)
-    if of.sort in ("container", "room"):
-        return draft("place", **slots, to=of)
-    raise unfit()
-
-
-def _put(parts: Parts) -> Clause:
-    each = arranged(parts, goes=True)
-    down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
-    bundles: list[Bundle] = []
-    for one in each:
-        nominal = thing(one, "putting down")
-        if one.person is not None and one.person.sort != "me":
-            raise unfit()
-        if one.goal is not None:
-            bundles.append((_put_draft(nominal, one.goal, one.source, one.hand),))
-        elif one.back:
-            bundles.append((draft("place", object=nominal, hand=one.hand, there=Where("to", BACK, "at")),))
-        elif down and nominal.count == "all" and nominal.sort == "any" and nominal.is_plain:
-            raise trouble("what shall be put down?", asks=True)
-        elif down:
-            bundles.append(
-                (draft("place", object=nominal, source=one.source, hand=one.hand, count=count_of(nominal)),)
-            )
-        else:
-            raise unfit()
-    return clause(parts, bundles)
-
-
-def _put_into(parts: Parts) -> Clause:
-    each = arranged(parts, goes=True)
-    if any(one.goal is None or one.goal.preposition != "in" or one.goal.of.sort == "room" for one in each):
+    placed = one.source is not None or nominal.relation is not None
+    if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
         raise unfit()
-    verb = words(parts, "PUT_IN")[0]
-    if verb.said.split()[0] in ("throw", "toss") and any(
-        one.goal is not None and one.goal.of.kind != "bin" for one in each
-    ):
-        raise trouble(f"{verb.said!r}: throwing is no skill of this robot yet", verb.said)
-    return clause(
-        parts,
-        [(_put_draft(thing(one, "throwing"), one.goal, one.source, one.hand),) for one in each if one.goal],
-    )
-
-
-def _move_thing(parts: Parts) -> Clause:
-    each = arranged(parts, goes=True)
-    for one in each:
-        if one.goal is None or (one.goal.role == "either" and one.goal.relation is None):
-            raise unfit()
-    return clause(
-        parts,
-        [(_put_draft(thing(one, "moving"), one.goal, one.source, one.hand),) for one in each if one.goal],
-    )
-
-
-def _drop(parts: Parts) -> Clause:
-    each = arranged(parts)
-    for one in each:
-        thing(one, "dropping")
-        if one.goal is not None or one.source is not None or one.back:
-            raise unfit()
-    raise trouble("where shall it be put?", asks=True)
+    if nominal.count == "some" or (nominal.plural and not nominal.counted and not nominal.determined):
+        raise trouble("how many of them?", asks=True)
+    if nominal.plural and not nominal.counted:
+        nominal = replace(nominal, count="all")
+    return Clause((), "base", mention=Mention(nominal, one.source))
 
 
 def _want(parts: Parts) -> Clause:
@@ -341,49 +258,19 @@ def _want(parts: Parts) -> Clause:
     raise trouble("shall it be brought to you?", asks=True)
 
 
-def _opened(action: str) -> Callable[[Parts], Clause]:
-    def meaning(parts: Parts) -> Clause:
-        bundles = []
-        for one in arranged(parts, has_source=False):
-            nominal = one.object
-            if one.goal is not None or one.back or (one.person is not None and one.person.sort != "me"):
-                raise unfit()
-            if nominal.reference == "this":
-                raise trouble("which one is meant?", asks=True)
-            if nominal.count != 1 or nominal.plural:
-                raise trouble(f"only one at a time can be told to {action}", nominal.kind)
-            if not nominal.reference and nominal.sort not in ("container", "door"):
-                what = nominal.kind or "thing"
-                raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)
-            bundles.append((draft(action, object=nominal, hand=one.hand),))
-        return clause(parts, bundles)
-
-    return meaning
-
-
-def _push(parts: Parts) -> Clause:
-    arranged(parts)
-    verb = words(parts, "PULL", "PUSH")[0].said
-    raise trouble(f"pushing or pulling things ({verb!r}) is no skill of this robot yet", verb)
-
-
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "pick": _pick,
     "fetch": _fetch,
     "bring": _bring,
     "carry": _carry,
+    "bring_it": _bring_it,
+    "give_it": _give_it,
     "bring_pairs": _bring_pairs,
     "give": _give,
     "give_pairs": _give_pairs,
     "can_i_have": _can_i_have,
-    "put": _put,
-    "put_into": _put_into,
-    "move_thing": _move_thing,
-    "drop": _drop,
     "want": _want,
-    "open": _opened("open"),
-    "close": _opened("close"),
-    "push": _push,
+    "mention": _mention,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -26,6 +26,8 @@ _COMPLETE = frozenset(
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
+_REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
+_LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
@@ -119,6 +121,10 @@ class Lattice:
             for length, reading in vocabulary.matches(texts, before)
         )
 
+    def _follows_a_noun(self, start: int) -> bool:
+        """Whether "and", "then" or a comma stands right before a place."""
+        return start > 0 and self.pieces[start - 1].text in _LISTING
+
     def _read(self, start: int, texts: Sequence[str], vocabulary: Vocabulary) -> None:
         piece = self.pieces[start]
         found = [
@@ -140,11 +146,20 @@ class Lattice:
         at = self._words[start]
         fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
         compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
+        listed = self._follows_a_noun(start) and any(word.word_class in _REFUSED_VERBS for word in found)
+        paired = start > 0 and any(
+            start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
+            for length, reading in vocabulary.matches(texts, start - 1)
+        )
         for word in found:
             for index in range(start, word.end):
                 self._covered[index] = True
             if word.word_class in _DESCRIBING and word.end < compound:
                 continue  # "orange juice" is no juice that is orange
+            if paired and word.word_class == "KINDS" and word.end == start + 1:
+                continue  # "my glasses" are no drinking glasses
+            if listed and word.word_class in _NOUNS and word.end == start + 1:
+                continue  # "the cup and saw": a bare noun that is a verb as well may be one
             if word not in fillers:
                 at.setdefault(word.word_class, []).append(word)
         self._own[start] = found

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
 from executive.language.lattice import Word
-from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Sort, Trouble, Where
+from executive.language.phrases import Feature, Meaning, Nominal, Relative, Sort, Trouble
 
 SUPERLATIVES = frozenset({"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"})
 """Sizes that one thing has among those in view."""
@@ -75,7 +74,12 @@ def _noun(parts: Parts) -> Nominal | None:
     anaphoric = word.word_class in ("ONE", "ONES")
     kind = None if sort == "any" else word.meaning
     return Nominal(
-        sort, kind, plural=word.word_class in _PLURAL, anaphoric=anaphoric, paired=word.word_class == "PAIR"
+        sort,
+        kind,
+        plural=word.word_class in _PLURAL,
+        anaphoric=anaphoric,
+        paired=word.word_class == "PAIR",
+        said=word.said,
     )
 
 
@@ -135,14 +139,15 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
     return nominal
 
 
-def _nominal(parts: Parts) -> Nominal | None:
+def nominal_of(parts: Parts) -> Nominal | None:
+    """The noun among the parts."""
     return next((part for part in reversed(parts) if isinstance(part, Nominal)), None)
 
 
 def _one(parts: Parts) -> Nominal | Trouble | None:
     if len(parts) == 1 and isinstance(parts[0], Word):
         return None
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
     return replace(nominal, determined=bool(words(parts, "DET", "ANOTHER")))
@@ -152,7 +157,7 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
     amounts = [part for part in parts if isinstance(part, float)]
     couple = words(parts, "COUPLE")
     amount = amounts[0] if amounts else float(couple[0].meaning)
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
     if (nominal.anaphoric and amount == 1) or (couple and not nominal.plural):
@@ -170,14 +175,14 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
 
 
 def _both(parts: Parts) -> Nominal | Trouble | None:
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal) or not nominal.plural:
         return nominal if isinstance(nominal, Trouble) else None
     return replace(nominal, count="both", counted=True, determined=True)
 
 
 def _all(parts: Parts) -> Nominal | Trouble | None:
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
     each = bool(words(parts, "EVERY"))
@@ -189,7 +194,7 @@ def _all(parts: Parts) -> Nominal | Trouble | None:
 
 
 def _one_of(parts: Parts) -> Nominal | Trouble | None:
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal) or not nominal.plural:
         return nominal if isinstance(nominal, Trouble) else None
     return replace(nominal, plural=False, determined=True)
@@ -197,7 +202,10 @@ def _one_of(parts: Parts) -> Nominal | Trouble | None:
 
 def _out_of(parts: Parts) -> Nominal | Trouble | None:
     """The bigger of the two cups."""
-    nominal = _nominal(parts) or Nominal("any", plural=True)
+    amounts = [part for part in parts if isinstance(part, float)]
+    if nominal_of(parts) is None and not amounts:
+        return None  # "on top of that"
+    nominal = nominal_of(parts) or Nominal("any", plural=True)
     if not nominal.plural:
         return None
     result = described(nominal, parts)
@@ -208,7 +216,7 @@ def _out_of(parts: Parts) -> Nominal | Trouble | None:
 
 def _some(parts: Parts) -> Nominal | Trouble | None:
     """A few cups: nobody knows how many; some water, any cup: one."""
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
     if not nominal.plural and words(parts, "MANY")[0].meaning != "some":
@@ -226,7 +234,7 @@ def _vague(_parts: Parts) -> Trouble:
 
 def _owned(parts: Parts) -> Nominal | Trouble | None:
     owner = words(parts, "OWNER")[0]
-    nominal = described(_nominal(parts), parts)
+    nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal) or nominal.name is not None or nominal.kind is None:
         return nominal if isinstance(nominal, Trouble) else None
     return replace(nominal, name=f"{owner.meaning}'s {nominal.kind}", determined=True)
@@ -268,6 +276,8 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     ):
         return None
     told = described(nominal, parts[1:])
+    if isinstance(told, Nominal) and told.size in SUPERLATIVES and told.ordinal in _COUNTED_FROM:
+        return Trouble(f"the {told.ordinal} {told.size}: things are not ranked by size", told.ordinal)
     if isinstance(told, Nominal) and told.plural and not told.counted and told.count == 1:
         only = told.size if told.size in SUPERLATIVES else told.ordinal
         if only not in (None, "other"):
@@ -313,91 +323,6 @@ def _which_is(parts: Parts) -> Feature | Relative | None:
     return _feature(word)
 
 
-def _item(parts: Parts) -> Item:
-    return Item(parts[0], tuple(part for part in parts[1:] if not isinstance(part, Word)))
-
-
-@dataclass(frozen=True, slots=True)
-class _Joined:
-    """What stands between two things of a list; with ``commas`` nothing but those."""
-
-    commas: bool
-
-
-def _joined(parts: Parts) -> _Joined:
-    return _Joined(not words(parts, "AND"))
-
-
-def _items(parts: Parts) -> Items | Trouble:
-    """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
-    each = tuple(part for part in parts if isinstance(part, Item))
-    links = [part for part in parts if isinstance(part, _Joined)]
-    if len(each) > 1 and len(links) == len(each) - 1 and links[-1].commas:
-        before, last = each[-2].of, each[-1].of
-        placed = bool(each[-2].details and each[-1].details)
-        if not placed and (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
-            return Trouble(
-                f"{spoken(before)}, {spoken(last)}: is this one thing or two? say 'and' between two",
-                asks=True,
-            )
-    return shared_adjective(each) or Items(each)
-
-
-def shared_adjective(each: Iterable[Item]) -> Trouble | None:
-    """The red cup and bottle: whether the bottle is red too is not said."""
-    for first, second in itertools.pairwise(one.of for one in each):
-        told = first.color or first.size or first.material
-        bare = second.is_plain and not (second.determined or second.plural or second.reference)
-        if told and first.determined and bare and second.sort == "thing" and not second.paired:
-            question = f"shall the {second.kind} be {told} too? say 'the' before it"
-            return Trouble(f"{spoken(first)} and {second.kind}: {question}", asks=True)
-    return None
-
-
-def _only_item(parts: Parts) -> Item:
-    item: Item = parts[-1]
-    return item
-
-
-def _alternatives(parts: Parts) -> Trouble:
-    each = tuple(spoken(part.of) for part in parts if isinstance(part, Item))
-    return Trouble(f"{' or '.join(each)}: which one is meant?", asks=True, choices=each)
-
-
-def _alternatives_of_a_kind(parts: Parts) -> Trouble | None:
-    features = [part for part in parts if isinstance(part, (Feature, Relative))]
-    noun = _nominal(parts)
-    each = [described(noun, (feature,)) for feature in features]
-    names = tuple(spoken(one) for one in each if isinstance(one, Nominal))
-    return (
-        Trouble(f"{' or '.join(names)}: which one is meant?", asks=True, choices=names)
-        if len(names) == 2
-        else None
-    )
-
-
-def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
-    """The red and the blue box: two boxes."""
-    noun = _nominal(parts)
-    features = [part for part in parts if isinstance(part, (Feature, Relative))]
-    if noun is None or noun.plural or len(words(parts, "DET")) < 2:
-        return None
-    each = [described(replace(noun, determined=True), (feature,)) for feature in features]
-    trouble = next((one for one in each if isinstance(one, Trouble)), None)
-    if trouble is not None:
-        return trouble
-    details = tuple(
-        part for part in parts if isinstance(part, Where) or type(part).__name__ in ("Hand", "Benefit")
-    )
-    return Items(tuple(Item(one, details) for one in each if isinstance(one, Nominal)))
-
-
-def spoken(nominal: Nominal) -> str:
-    """A short description for questions."""
-    attributes = (nominal.ordinal, nominal.size, nominal.color, nominal.material, nominal.kind or "one")
-    return " ".join(["the", *(one for one in attributes if one)])
-
-
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "noun": _noun,
@@ -421,12 +346,5 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "from_side": _from_side,
         "made_of": _made_of,
         "which_is": _which_is,
-        "item": _item,
-        "items": _items,
-        "joined": _joined,
-        "only_item": _only_item,
-        "alternatives": _alternatives,
-        "alternatives_of_a_kind": _alternatives_of_a_kind,
-        "two_of_a_kind": _two_of_a_kind,
     }
 )

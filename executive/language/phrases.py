@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
 from trees.tasks import RelationKind
 
 Sort = Literal["thing", "furniture", "container", "door", "room", "person", "me", "you", "name", "any"]
-Reference = Literal["it", "them", "him", "this", "there", "here", "previous"]
+Reference = Literal["it", "them", "him", "this", "there", "here", "previous", "asker"]
 Preposition = Literal["on", "in", "at", "to"]
 Role = Literal["is", "from", "to", "either"]
 Quantity = Literal["duration", "distance", "angle", "linear_speed", "angular_speed"]
@@ -68,6 +68,7 @@ class Nominal:
         anaphoric: Whether the noun is "one": the kind that was named before.
         determined: Whether an article or the like was there.
         paired: Whether it is one thing with a plural name: scissors.
+        said: The noun as it was said.
     """
 
     sort: Sort
@@ -85,6 +86,7 @@ class Nominal:
     anaphoric: bool = False
     determined: bool = False
     paired: bool = False
+    said: str = field(default="", compare=False)
 
     def described(self, feature: Feature) -> Nominal | Trouble:
         """With one more feature; a contradiction is trouble."""
@@ -135,12 +137,14 @@ class Where:
         preposition: How; None for a relation.
         relation: Kind of the relation, such as "left_of".
         of: The place, or what the relation is to.
+        atop: Whether it was said to be on top of it.
     """
 
     role: Role
     of: Nominal
     preposition: Preposition | None = None
     relation: RelationKind | None = None
+    atop: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,6 +209,14 @@ class Draft:
         return self if value is None else replace(self, slots=(*self.slots, (name, value)))
 
 
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """A thing that a statement names, and where it says that it is."""
+
+    of: Nominal
+    source: Nominal | None = None
+
+
 Bundle = tuple[Draft, ...]
 """Drafts that are done one after the other to the same thing."""
 
@@ -218,12 +230,16 @@ class Clause:
         form: Of the verb.
         text: The words.
         revokes: The words that take back what was said before them, if these are such words.
+        mention: What is stated, of a clause that is no command.
+        terse: Whether it has no verb, so that it stands only where a clause begins: "forward 2 m".
     """
 
     bundles: tuple[Bundle, ...]
     form: Literal["base", "ing", "ed"]
     text: str = ""
     revokes: str | None = None
+    mention: Mention | None = None
+    terse: bool = False
 
 
 def draft(action: str, **slots: Any) -> Draft:

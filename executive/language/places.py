@@ -35,7 +35,8 @@ def _place(role: Role, preposition: Preposition) -> Meaning:
         nominal = parts[-1]
         if not isinstance(nominal, Nominal):
             return None
-        return Where(role, nominal, preposition)
+        atop = any("top" in word.said.split() for word in words(parts, "ON"))
+        return Where(role, nominal, preposition, atop=atop)
 
     return meaning
 
@@ -44,8 +45,8 @@ def _relation(role: Role) -> Meaning:
     def meaning(parts: Parts) -> Where | None:
         nominal = parts[-1]
         link = words(parts, *_LINKS)[-1]
-        if not isinstance(nominal, Nominal):
-            return None
+        if not isinstance(nominal, Nominal) or (nominal.sort == "you" and link.said == "by"):
+            return None  # "by yourself"
         kind = _relation_of(link, nominal)
         return None if kind is None else Where(role, nominal, None, kind)
 
@@ -96,6 +97,10 @@ def _there(_parts: Parts) -> Where:
     return Where("to", Nominal("any", reference="there"), "at")
 
 
+def _from_there(_parts: Parts) -> Where:
+    return Where("from", Nominal("any", reference="there"), "at")
+
+
 def _back(_parts: Parts) -> str:
     return "back"
 
@@ -130,6 +135,23 @@ def _measure(of: Quantity) -> Meaning:
         return Measure(of, number * float(unit.meaning), f"{number:g}")
 
     return meaning
+
+
+def _durations(parts: Parts) -> Measure | None:
+    """One minute and thirty seconds: the larger unit first."""
+    numbers = [part for part in parts if isinstance(part, float)]
+    units = [float(word.meaning) for word in words(parts, "TIME")]
+    if len(numbers) != 2 or units[0] <= units[1]:
+        return None
+    total = sum(number * unit for number, unit in zip(numbers, units, strict=True))
+    return Measure("duration", total, f"{total:g}")
+
+
+def _duration_and_a_half(parts: Parts) -> Measure:
+    """A minute and a half."""
+    unit = float(words(parts, "TIME")[0].meaning)
+    number = float(words(parts, "ARTICLE", "AMOUNT")[0].meaning) + 0.5
+    return Measure("duration", number * unit, f"{number:g}")
 
 
 def _amount(parts: Parts) -> float | None:
@@ -179,12 +201,15 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "trash": _trash,
         "here": _here,
         "there": _there,
+        "from_there": _from_there,
         "back": _back,
         "somewhere": _somewhere,
         "inside": _inside,
         "hand": _hand,
         "benefit": _benefit,
         "duration": _measure("duration"),
+        "durations": _durations,
+        "duration_and_a_half": _duration_and_a_half,
         "distance": _measure("distance"),
         "angle": _measure("angle"),
         "linear_speed": _measure("linear_speed"),

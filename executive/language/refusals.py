@@ -155,7 +155,15 @@ class Explainer:
         if not 2 < len(word) <= _LONGEST_TYPO or not word.isalpha():
             return
         found = {one for key in _without_one(word) for one in self._deletions.get(key, ())}
-        ranked = sorted(found, key=lambda one: (-difflib.SequenceMatcher(None, word, one).ratio(), one))
+        letters = sorted(word)
+        ranked = sorted(
+            found,
+            key=lambda one: (
+                -difflib.SequenceMatcher(None, word, one).ratio(),
+                sorted(one) != letters,  # two letters that changed places
+                one,
+            ),
+        )
         yield from ranked[:_CORRECTIONS]
 
     def nearest_example(self, text: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language import attention, going, handling, nominals, places, speech
+from executive.language import attention, going, handling, lists, nominals, places, placing, speech
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 
 Parts = tuple[Any, ...]
@@ -53,6 +53,8 @@ def _clause(parts: Parts) -> Clause | None:
     """A command, with what was said before it."""
     command: Clause = parts[-1]
     for part in parts[:-1]:
+        if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
+            continue
         slot = (
             ("hand", part.side)
             if isinstance(part, Hand)
@@ -66,6 +68,11 @@ def _clause(parts: Parts) -> Clause | None:
                 return None
             command = changed
     return command
+
+
+def _goes(command: Clause) -> bool:
+    """Whether it goes somewhere, where "from there" says nothing."""
+    return all(one.action in ("walk_to", "move", "go_home") for bundle in command.bundles for one in bundle)
 
 
 def _clause_with_hand(parts: Parts) -> Clause | None:
@@ -156,6 +163,8 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
             unseparated += 1
             clauses.extend(part.clauses)
     revoked = next((one.revokes for one in clauses if one.revokes), None)
+    if len(clauses) > 1 and all(_stops(clause) for clause in clauses):
+        return Sentence(tuple(clauses[:1]))
     if revoked is not None and len(clauses) > 1:
         return Trouble(f"{revoked!r} takes back what was said; nothing is done", revoked)
     forms = {clause.form for clause in clauses}
@@ -164,13 +173,20 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     return Sentence(tuple(clauses), unseparated)
 
 
+def _stops(clause: Clause) -> bool:
+    """Whether it says nothing but to stop: "whoa, stop right there" is one stop."""
+    return bool(clause.bundles) and all(one.action == "stop" for bundle in clause.bundles for one in bundle)
+
+
 @dataclass(frozen=True, slots=True)
 class _Unseparated:
     clauses: tuple[Clause, ...]
 
 
-def _without_separator(parts: Parts) -> _Unseparated:
+def _without_separator(parts: Parts) -> _Unseparated | None:
     (part,) = parts
+    if isinstance(part, Clause) and part.terse:
+        return None
     return _Unseparated(part.clauses if isinstance(part, Group) else (part,))
 
 
@@ -181,8 +197,10 @@ def _more(parts: Parts) -> Any:
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         **nominals.MEANINGS,
+        **lists.MEANINGS,
         **places.MEANINGS,
         **handling.MEANINGS,
+        **placing.MEANINGS,
         **going.MEANINGS,
         **attention.MEANINGS,
         **speech.MEANINGS,

@@ -43,12 +43,16 @@ _STATED = re.compile(
 )
 """A subject and a verb: somebody is told something."""
 
+_TOLD = re.compile(r"(?:(?:the|my|your|our|his|her|their) )?\w+ (?!s\b)\w+(?:s|ed)\b(?: |$)")
+"""The same with any verb, after "that": "that the doctor comes at five"."""
+
 _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 """Characters that nobody says."""
 
 _GREETING_LINES = """
 hello hi hey bye goodbye good morning afternoon evening night day thanks thank you so very much please sorry
-yes no ok okay welcome home back happy birthday new year merry christmas congratulations cheers cheese bravo
+yes no ok okay goodnight farewell welcome home back happy birthday new year merry christmas
+congratulations cheers cheese bravo
 well done great job nice see soon ready steady go stop help wow hooray and everyone everybody all there ladies
 gentlemen friends robot world one two three four five six seven eight nine ten
 """
@@ -72,6 +76,10 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if word.word_class == "QUOTED":
         return text
+    if any(mark.meaning == ":" for mark in words(parts, "PAUSE")) and not (
+        word.said or _UNSPOKEN.search(text)
+    ):
+        return text
     that = bool(words(parts, "THAT")) or any(one.said.endswith(" that") for one in words(parts, "SAY"))
     if lowered in ("something", "anything"):
         raise trouble("what shall be said?", asks=True)
@@ -86,7 +94,7 @@ def _speech(parts: Parts) -> str:
         _UNSPOKEN.search(text)
         or word.said
         or _ATTACHED.search(lowered)
-        or not (greeting or _STATED.match(lowered))
+        or not (greeting or _STATED.match(lowered) or (that and _TOLD.match(lowered)))
     ):
         raise trouble(UNQUOTED, asks=True)
     return text

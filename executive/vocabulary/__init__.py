@@ -10,7 +10,6 @@ from __future__ import annotations
 import importlib.resources
 import itertools
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -20,6 +19,8 @@ from typing import Any
 from executive.errors import VocabularyError
 from executive.vocabulary.inflection import gerund, participle, plural
 from executive.vocabulary.outside import outside_words
+from executive.vocabulary.prepared import Table, digest_of, keep, kept
+from robots.outside import VOCABULARY, outside_files
 
 Words = tuple[str, ...]
 
@@ -66,12 +67,14 @@ class Vocabulary:
 
     def __init__(self, classes: Sequence[WordClass]) -> None:
         self.classes = {word_class.name: word_class for word_class in classes}
-        self._readings: dict[Words, dict[Reading, None]] = {}
+        self._readings: dict[Words, list[Reading]] = {}
         for word_class in classes:
             for meaning, phrases in word_class.words.items():
+                reading = Reading(word_class.name, meaning)
                 for phrase in phrases:
-                    words = tuple(phrase.split(" "))
-                    self._readings.setdefault(words, {})[Reading(word_class.name, meaning)] = None
+                    readings = self._readings.setdefault(tuple(phrase.split(" ")), [])
+                    if reading not in readings:
+                        readings.append(reading)
         self._lengths: dict[str, list[int]] = {}
         for words in self._readings:
             lengths = self._lengths.setdefault(words[0], [])
@@ -112,20 +115,67 @@ class Vocabulary:
         return word_class.refusal.format(word=word, meaning=word_class.meanings.get(meaning, meaning))
 
 
-def load_vocabulary(user_files: Sequence[Path] = ()) -> Vocabulary:
+def load_vocabulary(user_files: Sequence[Path] = (), cache: Path | None = None) -> Vocabulary:
     """Read the word lists that travel with the package, those of other packages, and a user's own.
 
     Args:
         user_files: TOML files of the same form; their words are added to the classes of these names.
+        cache: A folder where the classes are kept, written out, from one process to the next. None keeps
+            nothing.
 
     Raises:
         VocabularyError: A list is malformed.
     """
-    tables: dict[str, dict[str, Any]] = {}
+    own = _own_files()
+    digest = None if cache is None else _digest(own, user_files)
+    if cache is None or digest is None:
+        return Vocabulary(_read_classes(own, user_files))
+    tables = kept(cache, digest)
+    if tables is not None:
+        return Vocabulary([_restored(table) for table in tables])
+    classes = _read_classes(own, user_files)
+    keep(cache, digest, [_stored(one) for one in classes])
+    return Vocabulary(classes)
+
+
+def _own_files() -> list[tuple[str, str]]:
+    """The files beside this one: names and texts."""
     folder = importlib.resources.files("executive.vocabulary")
-    own = sorted((item.name, item) for item in folder.iterdir() if item.name.endswith(".toml"))
-    for file_name, file in own:
-        _add(tables, tomllib.loads(file.read_text("utf-8")), file_name, new_classes=True)
+    return sorted(
+        (item.name, item.read_text("utf-8")) for item in folder.iterdir() if item.name.endswith(".toml")
+    )
+
+
+def _digest(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> str | None:
+    """What the classes are made of, the rules that inflect them included; None when it cannot be told."""
+    folder = importlib.resources.files("executive.vocabulary")
+    outside = outside_files(VOCABULARY)
+    try:
+        rules = [(folder / name).read_bytes() for name in ("__init__.py", "inflection.py")]
+        given = [path.read_bytes() for path in user_files]
+        brought = [f"{name}".encode() + file.read_bytes() for name, file in sorted(outside.items())]
+    except OSError:
+        return None
+    return digest_of([*(text.encode() for _, text in own), *rules, b"given", *given, b"brought", *brought])
+
+
+def _stored(one: WordClass) -> Table:
+    words = {meaning: list(phrases) for meaning, phrases in one.words.items()}
+    return (one.name, words, one.refusal, dict(one.meanings), one.derived)
+
+
+def _restored(table: Table) -> WordClass:
+    name, words, refusal, meanings, derived = table
+    phrases = {meaning: tuple(each) for meaning, each in words.items()}
+    return WordClass(name, phrases, refusal, meanings, derived=derived)
+
+
+def _read_classes(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> list[WordClass]:
+    import tomllib
+
+    tables: dict[str, dict[str, Any]] = {}
+    for file_name, text in own:
+        _add(tables, tomllib.loads(text), file_name, new_classes=True)
     usable = frozenset(name for name, table in tables.items() if not table.get("irregular"))
     for source, words in outside_words(usable).words:
         _add(tables, words, source, new_classes=False)
@@ -138,12 +188,12 @@ def load_vocabulary(user_files: Sequence[Path] = ()) -> Vocabulary:
         for form, bases in table["words"].items()
         for base in bases
     }
-    return Vocabulary(
-        [word_class for name, table in tables.items() for word_class in _classes(name, table, irregular)]
-    )
+    return [word_class for name, table in tables.items() for word_class in _classes(name, table, irregular)]
 
 
 def _user_tables(path: Path) -> dict[str, Any]:
+    import tomllib
+
     try:
         document = tomllib.loads(path.read_text("utf-8"))
     except OSError as failed:

@@ -28,7 +28,8 @@ from kinematics.kernel.memory import Problem, pack, work_for
 from kinematics.kernel.pairs import grouped, joined, pairs_of
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.kernel.scene_solids import scene_solids
-from kinematics.kernel.solids import with_plain
+from kinematics.kernel.solids import flatten, with_plain
+from kinematics.kernel.tuning import Tuning
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
@@ -37,6 +38,18 @@ Array = NDArray[np.float64]
 
 # Most intervals that an edge is cut into before it counts as not proven.
 EFFORT = 4000
+
+TUNING = Tuning(
+    first_reach_rad=0.2,
+    hopeless=0.5,
+    enough=1.5,
+    point_step_rad=0.15,
+    look_m=0.01,
+    tree_effort=400.0,
+    shortcut_m=0.001,
+    shortcut_effort=400.0,
+)
+"""What was fastest for picks and for the benchmark's scenes."""
 
 # Most corners of a polyline that is searched, and those that shortening may add.
 _MOST_ROWS = 1000
@@ -100,10 +113,15 @@ class CollisionKernel:
         if found.held:
             chains = with_solids(chains, found.held)
             own = joined(own, grouped(found.pairs, bodies, chains))
-        self._pairs = pairs_of(own, robot.limb, chains.limbs, bodies, found.object_margin, found.judged)
-        solids = with_plain(robot.flat, [*found.held, *found.around])
-        problem = Problem(tree, chains, space, limits, solids, self._pairs)
+        carriers = robot.carriers(bodies)
+        self._pairs = pairs_of(own, carriers, found.object_margin, found.judged, found.object_box)
+        held = [flatten(found.held)] if found.held else []
+        solids = with_plain(robot.flat, *held, found.around)
+        problem = Problem(tree, chains, space, limits, solids, self._pairs, TUNING)
         self._packed = pack(problem, work_for(problem))
+        # the buffers are kept: compiled code is given where they are
+        floats, ints, table = self._packed
+        self._addresses = floats.ctypes.data, ints.ctypes.data, table
         self._names = found.names
         self._nq = len(limits.lower)
         self.size = 6 * space.floating + len(space.columns)
@@ -255,7 +273,7 @@ class CollisionKernel:
         # one type of argument only, so that nothing is ever compiled anew
         points = np.ascontiguousarray(points, dtype=np.float64)
         found = self._nothing if found is None else found
-        return door.ask(*self._packed, question, points, float(number), found)
+        return door.ask(*self._addresses, question, points, float(number), found)
 
     def _refusal(self, answer: tuple[int, float, int]) -> Refusal | None:
         verdict, at, pair = answer

@@ -23,8 +23,8 @@ AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION, CONNECT,
 
 @compiled
 def ask(
-    floats: Array,
-    ints: Indices,
+    floats: int,
+    ints: int,
     table: Indices,
     question: int,
     points: Array,
@@ -34,7 +34,8 @@ def ask(
     """The one door from outside: everything behind it is compiled and loaded as one piece.
 
     Args:
-        floats, ints, table: A packed problem and its memory.
+        floats, ints: Addresses of a packed problem and its memory.
+        table: As in ``Packed``.
         question: One of the numbers above.
         points: One row a point; configurations for AT_CONFIGURATION, CONTACTS and DISTANCES; for CONNECT
             and SHORTEN see ``connect`` and ``shorten``.
@@ -47,7 +48,7 @@ def ask(
         Verdict; row, or row plus parameter on the edge that begins there, or the number of rows of
         a path, or -1; pair or -1.
     """
-    memory = Memory(floats.ctypes.data, ints.ctypes.data, table)
+    memory = Memory(floats, ints, table)
     if question == AT_CONFIGURATION:
         pair = contact_at(memory, points[0])
         return (CONTACT, 0.0, pair) if pair >= 0 else (FREE, -1.0, -1)

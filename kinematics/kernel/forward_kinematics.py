@@ -36,6 +36,18 @@ def _rotate_in_place(R: Array, axis: Array, c: float, s: float) -> None:
 
 
 @inlined
+def _spin_in_place(R: Array, spin: int, c: float, s: float) -> None:
+    """``R = R @ rotation about x, y or z``, by its cosine and sine."""
+    i = (spin + 1) % 3
+    j = (spin + 2) % 3
+    for r in range(3):
+        a = R[r, i]
+        b = R[r, j]
+        R[r, i] = c * a + s * b
+        R[r, j] = c * b - s * a
+
+
+@inlined
 def quaternion_to_rotation(x: float, y: float, z: float, w: float, R: Array) -> None:
     """Rotation matrix of a quaternion of any length but 0."""
     f = 2.0 / (x * x + y * y + z * z + w * w)
@@ -88,7 +100,10 @@ def place_bodies(tree: Tree, q: Array, needed: Indices, R: Array, p: Array) -> N
             for r in range(3):
                 for k in range(3):
                     R[body, r, k] = R[a, r, 0] * P[0, k] + R[a, r, 1] * P[1, k] + R[a, r, 2] * P[2, k]
-        if kind == HINGE:
+        if kind == HINGE and tree.spin[body] != GENERAL_AXIS:
+            spin = tree.spin[body]
+            _spin_in_place(R[body], spin, math.cos(q[at]), math.sin(q[at]) * tree.axis[body, spin])
+        elif kind == HINGE:
             _rotate_in_place(R[body], tree.axis[body], math.cos(q[at]), math.sin(q[at]))
         elif kind == SLIDE:
             axis = tree.axis[body]
@@ -109,6 +124,8 @@ def centre_of_mass(tree: Tree, R: Array, p: Array, com: Array) -> None:
     com[0] = com[1] = com[2] = 0.0
     for body in range(1, tree.parent.shape[0]):
         m = tree.mass[body]
+        if m == 0.0:
+            continue
         lever = tree.lever[body]
         total += m
         for r in range(3):

@@ -27,8 +27,7 @@ PRESUMED = 6
 
 # What is still open when nothing moves any more by this much stays unproven, m (and rad for limits).
 RESOLUTION_M = 1e-4
-# An edge is cut into intervals in which no joint moves farther than this, before any pair is looked at.
-_FIRST_REACH_RAD = 0.2
+# An edge is cut into no more intervals than this before any pair is looked at.
 _FIRST_SPANS = 16
 
 
@@ -175,7 +174,7 @@ def judge_edge(
     widest = max(step, turn)
     for k in range(space.columns.shape[0]):
         widest = max(widest, abs(b[first + k] - a[first + k]))
-    while spans < _FIRST_SPANS and widest * half > _FIRST_REACH_RAD:
+    while spans < _FIRST_SPANS and widest * half > problem.tuning.first_reach_rad:
         spans *= 2
         half *= 0.5
     for span in range(spans):
@@ -231,8 +230,10 @@ def judge_edge(
                 work.reach,
                 step * half,
                 turn * half,
+                work.spin,
                 work.moved,
             )
+            work.look[0] += 1
             posture_open = False
             if work.spans[old, span, 3] == 1:
                 verdict, proven, largest = _posture(problem, work, bounded)

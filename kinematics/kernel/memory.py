@@ -17,6 +17,7 @@ from kinematics.kernel.pairs import Pairs
 from kinematics.kernel.pointers import floats1, floats2, floats3, ints1, ints2, ints3
 from kinematics.kernel.solids import Array, Indices, Solids
 from kinematics.kernel.tree import Tree
+from kinematics.kernel.tuning import Tuning
 
 
 class Problem(NamedTuple):
@@ -28,6 +29,7 @@ class Problem(NamedTuple):
     limits: Limits
     solids: Solids
     pairs: Pairs
+    tuning: Tuning
 
 
 class Work(NamedTuple):
@@ -51,6 +53,13 @@ class Work(NamedTuple):
             two generations, shape (2, m, 4).
         rate: How far each joint turns or slides, with its sign, by body; NaN where it does not do so
             at one speed.
+        spin: World axes of the joints, by body.
+        sweep: Motion of the moving solids in the present interval, as ``motion_bound`` tells it.
+        sweep_look: Number of the interval that each of them is of.
+        look: Number of the present interval, shape (1,).
+        away: Scratch: squared distances to the objects' boxes.
+        near: Scratch: objects that are near a limb.
+        direction: Scratch of a separating direction.
     """
 
     x: Array
@@ -76,10 +85,17 @@ class Work(NamedTuple):
     open_pairs: Indices
     spans: Indices
     rate: Array
+    spin: Array
+    sweep: Array
+    sweep_look: Indices
+    look: Indices
+    away: Array
+    near: Indices
+    direction: Array
 
 
 def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
-    """Memory for a problem: arrays that have a shape and no memory yet, which ``pack`` gives them."""
+    """Memory for a problem: arrays whose shapes count, to which ``pack`` gives other memory."""
     tree, pairs = problem.tree, problem.pairs
     n = len(tree.parent)
     size = 6 * problem.space.floating + len(problem.space.columns)
@@ -108,15 +124,22 @@ def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Wo
         open_pairs=_ints(2, max(open_pairs, count)),
         spans=_ints(2, spans, 4),
         rate=_floats(n),
+        spin=_floats(n, 3),
+        sweep=_floats(pairs.moving, 7),
+        sweep_look=_ints(pairs.moving),
+        look=_ints(1),
+        away=_floats(len(pairs.object_margin)),
+        near=_ints(len(pairs.object_margin)),
+        direction=_floats(3),
     )
 
 
 def _floats(*shape: int) -> Array:
-    return np.broadcast_to(np.float64(0.0), shape)
+    return np.empty(shape)
 
 
 def _ints(*shape: int) -> Indices:
-    return np.broadcast_to(np.int64(0), shape)
+    return np.empty(shape, np.int64)
 
 
 class Packed(NamedTuple):
@@ -134,19 +157,22 @@ class Packed(NamedTuple):
 
 def pack(problem: Problem, work: Work) -> Packed:
     """Put everything into two buffers; the memory of ``work`` is zero, whatever it holds."""
-    given = [np.atleast_1d(value) for part in problem for value in part]
-    table = np.zeros((len(given) + len(work), 4), np.int64)
+    given = [
+        value if isinstance(value, np.ndarray) else np.atleast_1d(value) for part in problem for value in part
+    ]
+    rows: list[tuple[int, ...]] = []
     end = {"f": 0, "i": 0}
-    for row, array in zip(table, [*given, *work], strict=True):
+    parts: dict[str, list[Array | Indices]] = {"f": [], "i": []}
+    for number, array in enumerate((*given, *work)):
         kind = array.dtype.kind
-        row[0] = end[kind]
-        row[1 : 1 + array.ndim] = array.shape
+        rows.append((end[kind], *array.shape, 0, 0, 0)[:4])
         end[kind] += array.size
+        if number < len(given):
+            parts[kind].append(array.ravel())
     floats, ints = np.zeros(end["f"]), np.zeros(end["i"], np.int64)
     for buffer, kind in ((floats, "f"), (ints, "i")):
-        parts = [array.ravel() for array in given if array.dtype.kind == kind]
-        np.concatenate(parts, out=buffer[: sum(map(len, parts))])
-    return Packed(floats, ints, table)
+        np.concatenate(parts[kind], out=buffer[: sum(map(len, parts[kind]))])
+    return Packed(floats, ints, np.array(rows, np.int64))
 
 
 class Memory(NamedTuple):
@@ -230,25 +256,39 @@ def _problem_in(floats: int, ints: int, table: Indices) -> Problem:
             points=floats2(floats, table[37]),
             centre=floats2(floats, table[38]),
             radius=floats1(floats, table[39]),
+            rough=ints1(ints, table[40]),
+            rough_pad=floats1(floats, table[41]),
         ),
         pairs=Pairs(
-            first=ints1(ints, table[40]),
-            second=ints1(ints, table[41]),
-            margin=floats1(floats, table[42]),
-            group=ints1(ints, table[43]),
-            group_first=ints1(ints, table[44]),
-            group_second=ints1(ints, table[45]),
-            first_level=ints1(ints, table[46]),
-            second_level=ints1(ints, table[47]),
-            group_margin=floats1(floats, table[48]),
-            group_start=ints1(ints, table[49]),
-            moving=ints1(ints, table[50])[0],
-            object_margin=floats1(floats, table[51]),
-            judged=ints2(ints, table[52]),
-            limb_start=ints1(ints, table[53]),
-            limb_bodies=ints1(ints, table[54]),
-            body_start=ints1(ints, table[55]),
-            body_solids=ints1(ints, table[56]),
+            first=ints1(ints, table[42]),
+            second=ints1(ints, table[43]),
+            margin=floats1(floats, table[44]),
+            group=ints1(ints, table[45]),
+            group_first=ints1(ints, table[46]),
+            group_second=ints1(ints, table[47]),
+            first_level=ints1(ints, table[48]),
+            second_level=ints1(ints, table[49]),
+            group_margin=floats1(floats, table[50]),
+            group_start=ints1(ints, table[51]),
+            moving=ints1(ints, table[52])[0],
+            object_margin=floats1(floats, table[53]),
+            judged=ints2(ints, table[54]),
+            limb_start=ints1(ints, table[55]),
+            limb_bodies=ints1(ints, table[56]),
+            body_start=ints1(ints, table[57]),
+            body_solids=ints1(ints, table[58]),
+            object_low=floats2(floats, table[59]),
+            object_high=floats2(floats, table[60]),
+        ),
+        tuning=Tuning(
+            first_reach_rad=floats1(floats, table[61])[0],
+            hopeless=floats1(floats, table[62])[0],
+            enough=floats1(floats, table[63])[0],
+            point_step_rad=floats1(floats, table[64])[0],
+            look_m=floats1(floats, table[65])[0],
+            tree_effort=floats1(floats, table[66])[0],
+            shortcut_m=floats1(floats, table[67])[0],
+            shortcut_effort=floats1(floats, table[68])[0],
         ),
     )
 
@@ -257,27 +297,34 @@ def _problem_in(floats: int, ints: int, table: Indices) -> Problem:
 def _work_in(floats: int, ints: int, table: Indices) -> Work:
     """Views of the memory, in the order of ``pack``; addresses of the two buffers."""
     return Work(
-        x=floats1(floats, table[57]),
-        q=floats1(floats, table[58]),
-        base_R=floats2(floats, table[59]),
-        R=floats3(floats, table[60]),
-        p=floats2(floats, table[61]),
-        com=floats1(floats, table[62]),
-        needed=ints1(ints, table[63]),
-        ball=floats2(floats, table[64]),
-        centre=floats2(floats, table[65]),
-        reach=floats1(floats, table[66]),
-        moved=floats2(floats, table[67]),
-        axis=floats2(floats, table[68]),
-        S=floats2(floats, table[69]),
-        v=floats1(floats, table[70]),
-        first_R=floats2(floats, table[71]),
-        first_p=floats1(floats, table[72]),
-        second_R=floats2(floats, table[73]),
-        second_p=floats1(floats, table[74]),
-        R_between=floats2(floats, table[75]),
-        p_between=floats1(floats, table[76]),
-        open_pairs=ints2(ints, table[77]),
-        spans=ints3(ints, table[78]),
-        rate=floats1(floats, table[79]),
+        x=floats1(floats, table[69]),
+        q=floats1(floats, table[70]),
+        base_R=floats2(floats, table[71]),
+        R=floats3(floats, table[72]),
+        p=floats2(floats, table[73]),
+        com=floats1(floats, table[74]),
+        needed=ints1(ints, table[75]),
+        ball=floats2(floats, table[76]),
+        centre=floats2(floats, table[77]),
+        reach=floats1(floats, table[78]),
+        moved=floats2(floats, table[79]),
+        axis=floats2(floats, table[80]),
+        S=floats2(floats, table[81]),
+        v=floats1(floats, table[82]),
+        first_R=floats2(floats, table[83]),
+        first_p=floats1(floats, table[84]),
+        second_R=floats2(floats, table[85]),
+        second_p=floats1(floats, table[86]),
+        R_between=floats2(floats, table[87]),
+        p_between=floats1(floats, table[88]),
+        open_pairs=ints2(ints, table[89]),
+        spans=ints3(ints, table[90]),
+        rate=floats1(floats, table[91]),
+        spin=floats2(floats, table[92]),
+        sweep=floats2(floats, table[93]),
+        sweep_look=ints1(ints, table[94]),
+        look=ints1(ints, table[95]),
+        away=floats1(floats, table[96]),
+        near=ints1(ints, table[97]),
+        direction=floats1(floats, table[98]),
     )

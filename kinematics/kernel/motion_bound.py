@@ -11,6 +11,7 @@ from kinematics.kernel.tree import FLOATING, SLIDE, Array, Indices, Tree
 
 Sweep = tuple[float, float, float, float, float, float, float]
 """Displacement of a ball's centre and turn, of first order, and what points of the ball can deviate, m."""
+Direction = tuple[float, float, float]
 STILL: Sweep = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -24,6 +25,7 @@ def bound_motion(
     reach: Array,
     step: float,
     turn: float,
+    spin: Array,
     moved: Array,
 ) -> None:
     """Bound each body's displacement against every body on its way to the world.
@@ -38,9 +40,15 @@ def bound_motion(
         R, p: Poses of the bodies.
         reach: No joint moves farther than this, by body, shape (n,), rad or m.
         step, turn: Nor does the base, m and rad.
+        spin: Result, world axes of the needed bodies' joints, shape (n, 3).
         moved: Result, by body and number of joints crossed, shape (n, depth + 1), m: no point of a
             body moves farther against the body that is so many joints away.
     """
+    for body in range(1, tree.parent.shape[0]):
+        if needed[body] == 1:
+            axis = tree.axis[body]
+            for r in range(3):
+                spin[body, r] = R[body, r, 0] * axis[0] + R[body, r, 1] * axis[1] + R[body, r, 2] * axis[2]
     for body in range(1, tree.parent.shape[0]):
         if needed[body] == 0:
             continue
@@ -64,10 +72,7 @@ def bound_motion(
                 if kind == SLIDE:
                     so_far += reach[k]
                 else:
-                    axis = tree.axis[k]
-                    a0 = R[k, 0, 0] * axis[0] + R[k, 0, 1] * axis[1] + R[k, 0, 2] * axis[2]
-                    a1 = R[k, 1, 0] * axis[0] + R[k, 1, 1] * axis[1] + R[k, 1, 2] * axis[2]
-                    a2 = R[k, 2, 0] * axis[0] + R[k, 2, 1] * axis[1] + R[k, 2, 2] * axis[2]
+                    a0, a1, a2 = spin[k, 0], spin[k, 1], spin[k, 2]
                     x = a1 * d2 - a2 * d1
                     y = a2 * d0 - a0 * d2
                     z = a0 * d1 - a1 * d0
@@ -85,7 +90,7 @@ def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, 
     No lever grows by more than what the joints outside of it move the point.
 
     Args:
-        memory: Bodies, ``rate`` and ``moved`` in place.
+        memory: Bodies, ``rate``, ``spin`` and ``moved`` in place.
         body, levels: The ball's body, and how many joints to cross.
         x, y, z, radius: The ball, m.
 
@@ -105,11 +110,9 @@ def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, 
             continue
         if math.isnan(rate):
             return v0, v1, v2, o0, o1, o2, math.nan
-        axis = tree.axis[k]
-        R = work.R[k]
-        a0 = rate * (R[0, 0] * axis[0] + R[0, 1] * axis[1] + R[0, 2] * axis[2])
-        a1 = rate * (R[1, 0] * axis[0] + R[1, 1] * axis[1] + R[1, 2] * axis[2])
-        a2 = rate * (R[2, 0] * axis[0] + R[2, 1] * axis[1] + R[2, 2] * axis[2])
+        a0 = rate * work.spin[k, 0]
+        a1 = rate * work.spin[k, 1]
+        a2 = rate * work.spin[k, 2]
         if tree.kind[k] == SLIDE:
             v0 += a0
             v1 += a1
@@ -136,18 +139,16 @@ def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, 
 
 @inlined
 def nearing(
-    R: Array, axis: Array, first: Sweep, first_radius: float, second: Sweep, second_radius: float
+    direction: Direction, first: Sweep, first_radius: float, second: Sweep, second_radius: float
 ) -> float:
     """How much the gap of two balls along a direction can shrink, m; NaN when it is not known.
 
     Args:
-        R, axis: The direction is ``R @ axis``, a unit vector.
+        direction: A unit vector of the world.
         first, second: Motion of the two, of ``swept``.
         first_radius, second_radius: Their sizes, m.
     """
-    n0 = R[0, 0] * axis[0] + R[0, 1] * axis[1] + R[0, 2] * axis[2]
-    n1 = R[1, 0] * axis[0] + R[1, 1] * axis[1] + R[1, 2] * axis[2]
-    n2 = R[2, 0] * axis[0] + R[2, 1] * axis[1] + R[2, 2] * axis[2]
+    n0, n1, n2 = direction
     along = n0 * (first[0] - second[0]) + n1 * (first[1] - second[1]) + n2 * (first[2] - second[2])
     shrinks: float = (
         abs(along)

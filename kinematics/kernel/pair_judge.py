@@ -10,21 +10,27 @@ import math
 
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
-from kinematics.kernel.motion_bound import STILL, nearing, swept
+from kinematics.kernel.motion_bound import STILL, Sweep, nearing, swept
 from kinematics.kernel.placing import pose_of
 from kinematics.kernel.separation import OVERLAP, core_gap, point_distance
+from kinematics.kernel.solids import Solids
+from kinematics.kernel.support import along, extent
+from kinematics.kernel.tree import WORLD
 
 APART, OPEN, TOUCHING = 0, 1, 2
 """Status of a pair."""
-# A closer look is not worth while when less than this part of the motion bound uses up the distance.
-_HOPELESS = 0.5
+_ROUGH, _FEW = 1, 0
 
 
 @compiled
 def pair_distance(memory: Memory, first: int, second: int, pair: int, enough: float, little: float) -> float:
-    """Lower bound of the distance of two placed solids; see ``core_distance``."""
+    """Lower bound of the distance of two placed solids; see ``core_distance``.
+
+    The direction is remembered in the frame of the second when that is an object, whose faces it is
+    mostly normal to, else in that of the first.
+    """
     solids, work = problem_at(memory).solids, work_at(memory)
-    axis = work.axis[pair]
+    axis, direction = work.axis[pair], work.direction
     A, a, B, b = work.first_R, work.first_p, work.second_R, work.second_p
     R, p = work.R_between, work.p_between
     pose_of(solids, first, work, A, a)
@@ -33,17 +39,73 @@ def pair_distance(memory: Memory, first: int, second: int, pair: int, enough: fl
         p[r] = A[0, r] * (b[0] - a[0]) + A[1, r] * (b[1] - a[1]) + A[2, r] * (b[2] - a[2])
         for k in range(3):
             R[r, k] = A[0, r] * B[0, k] + A[1, r] * B[1, k] + A[2, r] * B[2, k]
+    still = solids.body[second] == WORLD
+    for r in range(3):
+        direction[r] = A[0, r] * axis[0] + A[1, r] * axis[1] + A[2, r] * axis[2] if still else axis[r]
     rounds = solids.round[first] + solids.round[second]
     pads = solids.pad[first] + solids.pad[second]
     distance = -math.inf
     # chosen vertices, padded; when those are too near, all vertices
     for exact in range(0 if little > OVERLAP else 1, 2):
         off = rounds if exact == 1 else rounds + pads
-        found = core_gap(solids, first, second, exact, R, p, enough + off, little + off, axis, work.S, work.v)
+        found = core_gap(
+            solids, first, second, exact, R, p, enough + off, little + off, direction, work.S, work.v
+        )
         distance = found - off
         if distance > little or pads == 0.0:
             break
+    for r in range(3):
+        turned = A[r, 0] * direction[0] + A[r, 1] * direction[1] + A[r, 2] * direction[2]
+        axis[r] = turned if still else direction[r]
     return distance
+
+
+@inlined
+def _remembered(solids: Solids, work: Work, first: int, second: int, pair: int) -> tuple[float, float, float]:
+    """The direction that separated a pair last, in the world; zero when there is none."""
+    axis = work.axis[pair]
+    if solids.body[second] == WORLD:
+        return axis[0], axis[1], axis[2]
+    return along(solids, work.R, first, axis[0], axis[1], axis[2])
+
+
+@compiled
+def _gap(memory: Memory, first: int, second: int, rough: int, x: float, y: float, z: float) -> float:
+    """Gap of two solids along a direction of the world, m.
+
+    By their rough or their chosen vertices, without what rounds or pads them.
+    """
+    solids, work = problem_at(memory).solids, work_at(memory)
+    near = extent(solids, work.R, work.p, first, rough, -x, -y, -z)
+    return -near - extent(solids, work.R, work.p, second, rough, x, y, z)
+
+
+@inlined
+def _own_nearing(
+    memory: Memory, problem: Problem, work: Work, pair: int, n: tuple[float, float, float]
+) -> float:
+    """How much nearer two moving solids can come along a direction, m; NaN when it is not known."""
+    solids, pairs = problem.solids, problem.pairs
+    i, j, group = pairs.first[pair], pairs.second[pair], pairs.group[pair]
+    c, d = work.centre[i], work.centre[j]
+    ri, rj = solids.radius[i], solids.radius[j]
+    one = swept(memory, solids.body[i], pairs.first_level[group], c[0], c[1], c[2], ri)
+    other = swept(memory, solids.body[j], pairs.second_level[group], d[0], d[1], d[2], rj)
+    return nearing(n, one, ri, other, rj)
+
+
+@inlined
+def _sweep_of(memory: Memory, problem: Problem, work: Work, i: int) -> Sweep:
+    """Motion of a moving solid against the world, reckoned once in an interval."""
+    s = work.sweep[i]
+    if work.sweep_look[i] != work.look[0]:
+        work.sweep_look[i] = work.look[0]
+        body, c = problem.solids.body[i], work.centre[i]
+        radius = problem.solids.radius[i]
+        s[0], s[1], s[2], s[3], s[4], s[5], s[6] = swept(
+            memory, body, problem.chains.length[body], c[0], c[1], c[2], radius
+        )
+    return s[0], s[1], s[2], s[3], s[4], s[5], s[6]
 
 
 @inlined
@@ -63,34 +125,36 @@ def judge_own(memory: Memory, problem: Problem, work: Work, pair: int, slack: fl
     if square > far * far:
         return APART
     between = math.sqrt(square)
-    if between > margin + solids.radius[i] + solids.radius[j] and margin + _HOPELESS * slack >= between:
+    if (
+        between > margin + solids.radius[i] + solids.radius[j]
+        and margin + problem.tuning.hopeless * slack >= between
+    ):
         # apart now, and not by so much: no closer look can prove it
         return OPEN
-    distance = pair_distance(memory, i, j, pair, need, margin)
+    bound = slack
+    n = _remembered(solids, work, i, j, pair)
+    if n[0] != 0.0 or n[1] != 0.0 or n[2] != 0.0:
+        off = solids.round[i] + solids.round[j]
+        pads = solids.rough_pad[i] + solids.rough_pad[j]
+        gap = _gap(memory, i, j, _ROUGH, n[0], n[1], n[2]) - off
+        if gap - pads > need:
+            return APART
+        if slack > 0.0 and gap > margin:
+            nears = _own_nearing(memory, problem, work, pair, n)
+            if nears < bound:
+                bound = nears
+            if gap - pads > margin + bound:
+                return APART
+            narrow = margin + bound + off + solids.pad[i] + solids.pad[j]
+            if gap > margin + bound and _gap(memory, i, j, _FEW, n[0], n[1], n[2]) > narrow:
+                return APART
+            bound = min(slack, problem.tuning.enough * bound)
+    distance = pair_distance(memory, i, j, pair, margin + bound, margin)
     if distance > need:
         return APART
     if distance <= margin:
         return TOUCHING
-    group = pairs.group[pair]
-    first = swept(
-        memory,
-        solids.body[i],
-        pairs.first_level[group],
-        centre[i, 0],
-        centre[i, 1],
-        centre[i, 2],
-        solids.radius[i],
-    )
-    second = swept(
-        memory,
-        solids.body[j],
-        pairs.second_level[group],
-        centre[j, 0],
-        centre[j, 1],
-        centre[j, 2],
-        solids.radius[j],
-    )
-    nears = nearing(work.first_R, work.axis[pair], first, solids.radius[i], second, solids.radius[j])
+    nears = _own_nearing(memory, problem, work, pair, _remembered(solids, work, i, j, pair))
     return APART if distance > margin + nears else OPEN
 
 
@@ -101,22 +165,39 @@ def judge_with(memory: Memory, problem: Problem, work: Work, i: int, thing: int,
     j = pairs.moving + thing
     margin = pairs.object_margin[thing]
     between = point_distance(solids, j, work.centre[i, 0], work.centre[i, 1], work.centre[i, 2])
-    gap = between - solids.radius[i]
+    radius = solids.radius[i]
+    gap = between - radius
     need = margin + slack
     if gap > need:
         return APART
-    if gap > margin and margin + _HOPELESS * slack >= between:
+    if gap > margin and margin + problem.tuning.hopeless * slack >= between:
         return OPEN
     pair = pairs.first.shape[0] + thing * pairs.moving + i
-    distance = pair_distance(memory, i, j, pair, need, margin)
+    bound = slack
+    axis = work.axis[pair]
+    n = axis[0], axis[1], axis[2]
+    if n[0] != 0.0 or n[1] != 0.0 or n[2] != 0.0:
+        off = solids.round[i] + solids.round[j]
+        gap = _gap(memory, i, j, _ROUGH, n[0], n[1], n[2]) - off
+        if gap - solids.rough_pad[i] > need:
+            return APART
+        if slack > 0.0 and gap > margin:
+            nears = nearing(n, _sweep_of(memory, problem, work, i), radius, STILL, 0.0)
+            if nears < bound:
+                bound = nears
+            if gap - solids.rough_pad[i] > margin + bound:
+                return APART
+            narrow = margin + bound + off + solids.pad[i]
+            if gap > margin + bound and _gap(memory, i, j, _FEW, n[0], n[1], n[2]) > narrow:
+                return APART
+            bound = min(slack, problem.tuning.enough * bound)
+    distance = pair_distance(memory, i, j, pair, margin + bound, margin)
     if distance > need:
         return APART
     if distance <= margin:
         return TOUCHING
-    body = solids.body[i]
-    c = work.centre[i]
-    first = swept(memory, body, problem.chains.length[body], c[0], c[1], c[2], solids.radius[i])
-    nears = nearing(work.first_R, work.axis[pair], first, solids.radius[i], STILL, 0.0)
+    n = axis[0], axis[1], axis[2]
+    nears = nearing(n, _sweep_of(memory, problem, work, i), radius, STILL, 0.0)
     return APART if distance > margin + nears else OPEN
 
 

@@ -7,7 +7,6 @@ import math
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
 from kinematics.kernel.pair_judge import APART, OPEN, TOUCHING, judge_own, judge_with, own_slack
-from kinematics.kernel.separation import point_distance
 from kinematics.kernel.solids import Indices
 
 
@@ -57,16 +56,13 @@ def scan(memory: Memory, found: Indices) -> tuple[int, int]:
 
 
 @inlined
-def _scan_limb(
-    memory: Memory, problem: Problem, work: Work, limb: int, found: Indices, listed: int
-) -> tuple[int, int]:
-    """Judge a limb with every object: as a whole, body by body, solid by solid; see ``scan``."""
-    solids, pairs, chains, ball = problem.solids, problem.pairs, problem.chains, work.ball
-    first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
+def _near_limb(problem: Problem, work: Work, limb: int) -> int:
+    """List the objects whose boxes come near a limb as a whole; tell how many."""
+    pairs, chains, ball = problem.pairs, problem.chains, work.ball
     low0 = low1 = low2 = math.inf
     high0 = high1 = high2 = -math.inf
     farthest = 0.0
-    for at in range(first, last):
+    for at in range(pairs.limb_start[limb], pairs.limb_start[limb + 1]):
         body = pairs.limb_bodies[at]
         r = chains.radius[body]
         low0 = min(low0, ball[body, 0] - r)
@@ -76,18 +72,44 @@ def _scan_limb(
         high1 = max(high1, ball[body, 1] + r)
         high2 = max(high2, ball[body, 2] + r)
         farthest = max(farthest, work.moved[body, chains.length[body]])
-    c0, c1, c2 = 0.5 * (low0 + high0), 0.5 * (low1 + high1), 0.5 * (low2 + high2)
-    around = math.sqrt((high0 - c0) ** 2 + (high1 - c1) ** 2 + (high2 - c2) ** 2) + farthest
-    for thing in range(pairs.object_margin.shape[0]):
-        solid = pairs.moving + thing
+    low, high, away, margin = pairs.object_low, pairs.object_high, work.away, pairs.object_margin
+    things = margin.shape[0]
+    # box against box; without branches, so that several are done at once
+    for thing in range(things):
+        d0 = max(low[0, thing] - high0, low0 - high[0, thing])
+        d1 = max(low[1, thing] - high1, low1 - high[1, thing])
+        d2 = max(low[2, thing] - high2, low2 - high[2, thing])
+        away[thing] = max(d0, max(d1, d2)) - margin[thing]
+    count = 0
+    for thing in range(things):
+        if away[thing] <= farthest:
+            work.near[count] = thing
+            count += 1
+    return count
+
+
+@inlined
+def _scan_limb(
+    memory: Memory, problem: Problem, work: Work, limb: int, found: Indices, listed: int
+) -> tuple[int, int]:
+    """Judge a limb with every object: as a whole, body by body, solid by solid; see ``scan``."""
+    pairs, chains, ball = problem.pairs, problem.chains, work.ball
+    first, last = pairs.limb_start[limb], pairs.limb_start[limb + 1]
+    for row in range(_near_limb(problem, work, limb)):
+        thing = work.near[row]
+        low0, low1, low2 = pairs.object_low[0, thing], pairs.object_low[1, thing], pairs.object_low[2, thing]
+        high0, high1 = pairs.object_high[0, thing], pairs.object_high[1, thing]
+        high2 = pairs.object_high[2, thing]
         margin = pairs.object_margin[thing]
-        if point_distance(solids, solid, c0, c1, c2) > around + margin:
-            continue
         for at in range(first, last):
             body = pairs.limb_bodies[at]
             slack = work.moved[body, chains.length[body]]
-            away = point_distance(solids, solid, ball[body, 0], ball[body, 1], ball[body, 2])
-            if away > chains.radius[body] + slack + margin:
+            far = chains.radius[body] + slack + margin
+            c0, c1, c2 = ball[body, 0], ball[body, 1], ball[body, 2]
+            d0 = max(max(low0 - c0, c0 - high0), 0.0)
+            d1 = max(max(low1 - c1, c1 - high1), 0.0)
+            d2 = max(max(low2 - c2, c2 - high2), 0.0)
+            if d0 * d0 + d1 * d1 + d2 * d2 > far * far:
                 continue
             for k in range(pairs.body_start[at], pairs.body_start[at + 1]):
                 s = pairs.body_solids[k]

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinematics.kernel.pairs import Array, Indices, OwnPair
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.kernel.solids import Solid, plain_solid
+from kinematics.kernel.solids import Solid, Solids, half_extents_m, plain_solid, plain_solids
 from kinematics.kernel.tree import WORLD
 from kinematics.scene import PlanningScene
 
@@ -23,14 +23,21 @@ class SceneSolids(NamedTuple):
         around: The objects.
         object_margin: What everything keeps from each object, shape (objects,), m.
         judged: 1 where a moving solid is judged against an object, shape (objects, moving).
+        object_box: Lower and upper corners of boxes along the world's axes that hold the objects, shape
+            (2, 3, objects), m.
     """
 
     names: tuple[str, ...]
     held: list[Solid]
     pairs: list[OwnPair]
-    around: list[Solid]
+    around: Solids
     object_margin: Array
     judged: Indices
+    object_box: Array
+
+
+# By so much a box is larger than it has to be: rounding in coordinates of some metres.
+_ROUNDING_M = 1e-9
 
 
 def scene_solids(robot: RobotArrays, scene: PlanningScene, extra_margin_m: float) -> SceneSolids:
@@ -68,11 +75,15 @@ def scene_solids(robot: RobotArrays, scene: PlanningScene, extra_margin_m: float
     for name, links in touch.items():
         for thing in links & row_of.keys():
             judged[row_of[thing], solids_of[name]] = 0
+    poses = np.array([item.world_T_object for item in objects], np.float64).reshape(-1, 4, 4)
+    around = plain_solids(WORLD, poses, [item.shape for item in objects])
+    centre, half = around.centre, half_extents_m(around) + _ROUNDING_M
     return SceneSolids(
         names=(*names, *row_of),
         held=held,
         pairs=pairs,
-        around=[plain_solid(WORLD, item.world_T_object, item.shape) for item in objects],
+        around=around,
         object_margin=np.array([item.margin_m + extra_margin_m for item in objects], np.float64),
         judged=judged,
+        object_box=np.ascontiguousarray(np.stack([(centre - half).T, (centre + half).T])),
     )

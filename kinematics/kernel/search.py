@@ -14,17 +14,12 @@ import numpy as np
 
 from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.judge import CONTACT, FREE, PRESUMED, RESOLUTION_M, judge_edge, judge_point
-from kinematics.kernel.memory import Memory, work_at
+from kinematics.kernel.memory import Memory, problem_at, work_at
 from kinematics.kernel.solids import Array, Indices
 
-# Where nothing moves farther than this, an edge of a tree is not looked at more closely, m.
-_LOOK_M = 0.01
-# A shortcut that comes nearer than about this to anything is not worth its proof, m.
-_SHORTCUT_M = 0.001
-# Most intervals of an edge of a tree, of a shortcut, and of a proof.
-_TREE_EFFORT, _SHORTCUT_EFFORT, _PROOF_EFFORT = 400.0, 400.0, 4000.0
-# Points at which an edge is asked first: so far apart, in the joint that moves farthest, and so many, rad.
-_POINT_STEP = 0.15
+# Most intervals of a proof.
+_PROOF_EFFORT = 4000.0
+# Most points at which an edge is asked first.
 _MOST_POINTS = 16
 # Nodes of a tree for each iteration; a tree that is full ends the search.
 _NODES_PER_ITERATION = 8
@@ -76,12 +71,12 @@ def _nearest(tree: Array, count: int, point: Array, weights: Array) -> int:
 @compiled
 def _blocked(memory: Memory, a: Array, b: Array) -> bool:
     """Whether an edge is refused at one of a few points, the middle first; a point is cheap."""
-    work = work_at(memory)
+    work, step = work_at(memory), problem_at(memory).tuning.point_step_rad
     widest = 0.0
     for k in range(a.shape[0]):
         widest = max(widest, abs(b[k] - a[k]))
     count = 1
-    while count < _MOST_POINTS and widest > _POINT_STEP * (count + 1):
+    while count < _MOST_POINTS and widest > step * (count + 1):
         for i in range(count):
             t = (i + 0.5) / count
             for k in range(a.shape[0]):
@@ -100,7 +95,8 @@ def _look(memory: Memory, a: Array, b: Array) -> int:
         return verdict
     if _blocked(memory, a, b):
         return CONTACT
-    return judge_edge(memory, a, b, _TREE_EFFORT, -_LOOK_M)[0]
+    tuning = problem_at(memory).tuning
+    return judge_edge(memory, a, b, tuning.tree_effort, -tuning.look_m)[0]
 
 
 @compiled
@@ -270,6 +266,7 @@ def shorten(memory: Memory, points: Array, iterations: int, found: Array) -> int
     Returns:
         Number of its rows; 0 when it does not fit.
     """
+    tuning = problem_at(memory).tuning
     size = points.shape[1]
     weights = points[0]
     seed = int(found[0])
@@ -301,7 +298,7 @@ def shorten(memory: Memory, points: Array, iterations: int, found: Array) -> int
             continue
         if _blocked(memory, a, b):
             continue
-        if judge_edge(memory, a, b, _SHORTCUT_EFFORT, _SHORTCUT_M)[0] != FREE:
+        if judge_edge(memory, a, b, tuning.shortcut_effort, tuning.shortcut_m)[0] != FREE:
             continue
         shift = 2 - (second - first)
         if shift > 0:

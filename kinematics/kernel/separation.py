@@ -371,4 +371,6 @@ def _hull_and_point(points: Array) -> Solids:
         points=points,
         centre=np.zeros((2, 3)),
         radius=np.zeros(2),
+        rough=np.zeros(2, np.int64),
+        rough_pad=np.zeros(2),
     )

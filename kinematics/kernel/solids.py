@@ -20,6 +20,8 @@ Indices = NDArray[np.int64]
 HULL, BOX, CYLINDER, POINT, SEGMENT = 0, 1, 2, 3, 4
 # Vertices are left out of a hull as long as none of them is farther from the rest than this.
 REDUCTION_M = 0.002
+# The same for the rough hull that is asked first.
+ROUGH_M = 0.01
 
 
 class Solids(NamedTuple):
@@ -37,6 +39,8 @@ class Solids(NamedTuple):
         all: First and last row of all its vertices, shape (s, 2).
         points: Vertices in the body's frame, shape (n, 3), m.
         centre, radius: Bounding ball in the body's frame, shapes (s, 3) and (s,), m.
+        rough: The chosen vertices up to this row are a rough hull, shape (s,).
+        rough_pad: With this rounding it encloses the whole hull, shape (s,), m.
     """
 
     kind: Indices
@@ -51,6 +55,8 @@ class Solids(NamedTuple):
     points: Array
     centre: Array
     radius: Array
+    rough: Indices
+    rough_pad: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +73,8 @@ class Solid:
     few: Array
     all: Array
     pad_m: float = 0.0
+    rough: int = 0
+    rough_pad_m: float = 0.0
 
 
 _NO_POINTS = np.zeros((0, 3))
@@ -81,6 +89,55 @@ def plain_solid(body: int, pose: Transform, shape: Shape) -> Solid:
             return _primitive(CYLINDER, body, pose, (radius, 0.5 * height, 0.0), 0.0)
         case Ball(radius_m=radius):
             return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), radius)
+
+
+def plain_solids(body: int, poses: Array, shapes: Sequence[Shape]) -> Solids:
+    """Boxes, cylinders and balls on one body, as arrays: ``flatten`` of ``plain_solid``, faster.
+
+    Args:
+        body: What carries them.
+        poses: In its frame, shape (n, 4, 4).
+        shapes: What they are.
+    """
+    n = len(shapes)
+    kind, size, rounding = np.empty(n, np.int64), np.zeros((n, 3)), np.zeros(n)
+    for k, shape in enumerate(shapes):
+        match shape:
+            case Box(size_m=(x, y, z)):
+                kind[k] = BOX
+                size[k] = 0.5 * x, 0.5 * y, 0.5 * z
+            case Cylinder(radius_m=radius, height_m=height):
+                kind[k] = CYLINDER
+                size[k, :2] = radius, 0.5 * height
+            case Ball(radius_m=radius):
+                kind[k] = POINT
+                rounding[k] = radius
+    rows = np.zeros((n, 2), np.int64)
+    none, place = np.zeros(n), np.ascontiguousarray(poses[:, :3, 3])
+    return Solids(
+        kind=kind,
+        body=np.full(n, body, np.int64),
+        R=np.ascontiguousarray(poses[:, :3, :3]),
+        p=place,
+        size=size,
+        round=rounding,
+        few=rows,
+        pad=none,
+        all=rows,
+        points=_NO_POINTS,
+        centre=place,
+        radius=np.sqrt(np.sum(size * size, axis=1)) + rounding,
+        rough=rows[:, 0],
+        rough_pad=none,
+    )
+
+
+def half_extents_m(plain: Solids) -> Array:
+    """Half-sizes of the boxes along their body's axes that just hold solids, shape (n, 3); not of hulls."""
+    R, size = np.abs(plain.R), plain.size[:, None]
+    box = np.sum(R * size, axis=2)
+    around = size[..., 0] * np.sqrt(R[..., 0] ** 2 + R[..., 1] ** 2) + size[..., 1] * R[..., 2]
+    return np.asarray(np.where(plain.kind[:, None] == BOX, box, around) + plain.round[:, None])
 
 
 def _primitive(
@@ -119,11 +176,15 @@ def _hull(body: int, points: Array) -> Solid:
 
     points = np.ascontiguousarray(points)
     order = np.empty(len(points), np.int64)
+    # vertices are chosen in one order, whatever the tolerance
+    rough, rough_pad = reduced_hull(points, ROUGH_M, order)
     count, pad = reduced_hull(points, REDUCTION_M, order)
     few = points[order[:count]]
     centre = _ball_centre(points)
     radius = float(np.linalg.norm(points - centre, axis=1).max())
-    return Solid(HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad)
+    return Solid(
+        HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad
+    )
 
 
 def _ball_centre(points: Array) -> Array:
@@ -152,11 +213,17 @@ def flatten(solids: Sequence[Solid]) -> Solids:
         points=np.concatenate([_NO_POINTS, *clouds]),
         centre=np.array([solid.centre for solid in solids], np.float64).reshape(-1, 3),
         radius=np.array([solid.radius_m for solid in solids], np.float64),
+        rough=ends[:-1:2] + np.array([solid.rough for solid in solids], np.int64),
+        rough_pad=np.array([solid.rough_pad_m for solid in solids], np.float64),
     )
 
 
-def with_plain(solids: Solids, more: Sequence[Solid]) -> Solids:
+def with_plain(solids: Solids, *more: Solids) -> Solids:
     """The same with boxes, cylinders and balls behind them: they have no vertices, so rows stay."""
-    return (
-        Solids(*(np.concatenate(two) for two in zip(solids, flatten(more), strict=True))) if more else solids
+    joined = Solids(
+        *(
+            np.concatenate(parts)
+            for parts in zip(*(each._replace(points=_NO_POINTS) for each in (solids, *more)), strict=True)
+        )
     )
+    return joined._replace(points=solids.points)

@@ -8,6 +8,7 @@ tracking", IROS 2010, section III; the DCM form is that of Englsberger et al. (`
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -120,8 +121,7 @@ class WrenchDistribution:
     def _pressed(self, side: Hand, foot: PlanarPose, off: Point) -> Point:
         """Centre of pressure of a sole: as far off its origin as the whole is, but inside the sole."""
         sole, inset = self._soles[side], self._settings.zmp_inset_m
-        seen = PlanarPose(yaw_rad=foot.yaw_rad).to(PlanarPose(off[0], off[1], foot.yaw_rad))
-        x = min(max(seen.x_m, sole.x_m[0] + inset), sole.x_m[1] - inset)
-        y = min(max(seen.y_m, sole.y_m[0] + inset), sole.y_m[1] - inset)
-        pressed = foot @ PlanarPose(x, y)
-        return pressed.x_m, pressed.y_m
+        c, s = math.cos(foot.yaw_rad), math.sin(foot.yaw_rad)
+        x = min(max(c * off[0] + s * off[1], sole.x_m[0] + inset), sole.x_m[1] - inset)
+        y = min(max(c * off[1] - s * off[0], sole.y_m[0] + inset), sole.y_m[1] - inset)
+        return foot.x_m + c * x - s * y, foot.y_m + s * x + c * y

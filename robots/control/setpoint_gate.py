@@ -71,6 +71,7 @@ class SetpointGate:
         steps = np.array(
             [walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)]
         )
+        self._stepping = False
         self._accelerations = {False: upper[3].copy(), True: steps}
         self._acceleration_room = room[3]
         self._judged = np.empty((5, n))
@@ -81,7 +82,9 @@ class SetpointGate:
 
     def expect_steps(self, stepping: bool) -> None:
         """Judge accelerations by the limits of a robot that walks, or of one that stands."""
-        bound = self._accelerations[stepping]
+        if stepping == self._stepping:
+            return
+        self._stepping, bound = stepping, self._accelerations[stepping]
         self._upper[3], self._lower[3] = bound, -bound
         self._most[3], self._least[3] = bound + self._acceleration_room, -bound - self._acceleration_room
 

@@ -107,7 +107,10 @@ class FakeMotion:
         trajectory = checked.trajectory
         elapsed_s = min(self._clock.now_s() - start_s, trajectory.duration_s)
         handle.progress = elapsed_s / trajectory.duration_s
-        self._q = np.array([np.interp(elapsed_s, trajectory.t_s, column) for column in trajectory.q.T])
+        after = min(int(np.searchsorted(trajectory.t_s, elapsed_s, side="right")), len(trajectory.t_s) - 1)
+        before_s, after_s = trajectory.t_s[after - 1], trajectory.t_s[after]
+        share = (elapsed_s - before_s) / (after_s - before_s)
+        self._q = trajectory.q[after - 1] + share * (trajectory.q[after] - trajectory.q[after - 1])
         if self.refuse_midway and handle.progress >= 0.5:
             _refused(handle, self.refuse_midway)
             self._active = None

@@ -14,7 +14,7 @@ from robots.errors import SetpointRefusedError
 from robots.interface import JointSetpoint, RobotState
 from robots.simulated.body_model import ACCELEROMETER, GYRO
 from robots.simulated.physics import TIMESTEP_S, Physics
-from robots.simulated.servo_arrays import add_readings, servo_inputs
+from robots.simulated.servo_arrays import add_readings, begin_ramp, servo_inputs
 
 Array = NDArray[np.float64]
 
@@ -58,6 +58,7 @@ class SimulatedRobot:
         self._effort = np.zeros(self._count)
         self._target = np.array(self._qpos[self._joint_qpos])
         self._former = self._target.copy()
+        self._change = np.zeros(self._count)
         self._ctrl[:] = self._target
         self._commanded = False
         self.taken = 0
@@ -86,13 +87,15 @@ class SimulatedRobot:
                 self._sensors,
                 self._sensor_order,
                 self._sensor_sign,
+                self.encoder_offset,
+                self.gyro_bias,
             )
             self._reading = RobotState(
                 stamp_s=self._steps * _TIMESTEP_NS * 1e-9,
-                q=noise[:n] + self.encoder_offset,
+                q=noise[:n],
                 v=noise[n : 2 * n],
                 effort=noise[2 * n : 3 * n],
-                gyro=noise[3 * n : 3 * n + 3] + self.gyro_bias,
+                gyro=noise[3 * n : 3 * n + 3],
                 accelerometer=noise[3 * n + 3 : 3 * n + 6],
                 foot_wrench=noise[3 * n + 6 :].reshape(-1, 6),
                 battery=self.battery,
@@ -148,9 +151,8 @@ class SimulatedRobot:
         if self._before_period is not None:
             self._before_period()
         model, data, ctrl, force = self._model, self._data, self._ctrl, self._force
-        change = (self._target - self._former) / steps
-        effort = np.zeros(self._count)
-        ctrl[:] = self._former - self.encoder_offset
+        change, effort = self._change, np.zeros(self._count)
+        begin_ramp(self._former, self._target, self.encoder_offset, steps, ctrl, change)
         for _ in range(steps):
             ctrl += change
             mujoco.mj_step(model, data)

@@ -11,6 +11,7 @@ from executive.replay import NotReplayableError, replay
 from executive.run_log import recorded_run
 from executive.run_request import RunRequest
 from executive.task_script import load_script, script_for
+from robots.planned_fault import PlannedFault
 
 TWO_CUPS = """
 [[furniture]]
@@ -76,13 +77,15 @@ def run(tmp_path):
     scene = tmp_path / "two_cups.toml"
     scene.write_text(TWO_CUPS)
 
-    def record(text, **meddling):
+    def record(text, faults=(), **meddling):
         script = tmp_path / "script.toml"
         if text.startswith("[["):
             script.write_text(text)
         kept = script if script.exists() else None
         statements = (script_for(text) if kept is None else load_script(script)).statements
-        request = RunRequest(text, statements, "talos", str(scene), 3, tmp_path / "runs", script=kept)
+        request = RunRequest(
+            text, statements, "talos", str(scene), 3, tmp_path / "runs", script=kept, faults=tuple(faults)
+        )
         performance = perform(request, NoDisplay(), Meddling(**meddling))
         return performance, recorded_run(tmp_path / "runs", "latest")
 
@@ -108,6 +111,27 @@ def test_a_run_comes_out_the_same_with_its_answers_cancels_stops_and_pauses(run,
     assert performance.report.outcome == outcome
     assert verdict.difference is None
     assert verdict.events > 3
+
+
+@pytest.mark.requirement("U1", "F5")
+def test_faults_happen_again_in_a_replay(run):
+    faults = [
+        PlannedFault("object_gone", 0.3, "a"),
+        PlannedFault("encoder_offset", 0.5, "arm_left_4_joint", (0.05,)),
+    ]
+    _, recorded = run("pick up the red cup", faults, cancel_s=0.9)
+    unharmed = {key: value for key, value in recorded.header.items() if key != "faults"}
+
+    assert replay(recorded).difference is None
+    assert replay(type(recorded)(recorded.path, unharmed, recorded.report)).difference is not None
+
+
+@pytest.mark.parametrize("spoilt", [[{"name": "flood", "t_s": 1.0}], [{}], 7, [[1]]])
+def test_a_run_whose_faults_nobody_knows_is_not_replayed(went_home, spoilt):
+    recorded = type(went_home)(went_home.path, {**went_home.header, "faults": spoilt}, went_home.report)
+
+    with pytest.raises(NotReplayableError, match="faults"):
+        replay(recorded)
 
 
 def test_a_script_is_replayed_from_its_copy(run, tmp_path):

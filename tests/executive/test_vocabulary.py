@@ -94,3 +94,35 @@ def test_a_malformed_file_of_words_is_refused_with_the_reason(tmp_path, content,
 
     with pytest.raises(VocabularyError, match=complaint):
         parser_with((own,))
+
+
+def test_kept_words_are_those_that_were_read(tmp_path):
+    read = load_vocabulary((), tmp_path)
+
+    kept = load_vocabulary((), tmp_path)
+
+    assert len(list(tmp_path.iterdir())) == 1
+    assert (
+        list(kept.classes.values()) == list(read.classes.values()) == list(load_vocabulary().classes.values())
+    )
+
+
+def test_a_changed_list_of_words_is_read_again(tmp_path):
+    own = tmp_path / "own.toml"
+    own.write_text('[vocabulary.KIND]\nsame = ["sprocket"]\n')
+    load_vocabulary([own], tmp_path / "cache")
+    own.write_text('[vocabulary.KIND]\nsame = ["gizmo"]\n')
+
+    words = load_vocabulary([own], tmp_path / "cache").single_words
+
+    assert "gizmo" in words
+    assert "sprocket" not in words
+
+
+@pytest.mark.parametrize("spoilt", ["", "{", "[[1]]", "[1]"])
+def test_a_spoilt_file_of_kept_words_is_read_again(tmp_path, spoilt):
+    load_vocabulary((), tmp_path)
+    (kept,) = tmp_path.iterdir()
+    kept.write_text(spoilt)
+
+    assert "cup" in load_vocabulary((), tmp_path).single_words

@@ -123,7 +123,8 @@ class Stage:
     def _run_hooks(self, tree):
         if not self.hooks:
             return
-        running = {node.name for node in tree.root.iterate() if node.status is Status.RUNNING}
+        # What the tree keeps: going through its branches at each tick would take longer than ticking it.
+        running = {node.name for node in tree._nodes if node.status is Status.RUNNING}
         for hook in list(self.hooks):
             if hook[0] in running:
                 hook[2] -= 1

@@ -210,6 +210,7 @@ def _contexts(new_stage, makers, kinds):
 
 
 def _follow(stage, tree, task, found, makers):
+    leaves = [node for node in tree.root.iterate() if isinstance(node, Leaf)]
     for _ in range(LONGEST * 4):
         if tree.status != "running":
             return
@@ -219,10 +220,11 @@ def _follow(stage, tree, task, found, makers):
         # What leaves before it in this very tick have seen counts; what it took away itself does not.
         scene = max(stage.told.scene, earlier, key=lambda scene: len(scene.objects))
         values = {**_ports(), **before}
-        for node in tree.root.iterate():
-            known = found.get(type(node))
-            began = isinstance(node, Leaf) and node.status is not Status.INVALID
-            if began and (not known.values or (node.status is Status.RUNNING and not hasattr(known, "ran"))):
+        for node in leaves:
+            if node.status is Status.INVALID:
+                continue
+            known = found[type(node)]
+            if not known.values or (node.status is Status.RUNNING and not hasattr(known, "ran")):
                 found[type(node)] = Context(makers.of(node), task, values, q, scene)
                 if node.status is Status.RUNNING:
                     found[type(node)].ran = True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from executive.assembly import assemble
 from executive.command_parser import parse
+from executive.settled_heap import settled_heap
 from executive.task_result import TaskResult, chain
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
@@ -34,9 +35,10 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
         injector, perception = assembly.world.faults, assembly.perception
         FAULTS[order.fault](FaultBench(TARGET, scene, truth, injector, perception, phases, rng), state)
     (command,) = parse(sentence_for(scene)).commands
-    result = session.run_task(command)
-    judge.begin_hold()
-    session.hold(HELD_S)
+    with settled_heap():
+        result = session.run_task(command)
+        judge.begin_hold()
+        session.hold(HELD_S)
     friction = next((item.friction for item in scene.objects if item.name == TARGET), None)
     return _record(order, result, judge, state, friction)
 

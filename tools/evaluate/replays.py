@@ -1,7 +1,8 @@
 """Recorded runs, meddled with at random, and replayed: every event must come out the same.
 
-A fifth of the runs is left alone, the others are cancelled, stopped by the emergency stop in the middle of a
-control tick, asked a question that is answered, withdrawn or ignored, or given a script.
+A seventh of the runs is left alone, the others are cancelled, stopped by the emergency stop in the middle of
+a control tick, asked a question that is answered, withdrawn or ignored, given a script, or have a part of the
+body or something in the world go wrong at a random instant.
 """
 
 from __future__ import annotations
@@ -21,13 +22,15 @@ from executive.replay import replay
 from executive.run_log import recorded_run
 from executive.run_request import RunRequest
 from executive.task_script import script_for
+from robots.planned_fault import PlannedFault
 from robots.scene_file import dump
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord
-from tools.evaluate.scenes import SENTENCE, episode_rng, pick_scene
+from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene
 
-MEDDLINGS = ("none", "cancel", "stop", "question", "script")
+MEDDLINGS = ("none", "cancel", "stop", "question", "script", "body", "world")
+_JOINTS = ("arm_left_2_joint", "arm_left_4_joint", "arm_right_2_joint", "arm_right_4_joint", "torso_1_joint")
 LATEST_S = 9.0
 """Meddled with before: a pick takes about so long."""
 
@@ -74,7 +77,7 @@ def _run(order: EpisodeOrder, folder: Path) -> EpisodeRecord:
     rng = episode_rng(order.seed, 30)
     what = MEDDLINGS[order.seed % len(MEDDLINGS)]
     meddler = _Meddler(what, float(rng.uniform(0.1, LATEST_S)), _reply(rng))
-    request = _request(order, folder, what)
+    request = _request(order, folder, what, rng)
     performance = perform(request, NoDisplay(), meddler)
     verdict = replay(recorded_run(request.record, performance.run_name))
     told = " ".join(verdict.lines()) if verdict.difference is not None else None
@@ -94,7 +97,7 @@ def _reply(rng: np.random.Generator) -> str | None:
     return (None, "never mind", "1", "the second one")[int(rng.integers(4))]
 
 
-def _request(order: EpisodeOrder, folder: Path, what: str) -> RunRequest:
+def _request(order: EpisodeOrder, folder: Path, what: str, rng: np.random.Generator) -> RunRequest:
     scene, script = folder / "scene.toml", folder / "script.toml"
     text = SENTENCE
     if what == "question":
@@ -118,4 +121,29 @@ def _request(order: EpisodeOrder, folder: Path, what: str) -> RunRequest:
         seed=order.seed,
         record=folder / "runs",
         script=script if what == "script" else None,
+        faults=(_fault(rng, what),) if what in ("body", "world") else (),
     )
+
+
+def _fault(rng: np.random.Generator, what: str) -> PlannedFault:
+    """Something that goes wrong with a joint, the gyro, the battery or the thing that is picked up."""
+    t_s, joint = round(float(rng.uniform(0.3, LATEST_S)), 4), str(rng.choice(_JOINTS))
+    heading = float(rng.uniform(-np.pi, np.pi))
+    choices = {
+        "body": (
+            PlannedFault("joint_stuck", t_s, joint),
+            PlannedFault("joint_offline", t_s, joint),
+            PlannedFault("joint_weak", t_s, joint, (0.1,)),
+            PlannedFault("encoder_offset", t_s, joint, (float(rng.uniform(0.03, 0.07)),)),
+            PlannedFault("gyro_bias", t_s, "", (0.02, -0.02, 0.01)),
+            PlannedFault("battery_low", t_s, "", (0.1,)),
+        ),
+        "world": (
+            PlannedFault("object_gone", t_s, TARGET),
+            PlannedFault("object_moved", t_s, TARGET, (0.04, -0.05)),
+            PlannedFault("object_knocked", t_s, TARGET, (heading, 0.05)),
+            PlannedFault("object_tipped", t_s, TARGET, (heading,)),
+            PlannedFault("object_slippery", t_s, TARGET, (0.02,)),
+        ),
+    }[what]
+    return choices[int(rng.integers(len(choices)))]

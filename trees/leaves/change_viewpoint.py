@@ -1,4 +1,4 @@
-"""Look from elsewhere: walk on a little, or turn the whole body."""
+"""Look from elsewhere: walk on a little, step back, or turn the whole body."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import feet_pose
+from trees.own_load import without_held
 from trees.ports import ports
 from trees.toolbox import Toolbox
 from trees.walking_leaf import WalkingLeaf
@@ -25,14 +26,19 @@ _AHEAD_M = 2.0
 """Half of what the camera sees far."""
 _LEAST_M = 0.4
 _ROOM_M = 0.6
+_BACK_M, _LEAST_BACK_M, _ROOM_BEHIND_M = 0.7, 0.2, 0.3
+"""So far back there is room to turn, where one stands with the hands over or inside something."""
 _TURN_RAD = 1.9
 """Less than the head sees to both sides, so that nothing is passed over."""
 _TURN_ROOM_M = 0.62
 _SPEED_M_S = 0.3
 
 
+Viewpoint = Literal["ahead", "around", "back"]
+
+
 class ChangeViewpoint(WalkingLeaf):
-    """Walk straight on as far as the way is free, or turn on the spot."""
+    """Walk straight on or back as far as the way is free, or turn on the spot."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
@@ -46,7 +52,7 @@ class ChangeViewpoint(WalkingLeaf):
         on_cancel="the robot stops within two steps and stands",
     )
 
-    def __init__(self, name: str, toolbox: Toolbox, way: Literal["ahead", "around"]) -> None:
+    def __init__(self, name: str, toolbox: Toolbox, way: Viewpoint) -> None:
         super().__init__(name, toolbox)
         self._way = way
 
@@ -61,7 +67,7 @@ class ChangeViewpoint(WalkingLeaf):
             if scan is None:
                 self.feedback_message = "waiting for the range sensor"
                 return RUNNING
-            steering = self._steering(settings, scan)
+            steering = self._steering(settings, without_held(toolbox, scan))
             if isinstance(steering, Failure):
                 return steering
             self._handle = toolbox.walking.walk(steering, "walk")
@@ -76,6 +82,11 @@ class ChangeViewpoint(WalkingLeaf):
             if room_m < _LEAST_M:
                 return Failure.infeasible("there is no room ahead to look from", room_m=room_m)
             return StretchSteering(settings, body, _SPEED_M_S, min(room_m, _AHEAD_M))
+        if self._way == "back":
+            room_m = free_way_m(scan, settings, -1.0) - _ROOM_BEHIND_M
+            if room_m < _LEAST_BACK_M:
+                return Failure.infeasible("there is no room behind to look from", room_m=room_m)
+            return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
         near_m = float(np.hypot(scan[:, 0], scan[:, 1]).min(initial=math.inf))
         if near_m < _TURN_ROOM_M:
             return Failure.infeasible("there is no room to turn", room_m=near_m)

@@ -17,6 +17,7 @@ from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.glimpse_of import glimpse_of
 from trees.grounding import Ambiguous, Found, Missing, compares, ground
+from trees.handles import without_moved_parts
 from trees.in_hand import not_in_hand
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
@@ -73,7 +74,7 @@ class Detect(LookLeaf):
         world, policy = self.toolbox.world, self.toolbox.policy
         estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
         update = updated_scene(
-            world.scene,
+            without_moved_parts(world.scene, estimates),
             estimates,
             policy,
             lambda point: self._unseen(views[-1], point),

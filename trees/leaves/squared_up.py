@@ -12,14 +12,15 @@ from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.odometry import feet_pose
-from trees.ports import ports
+from trees.ports import optional, ports
+from trees.reachable_standing import Stand
 from trees.standing_place import standing_place, stands_inside
 
 
 class SquaredUp(Leaf):
     """Compare where the robot stands with where it should, from the last sighting of the place."""
 
-    INPUT_PORTS = ports(place=Place)
+    INPUT_PORTS = ports(place=Place, stand=optional(Stand))
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the place was seen from where the robot stands",
@@ -35,7 +36,11 @@ class SquaredUp(Leaf):
         place: Place = self.get_input("place")
         if place.category == "region":
             return self._inside(place, body)
-        goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m)
+        stand: Stand | None = self.optional("stand")
+        if stand is not None and stand.name == place.name:
+            goal = stand.body(place)
+        else:
+            goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m)
         left = body.to(goal)
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)

@@ -19,7 +19,8 @@ from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose, feet_pose
 from trees.own_load import without_held
-from trees.ports import ports
+from trees.ports import optional, ports
+from trees.reachable_standing import Stand
 from trees.seen_points import SeenPoints, apart_from
 from trees.standing_place import standing_place
 from trees.walking_leaf import WalkingLeaf
@@ -30,6 +31,8 @@ _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
 _TURN_ROOM_M = 0.62
 """Hands and elbows of the home posture reach so far when the robot turns on the spot."""
+_TURNING_HANDS_M = 0.08
+"""Fingers that are 0.77 m aside and 0.31 m ahead go around in a circle of 0.83 m, and the body sways."""
 _BACK_M_S = 0.25
 _CLEARANCES_M = (0.72, 0.62)
 """Of the path, the first one that leaves a way; more where something is as tall as the hands are."""
@@ -48,7 +51,7 @@ class WalkTo(WalkingLeaf):
     well it arrived looks again.
     """
 
-    INPUT_PORTS = ports(place=Place)
+    INPUT_PORTS = ports(place=Place, stand=optional(Stand))
     OUTPUT_PORTS = ports(goal=PlanarPose)
     CONTRACT = Contract(
         precondition="the place was seen, and the robot stands upright with its hands at home",
@@ -80,6 +83,9 @@ class WalkTo(WalkingLeaf):
     def place(self, body: PlanarPose) -> PlanarPose:
         """Where to stand, for a body that is here now."""
         toolbox = self.toolbox
+        stand: Stand | None = self.optional("stand")
+        if stand is not None and stand.name == self._place.name:
+            return stand.body(self._place)
         return standing_place(self._place, toolbox.world.scene, body, toolbox.policy.support_gap_m)
 
     def step(self) -> Status | Failure:
@@ -127,10 +133,11 @@ class WalkTo(WalkingLeaf):
             return PathSteering(settings, (body, self._goal))
         obstacles = self._obstacles(settings)
         self._look(obstacles)
-        near_m = clearance_m(obstacles, body)
+        turning = self._obstacles(settings, _TURNING_HANDS_M)
+        near_m = clearance_m(turning, body)
         if near_m < _TURN_ROOM_M and not self._backing:
             back = body @ PlanarPose(-(_TURN_ROOM_M - near_m + 0.1))
-            if clearance_m(obstacles, back) > near_m:
+            if clearance_m(turning, back) > near_m:
                 self._backing = True
                 return StretchSteering(settings, body, -_BACK_M_S, body.distance_m(back))
         self._backing = False
@@ -152,8 +159,8 @@ class WalkTo(WalkingLeaf):
         self._path, self._clearance_m = path, room_m
         return PathSteering(settings, (*path, self._goal))
 
-    def _obstacles(self, settings: WalkingSettings) -> tuple[Footprint, ...]:
-        return footprints(self.toolbox.world.scene, settings.hands_from_m, _hands_m(settings))
+    def _obstacles(self, settings: WalkingSettings, more_m: float = 0.0) -> tuple[Footprint, ...]:
+        return footprints(self.toolbox.world.scene, settings.hands_from_m, _hands_m(settings) + more_m)
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""

@@ -49,7 +49,11 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), come, attempts])
+    do = _Sequence("come and move it", memory=True, children=[come, attempts])
+    do.transparent = True
+    ways = Alternatives("unless it is so", [VerifyOpening("see whether it is so already", toolbox), do])
+    ways.transparent = True
+    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), ways])
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=tidying_helps)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
 from trees.leaves.go_home import GoHome
 from trees.leaves.locate import Locate
@@ -15,6 +16,7 @@ from trees.leaves.tell import TellCount, TellDescription
 from trees.leaves.tell_found import TellFound
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
+from trees.subtrees.who_speaks import nobody_spoke, who_speaks
 from trees.toolbox import Toolbox
 
 
@@ -29,6 +31,8 @@ def find(toolbox: Toolbox) -> Behaviour:
         for k in range(1, toolbox.policy.looks_past + 1)
     ]
     looks = search_place("look for it", toolbox, everywhere(toolbox), further=past)
+    looks = Alternatives("see it", [who_speaks(toolbox), looks], nobody_spoke)
+    looks.transparent = True
     children: list[Behaviour] = [looks, TellFound("tell", toolbox)]
     return tidily("find", children, toolbox)
 

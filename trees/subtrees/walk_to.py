@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
-from trees.leaves.change_viewpoint import ChangeViewpoint
+from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
+from trees.leaves.choose_stand import ChooseStand
 from trees.leaves.know_place import KnowPlace
 from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.leaves.recall_place import RecallPlace
+from trees.leaves.see_front import SeeFront
 from trees.leaves.squared_up import SquaredUp
 from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
@@ -21,7 +22,8 @@ from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
 
-_VIEWPOINTS: tuple[Literal["ahead", "around"], ...] = ("around", "around", "ahead", "around", "ahead")
+_VIEWPOINTS: tuple[Viewpoint, ...] = ("around", "back", "around", "around", "ahead", "around", "ahead")
+_NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
 
 
 def walk_to(toolbox: Toolbox) -> Behaviour:
@@ -30,12 +32,14 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
         "attempt",
         memory=True,
         children=[
+            ChooseStand("choose where to stand", toolbox),
             ReadyToWalk("stand upright", toolbox),
             WalkTo("walk", toolbox),
             Alternatives(
                 "find again",
                 [
                     KnowPlace("know the place", toolbox),
+                    SeeFront("see its front", toolbox, {"known": "place"}),
                     search_place("look again", toolbox, everywhere(toolbox)),
                 ],
             ),
@@ -55,20 +59,26 @@ def _find(toolbox: Toolbox) -> Behaviour:
         KnowPlace("know the place", toolbox),
         search_place("look around", toolbox, (*far, *policy.search_gazes[1:2])),
     ]
+    ways.append(RecallPlace("recall it", toolbox))
     for k, way in enumerate(_VIEWPOINTS, start=1):
-        name = "go on" if way == "ahead" else "turn around"
         ways.append(
             Sequence(
                 f"viewpoint {k}",
                 memory=True,
                 children=[
                     ReadyToWalk("stand upright", toolbox),
-                    ChangeViewpoint(name, toolbox, way),
+                    ChangeViewpoint(_NAMES[way], toolbox, way),
                     search_place("look around", toolbox, _level_first(far)),
                 ],
             )
         )
-    return Alternatives("find it", ways, hopeless=looking_elsewhere_is_useless)
+    return Alternatives("find it", ways, looking_elsewhere_is_useless, back_only_without_room)
+
+
+def back_only_without_room(way: Behaviour, failure: Failure | None) -> bool:
+    """A step back only after there was no room to turn; any other way always."""
+    back = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "back" for leaf in way.children)
+    return not back or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
 
 
 def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:

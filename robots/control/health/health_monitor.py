@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from kinematics.robot_model import RobotModel
 from robots.control.health.body_health import BodyHealth
 from robots.control.health.finding import Ailment, Finding, Response
@@ -17,9 +15,6 @@ _CLEARED_S = 1.0
 """What was not found for so long is over."""
 _STEPPING_ROOM = 4.0
 """Healthy legs at 0.5 m/s miss 11 % of the effort limit for some periods (knee, hip)."""
-_BENT_RAD = 0.010
-"""Legs farther from their setpoints than this (healthy ones: 5 mrad) tip a sole, and say nothing true about
-how the trunk turns: a jammed ankle looked like 18 mrad/s of gyro bias before it was found to be stuck."""
 _STAYS = frozenset({Ailment.STUCK, Ailment.WEAK, Ailment.OFFLINE, Ailment.ENCODER_OFFSET})
 """These show only while something moves or is carried: they stay until a person has looked at the robot."""
 
@@ -35,10 +30,6 @@ class HealthMonitor:
         self.findings: dict[tuple[Ailment, str], Finding] = {}
         self._joints = JointHealth(model.description, period_s)
         self._body = BodyHealth(model, period_s)
-        legs = {
-            joint for side in ("left", "right") for joint in model.description.groups.get(f"{side}_leg", ())
-        }
-        self._legs = np.array([name in legs for name in model.joints])
         self._period_s = period_s
         self._counts: dict[tuple[Ailment, str], int] = {}
         self._seen_s: dict[tuple[Ailment, str], float] = {}
@@ -70,8 +61,7 @@ class HealthMonitor:
         now_s = sensed.readings.stamp_s
         room = _STEPPING_ROOM if stepping else 1.0
         found = self._joints.judge(sensed.readings, setpoint, in_contact, room)
-        bent = bool((self._joints.off_rad[self._legs] > _BENT_RAD).any())
-        found += self._body.judge(sensed, standing, stepping, bent)
+        found += self._body.judge(sensed, standing, stepping, self._joints.bent)
         new = []
         for finding in found:
             key = finding.key

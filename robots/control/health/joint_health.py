@@ -11,6 +11,7 @@ Three redundancies, none of which a touch disturbs:
 
 from __future__ import annotations
 
+import math
 from collections import deque
 
 import numpy as np
@@ -18,6 +19,12 @@ from numpy.typing import NDArray
 
 from kinematics.robot_description import RobotDescription
 from robots.control.health.finding import Ailment, Finding
+from robots.control.health.joint_arithmetic import (
+    add_travel,
+    watch_encoders,
+    watch_followers,
+    watch_motors,
+)
 from robots.interface import JointSetpoint, RobotState
 
 Array = NDArray[np.float64]
@@ -34,6 +41,10 @@ _FOLLOWED_SHARE = 0.15
 _BEHIND_S = 0.5
 """A joint that stays so far behind for so long is stuck, also when its motor makes it creep: a jammed ankle
 that 100 Nm move by 10 mrad/s follows a slow motion by a quarter."""
+_LEGS = ("left_leg", "right_leg")
+_BENT_RAD = 0.010
+"""Legs farther from their setpoints than this (healthy ones: 5 mrad) tip a sole, and say nothing true about
+how the trunk turns: a jammed ankle looked like 18 mrad/s of gyro bias before it was found to be stuck."""
 _FORGET_S = 30.0
 """The sum of speeds forgets with this time constant: noise of 0.002 rad/s adds up to 0.4 mrad."""
 
@@ -43,6 +54,7 @@ class JointHealth:
 
     Attributes:
         off_rad: How far each joint was from its setpoint at the last judgement, shape (joints,).
+        bent: Whether a leg was so far from its setpoint then that it tips a sole.
     """
 
     def __init__(self, description: RobotDescription, period_s: float) -> None:
@@ -50,22 +62,25 @@ class JointHealth:
         gains = [description.gains[name] for name in names]
         self._names, self._bodies = names, len(names)
         self._limits = description.health
-        self._stiffness = np.array([gain.stiffness for gain in gains])
-        self._damping = np.array([gain.damping for gain in gains])
-        self._effort = np.array([description.limits[name].effort for name in names])
+        effort = np.array([description.limits[name].effort for name in names])
+        stiffness = np.array([gain.stiffness for gain in gains])
+        self._servo = np.array([stiffness, [gain.damping for gain in gains], effort])
         # What a hand carries or touches may hold a soft joint back by as much as its setpoint moves.
-        load_rad = self._limits.stuck_effort_nm / self._stiffness
+        load_rad = self._limits.stuck_effort_nm / stiffness
         self._stuck_rad = np.maximum(self._limits.stuck_rad, load_rad)
+        legs = {joint for group in _LEGS for joint in description.groups.get(group, ())}
+        self._legs = np.array([name in legs for name in names])
         self._period_s = period_s
         self._share = min(1.0, _EVERY * period_s / _MOTOR_TIME_S)
         n = len(names)
-        self._asked, self._given = np.zeros(n), np.zeros(n)
+        self._mean = np.zeros((2, n))
+        self._missing, self._bound = np.zeros(n), np.zeros(n)
         self._past: deque[tuple[Array, Array]] = deque(maxlen=round(_WINDOW_S / (_EVERY * period_s)))
-        self._travel = np.zeros(n)
+        self._stuck = np.zeros(n, dtype=np.bool_)
+        self._travel, self._slipped, self._v = np.zeros(n), np.zeros(n), np.zeros(n)
         self._origin: Array | None = None
-        self._v = np.zeros(n)
         self._periods = 0
-        self.off_rad = np.zeros(n)
+        self.off_rad, self.bent = np.zeros(n), False
         self._behind_s = np.zeros(n)
 
     def forget(self) -> None:
@@ -91,70 +106,84 @@ class JointHealth:
         """
         n = self._bodies
         q, v = state.q[:n], state.v[:n]
-        if self._origin is None:
-            self._origin, self._v = q.copy(), v
+        origin = self._origin
+        if origin is None:
+            origin = self._origin = q.copy()
+            self._v[:] = v
             self._travel[:] = 0.0
-        self._travel += (0.5 * self._period_s) * (self._v + v)
-        self._v = v
+        add_travel(self._travel, self._v, v, 0.5 * self._period_s)
         self._periods += 1
         if self._periods % _EVERY:
             return []
         motors = self._motors(q, v, state.effort[:n], setpoint, room)
         blamed = {finding.part for finding in motors}  # a joint without effort does not follow either
-        followers = [
-            finding
-            for finding in self._followers(q, setpoint, in_contact, room)
-            if finding.part not in blamed
+        followers = self._followers(q, setpoint, in_contact, room)
+        self.bent = bool((self.off_rad[self._legs] > _BENT_RAD).any())
+        return [
+            *motors,
+            *(finding for finding in followers if finding.part not in blamed),
+            *self._encoders(q, origin),
         ]
-        return [*motors, *followers, *self._encoders(q)]
 
     def _motors(
         self, q: Array, v: Array, effort: Array, setpoint: JointSetpoint, room: float
     ) -> list[Finding]:
-        n = self._bodies
-        asked = self._stiffness * (setpoint.q[:n] - q) + self._damping * (setpoint.v[:n] - v)
-        asked += setpoint.tau[:n]
-        np.clip(asked, -self._effort, self._effort, out=asked)
-        self._asked += self._share * (asked - self._asked)
-        self._given += self._share * (effort - self._given)
-        missing = np.abs(self._asked - self._given)
-        bound = np.maximum(
-            self._limits.motor_effort_fraction * self._effort, (1.0 - _GIVEN_SHARE) * np.abs(self._asked)
-        )
-        bound *= room
+        missing, bound = self._missing, self._bound
+        if not watch_motors(
+            q,
+            v,
+            effort,
+            setpoint.q,
+            setpoint.v,
+            setpoint.tau,
+            self._servo,
+            self._share,
+            self._limits.motor_effort_fraction,
+            1.0 - _GIVEN_SHARE,
+            room,
+            self._mean,
+            missing,
+            bound,
+        ):
+            return []
         found = []
         for i in np.flatnonzero(missing > bound).tolist():
-            dead = abs(effort[i]) < _OFFLINE_SHARE * self._effort[i]
+            dead = abs(effort[i]) < _OFFLINE_SHARE * self._servo[2, i]
             ailment = Ailment.OFFLINE if dead else Ailment.WEAK
             found.append(Finding(ailment, self._names[i], float(missing[i]), float(bound[i])))
         return found
 
     def _followers(self, q: Array, setpoint: JointSetpoint, in_contact: bool, room: float) -> list[Finding]:
-        wanted_now, limits = setpoint.q[: self._bodies], self._limits
         if in_contact:
             self._past.clear()
-        self._past.append((wanted_now, q))
+        self._past.append((setpoint.q, q))
         then_wanted, then = self._past[0]
-        wanted, followed = np.abs(wanted_now - then_wanted), np.abs(q - then)
-        error = self.off_rad = np.abs(wanted_now - q)
-        stuck = (wanted > self._stuck_rad) & (followed < _FOLLOWED_SHARE * wanted)
-        stuck &= error > 0.5 * room * self._stuck_rad
-        stuck |= error > room * limits.tracking_rad
-        behind = error > room * self._stuck_rad
-        self._behind_s = np.where(behind, self._behind_s + _EVERY * self._period_s, 0.0)
-        if not in_contact:
-            stuck |= self._behind_s > _BEHIND_S
+        if not watch_followers(
+            setpoint.q,
+            q,
+            then_wanted,
+            then,
+            self._stuck_rad,
+            self._limits.tracking_rad,
+            _FOLLOWED_SHARE,
+            room,
+            _EVERY * self._period_s,
+            math.inf if in_contact else _BEHIND_S,
+            self.off_rad,
+            self._behind_s,
+            self._stuck,
+        ):
+            return []
         return [
-            Finding(Ailment.STUCK, self._names[i], float(error[i]), float(self._stuck_rad[i]))
-            for i in np.flatnonzero(stuck).tolist()
+            Finding(Ailment.STUCK, self._names[i], float(self.off_rad[i]), float(self._stuck_rad[i]))
+            for i in np.flatnonzero(self._stuck).tolist()
         ]
 
-    def _encoders(self, q: Array) -> list[Finding]:
-        if self._origin is None:
+    def _encoders(self, q: Array, origin: Array) -> list[Finding]:
+        slipped, bound = self._slipped, self._limits.encoder_offset_rad
+        forgotten = _EVERY * self._period_s / _FORGET_S
+        if not watch_encoders(q, self._travel, forgotten, bound, origin, slipped):
             return []
-        slipped = q - self._origin - self._travel
-        self._origin += slipped * (_EVERY * self._period_s / _FORGET_S)
-        bound = self._limits.encoder_offset_rad
         return [
             Finding(Ailment.ENCODER_OFFSET, self._names[i], float(slipped[i]), bound)
             for i in np.flatnonzero(np.abs(slipped) > bound).tolist()

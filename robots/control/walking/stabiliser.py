@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,7 +15,6 @@ from kinematics.walking.dcm import Point
 from kinematics.walking.foot_wrenches import WrenchDistribution
 from kinematics.walking.legged_estimator import LeggedEstimator
 from kinematics.walking.pattern import PatternSample
-from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.walking_dynamics import WalkingDynamics
 
@@ -51,10 +52,11 @@ class Stabiliser:
             seen, foot = measured.com_from(side), pattern.feet[side]
             px, py, _ = seen.position_m.tolist()
             sx, sy, _ = seen.velocity_m_s.tolist()
-            place = foot @ PlanarPose(px, py)
-            speed = PlanarPose(yaw_rad=foot.yaw_rad) @ PlanarPose(sx, sy)
-            x, y = x + share * place.x_m, y + share * place.y_m
-            vx, vy = vx + share * speed.x_m, vy + share * speed.y_m
+            c, s = math.cos(foot.yaw_rad), math.sin(foot.yaw_rad)
+            x += share * (foot.x_m + c * px - s * py)
+            y += share * (foot.y_m + s * px + c * py)
+            vx += share * (c * sx - s * sy)
+            vy += share * (s * sx + c * sy)
         w, dcm = self._omega, pattern.com.dcm
         self.error = (x + vx / w - dcm[0], y + vy / w - dcm[1])
         wanted = self._distribution.wrenches(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,7 +20,9 @@ from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
+from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.rejoin import Rejoin
+from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
@@ -59,6 +59,7 @@ class Walker:
         self._walk: _Walk | None = None
         self._gyro_at_rest = np.zeros(3)
         self._rested = 0
+        self._scales = HandScales(model, period_s)
         self._readings: RobotState | None = None
         self._steering: Steering | None = None
         self._pausing = False
@@ -177,7 +178,9 @@ class Walker:
         """Take in what the sensors say while nobody walks: where the gyro's zero is, above all."""
         self._readings = readings
         if not self._streamer.resting:
+            self._scales.moved()
             return
+        self._scales.sense(readings.effort[: self._bodies])
         self._rested += 1
         share = max(1.0 / self._rested, self._period_s / _GYRO_TIME_S)
         self._gyro_at_rest += share * (readings.gyro - self._gyro_at_rest)
@@ -197,7 +200,7 @@ class Walker:
         q, v = standing.q.copy(), standing.v.copy()
         q[: self._bodies], v[: self._bodies] = self._walk.joints(body)
         owners = [self._owner] if standing.owner == HOLD else [self._owner, standing.owner]
-        return dataclasses.replace(standing, owner=together(owners), q=q, v=v, body=body, efforts=efforts)
+        return Proposal(together(owners), q, v, body, standing.refusal, efforts)
 
     def commit(self) -> tuple[Stance, Array] | None:
         """The last proposal is what the robot follows now.
@@ -223,7 +226,8 @@ class Walker:
 
     def _set_out(self, steering: Steering) -> None:
         self._interrupted = False
-        self._walk = _Walk(self._model, self._streamer, self._gyro_at_rest, self._period_s)
+        model = self._model.carrying(self._scales.masses_kg(self._streamer.reference()))
+        self._walk = _Walk(model, self._streamer, self._gyro_at_rest, self._period_s)
         if self._readings is not None:
             self._walk.sense(self._readings)
         self._walk.pattern.steer(steering)
@@ -282,6 +286,9 @@ class _Walk:
         self._stabiliser = Stabiliser(model, settings, self._body.omega)
         anchors = {side: placed[sole.frame] for side, sole in soles.items()}
         self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
+        self._soft_ankles = SoftAnkles(model, settings)
+        self._most = settings.effort_share * model.effort
+        self._read: tuple[Array, Array] | None = None
         self._sensed = False
         self._sample: PatternSample | None = None
         self._motion: MotionSample | None = None
@@ -297,6 +304,7 @@ class _Walk:
     def sense(self, readings: RobotState) -> Array:
         """Take readings in; gives the configuration estimated from them, shape (nq,)."""
         estimator, bodies = self._estimator, len(self._model.joints)
+        self._read = readings.q[:bodies], readings.v[:bodies]
         estimator.update(
             readings.stamp_s,
             readings.q[:bodies],
@@ -318,7 +326,11 @@ class _Walk:
         self._resting = self._resting + 1 if sample.phase is Phase.REST else 0
         before, self._sample = self._sample or sample, sample
         self._motion = motion
-        return motion, self._stabiliser.efforts(before, motion, self._estimator)
+        efforts = self._stabiliser.efforts(before, motion, self._estimator)
+        if self._read is not None:
+            told, soft = (motion.q[7:], motion.v[6:]), sample.phase not in (Phase.SETTLE, Phase.REST)
+            efforts = efforts + self._soft_ankles.efforts(told, self._read, soft, self._period_s)
+        return motion, np.clip(efforts, -self._most, self._most)
 
     def joints(self, motion: MotionSample) -> tuple[Array, Array]:
         """Positions and velocities to command, on the way back to the motion if they are off it."""

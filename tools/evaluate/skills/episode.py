@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from executive.assembly import assemble
-from executive.task_result import chain
+from executive.task_result import TaskResult, chain
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
@@ -55,15 +55,19 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
             FaultBench(trial.aim, trial.scene, world.truth, world.faults, assembly.perception, phases, rng),
             fault,
         )
-    results = []
+    results: list[TaskResult] = []
     planning = PlanningWatch(assembly.planning)
-    for task in trial.tasks:
+    if trial.sentence:
+        planning.begin()
+        with assembly.session.events.heard_by(planning.take):
+            results += assembly.session.submit(trial.sentence, on_question="first").result()
+    for task in () if trial.sentence else trial.tasks:
         planning.begin()
         with assembly.session.events.heard_by(planning.take):
             results.append(assembly.session.run_task(task))
         if results[-1].outcome != "done":
             break
-    prepared = len(results) == len(trial.tasks)
+    prepared = bool(trial.sentence) or len(results) == len(trial.tasks)
     assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)
     last = results[-1]

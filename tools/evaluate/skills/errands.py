@@ -10,13 +10,15 @@ import numpy as np
 
 from executive.assembly import Assembly
 from executive.task_result import TaskResult
+from kinematics import poses
 from robots.articulated import moving_part
 from robots.scene_description import RobotStart, SceneDescription
 from robots.scene_file import dump, load_scene, read_scene
+from tools.evaluate.skills.handing_over import TakingJudge
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked
 from trees.handles import OPEN_ENOUGH
-from trees.tasks import ObjectDescription, OpenTask, PickTask, WalkToTask
+from trees.tasks import HandOverTask, ObjectDescription, OpenTask, PickTask, WalkToTask
 
 START_M, START_RAD = 0.35, 0.6
 PERSON_M = 0.25
@@ -24,6 +26,8 @@ MASS_KG, FRICTION_NM, SEAL_N = (8.0, 20.0), (1.0, 3.0), (20.0, 40.0)
 HANDLE_HEIGHT_M = (0.95, 1.10)
 OBJECT_M = 0.05
 LIFTED_M = 0.08
+BOTTLE, BOTTLE_M = "green bottle", 0.05
+BRING = "bring me the bottle from the fridge"
 
 
 def flat(rng: np.random.Generator) -> SceneDescription:
@@ -57,7 +61,7 @@ def flat(rng: np.random.Generator) -> SceneDescription:
     objects = []
     for item in scene.objects:
         pose = item.world_T_object.copy()
-        if item.name != "green bottle":
+        if item.name != BOTTLE:
             pose[:2, 3] += (off(OBJECT_M), off(OBJECT_M))
         objects.append(dataclasses.replace(item, world_T_object=pose))
     made = dataclasses.replace(
@@ -115,5 +119,46 @@ def cup_trial(rng: np.random.Generator) -> Trial:
     return Trial(flat(rng), (walk, pick), "red cup")
 
 
+class BringJudge(TakingJudge):
+    """Plays who speaks, who takes the bottle; tells how far the errand got."""
+
+    def __init__(self, assembly: Assembly, trial: Trial, rng: np.random.Generator) -> None:
+        super().__init__(assembly, trial, rng)
+        self._all, self._way = assembly.world.truth, WayWalked(assembly)
+
+    def on_period(self) -> None:
+        """Take it, and add up the way that was walked."""
+        super().on_period()
+        self._way.on_period()
+
+    def verdict(self, results: Sequence[TaskResult]) -> Verdict:
+        """In the hand of who spoke, and carried away."""
+        taken = super().verdict(results)
+        numbers = {
+            **taken.numbers,
+            "walked_m": self._way.length_m,
+            "opening_deg": math.degrees(self._all.opening("fridge")),
+            "task": results[-1].text,
+            "tasks_done": sum(result.outcome == "done" for result in results),
+            "simulated_s": round(self._all.time_s, 1),
+        }
+        return Verdict(taken.done, numbers, taken.why)
+
+
+def bring_trial(rng: np.random.Generator) -> Trial:
+    """Bring me the bottle from the fridge: Ana says it, who stands nearest to the robot."""
+    scene = flat(rng)
+    x, y = (float(value) for value in rng.uniform(-BOTTLE_M, BOTTLE_M, 2))
+    objects = tuple(
+        dataclasses.replace(item, world_T_object=poses.translation(x, y, 0.0) @ item.world_T_object)
+        if item.name == BOTTLE
+        else item
+        for item in scene.objects
+    )
+    give = HandOverTask(BRING, ObjectDescription("bottle"), scene.people[0].name)
+    return Trial(dataclasses.replace(scene, objects=objects), (give,), BOTTLE, BRING)
+
+
 FLAT_FRIDGE = SkillSuite(fridge_trial, FridgeJudge, stands=False)
 FLAT_PICK = SkillSuite(cup_trial, CupJudge, stands=False)
+FLAT_BRING = SkillSuite(bring_trial, BringJudge, stands=False, bar=0.8)

@@ -42,5 +42,6 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "flat_fridge": errands.FLAT_FRIDGE,
         "carry": carrying.CARRY,
         "flat_pick": errands.FLAT_PICK,
+        "flat_bring": errands.FLAT_BRING,
     }
 )

@@ -56,11 +56,13 @@ class Trial:
         scene: The world.
         tasks: Asked one after the other; the last one is what the suite is about.
         aim: Name of the object, person or furniture that the last task is about.
+        sentence: What is said instead; ``tasks`` then only tell the judge what is meant by it.
     """
 
     scene: SceneDescription
     tasks: tuple[Task, ...]
     aim: str = ""
+    sentence: str = ""
 
 
 @dataclass(frozen=True, slots=True)

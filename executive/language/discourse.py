@@ -1,0 +1,113 @@
+"""What was named so far in a sentence, and what is held, given and put down by its tasks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from executive.language.phrases import Mention, Nominal, Trouble
+from executive.meaning import Command
+
+_NAMED = ("thing", "furniture", "container")
+
+
+class UnresolvedError(Exception):
+    """A word that stands for nothing, or for one of several things."""
+
+    def __init__(self, trouble: Trouble) -> None:
+        self.trouble = trouble
+        super().__init__(trouble.message)
+
+
+def ask(message: str, choices: Iterable[str] = ()) -> UnresolvedError:
+    """A question about what a word stands for."""
+    return UnresolvedError(Trouble(message, asks=True, choices=tuple(choices)))
+
+
+@dataclass(frozen=True, slots=True)
+class Entity:
+    """Something that a task acts on; ``clause`` counts the clauses."""
+
+    task: int
+    clause: int
+    of: Nominal
+
+
+class Discourse:
+    """What a sentence has named and done up to some word."""
+
+    def __init__(self) -> None:
+        self._commands: list[Command] = []
+        self._entities: list[Entity] = []
+        self._places: list[Nominal] = []
+        self._walks: list[Nominal] = []
+        self._people: list[Nominal] = []
+        self._sources: dict[int, Nominal] = {}
+        self._held: list[int] = []
+        self._given: set[int] = set()
+        self._mentioned: list[Nominal] = []
+        self._put_to: tuple[int, Nominal] | None = None
+        self._kind: Nominal | None = None
+        self._mention: Mention | None = None
+        self._called: dict[str, str] = {}
+        self._placed: dict[int, tuple[str, Any, Any]] = {}
+        self._clause = 0
+
+    def _again(self, root: int) -> None:
+        entity = next((one for one in self._entities if one.task == root), None)
+        if entity is not None:
+            self._entities.append(replace(entity, clause=self._clause))
+
+    def _recent(self, fits: Any, excluded: int | None = None) -> list[Entity]:
+        """What fits among the things of the latest clause that has any."""
+        fitting = [entity for entity in self._entities if fits(entity) and entity.task != excluded]
+        if not fitting:
+            return []
+        latest = max(entity.clause for entity in fitting)
+        unique = {entity.task: entity for entity in fitting if entity.clause == latest}
+        return list(unique.values())
+
+    def _same_kind(self, nominal: Nominal) -> Nominal:
+        """With the kind of what was named before, for "the blue one"."""
+        if not nominal.anaphoric:
+            return nominal
+        if self._kind is None:
+            return nominal
+        return replace(nominal, kind=self._kind.kind, sort=self._kind.sort)
+
+    def _note_name(self, nominal: Nominal) -> None:
+        """Ask when two words that mean the same are used as if they told things apart: "the cube", "the box".
+
+        Raises:
+            UnresolvedError: They are.
+        """
+        if nominal.kind is None or nominal.anaphoric or nominal.sort not in _NAMED or not nominal.said:
+            return
+        before = self._called.setdefault(nominal.kind, nominal.said)
+        if not _is_one_name(before, nominal.said):
+            raise ask(f"{before!r} and {nominal.said!r} are both called {nominal.kind!r}: which is which?")
+
+    def _name_place(self, value: Any) -> None:
+        if isinstance(value, Nominal) and value.is_place and not value.reference:
+            self._places.append(value)
+        if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
+            self._people.append(value)
+
+    def _is_several(self) -> bool:
+        """Whether some things were named that "them" may stand for."""
+        return any(not entity.of.is_single for entity in self._entities)
+
+
+def _is_one_name(first: str, second: str) -> bool:
+    """Whether two phrases are one word in two forms, or one is the other with more said: "kitchen table"."""
+    one, other = first.split(), second.split()
+    if set(one) <= set(other) or set(other) <= set(one):
+        return True
+    stem = min(len(first), len(second)) - 2
+    return first[: max(stem, 3)] == second[: max(stem, 3)]
+
+
+def is_them(value: Any) -> bool:
+    """Whether it says "them", which may be one person of whom no more is known."""
+    return isinstance(value, Nominal) and value.reference == "them"

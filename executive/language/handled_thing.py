@@ -1,0 +1,55 @@
+"""The thing that a command is about: whether a hand can take it, and how many there are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from executive.language.arranging import Arranged, Parts, trouble
+from executive.language.lattice import Word
+from executive.language.phrases import Item, Nominal
+
+PREVIOUS = Nominal("any", reference="previous", determined=True)
+IT = Nominal("any", reference="it", determined=True)
+ASKER = Nominal("me", "me", reference="asker", determined=True)
+"""Who asks for a thing, when nobody is said to get it."""
+
+BACK = Nominal("any", reference="there", name="back")
+"""The place that a thing was taken from."""
+
+
+def thing(one: Arranged, doing: str) -> Nominal:
+    """The object, if it is something that a hand can take."""
+    nominal = one.object
+    if nominal.is_person or nominal.sort == "you":
+        raise trouble(f"{doing} a person ({nominal.kind!r}) is nothing that this robot does", nominal.kind)
+    if nominal.is_place:
+        raise trouble(
+            f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind
+        )
+    if nominal.reference == "this":
+        raise trouble("which one is meant?", asks=True)
+    unclear = nominal.plural and not nominal.reference and not nominal.counted and not nominal.determined
+    if unclear or nominal.count == "some":
+        raise trouble("how many of them?", asks=True)
+    if (
+        nominal.sort == "any"
+        and nominal.kind is None
+        and not nominal.reference
+        and nominal.is_plain
+        and nominal.count == 1
+        and one.source is None
+    ):
+        raise trouble("which object is meant?", asks=True)
+    if nominal.plural and not nominal.reference and not nominal.counted:
+        nominal = replace(nominal, count="all")
+    return nominal
+
+
+def count_of(nominal: Nominal) -> int | str | None:
+    """The slot ``count``, unless it is one."""
+    return None if nominal.count == 1 else nominal.count
+
+
+def with_it(parts: Parts) -> Parts:
+    """With the thing that a terse command leaves out: "take the cup, place on the shelf"."""
+    return (*(part for part in parts if isinstance(part, Word)), Item(IT), *parts[1:])

@@ -1,0 +1,119 @@
+"""Several things that the same is done to: lists, alternatives, and what is said again of one thing."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.lattice import Word
+from executive.language.nominals import described, nominal_of, words
+from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
+
+Parts = tuple[Any, ...]
+
+
+def _item(parts: Parts) -> Item:
+    return Item(parts[0], tuple(part for part in parts[1:] if not isinstance(part, Word)))
+
+
+@dataclass(frozen=True, slots=True)
+class _Joined:
+    """What stands between two things of a list; with ``commas`` nothing but those."""
+
+    commas: bool
+
+
+def _joined(parts: Parts) -> _Joined:
+    return _Joined(not words(parts, "AND"))
+
+
+def _items(parts: Parts) -> Items | Trouble:
+    """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
+    each = tuple(part for part in parts if isinstance(part, Item))
+    links = [part for part in parts if isinstance(part, _Joined)]
+    if len(each) > 1 and len(links) == len(each) - 1:
+        placed = bool(each[-2].details and each[-1].details)
+        unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
+        if unclear is not None:
+            return unclear
+    return shared_adjective(each) or Items(each)
+
+
+def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:
+    """The cup, the red one: after a mere comma it may be told again which thing is meant."""
+    commas = any(isinstance(link, _Joined) and link.commas for link in links)
+    if not commas or not (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
+        return None
+    question = "is this one thing or two? say 'and' between two"
+    return Trouble(f"{spoken(before)}, {spoken(last)}: {question}", asks=True)
+
+
+def shared_adjective(each: Iterable[Item]) -> Trouble | None:
+    """The red cup and bottle: whether the bottle is red too is not said."""
+    for first, second in itertools.pairwise(one.of for one in each):
+        told = first.color or first.size or first.material
+        bare = second.is_plain and not (second.determined or second.plural or second.reference)
+        if told and first.determined and bare and second.sort == "thing" and not second.paired:
+            question = f"shall the {second.kind} be {told} too? say 'the' before it"
+            return Trouble(f"{spoken(first)} and {second.kind}: {question}", asks=True)
+    return None
+
+
+def _only_item(parts: Parts) -> Item:
+    item: Item = parts[-1]
+    return item
+
+
+def _alternatives(parts: Parts) -> Trouble:
+    each = tuple(spoken(part.of) for part in parts if isinstance(part, Item))
+    return Trouble(f"{' or '.join(each)}: which one is meant?", asks=True, choices=each)
+
+
+def _alternatives_of_a_kind(parts: Parts) -> Trouble | None:
+    features = [part for part in parts if isinstance(part, (Feature, Relative))]
+    noun = nominal_of(parts)
+    each = [described(noun, (feature,)) for feature in features]
+    names = tuple(spoken(one) for one in each if isinstance(one, Nominal))
+    return (
+        Trouble(f"{' or '.join(names)}: which one is meant?", asks=True, choices=names)
+        if len(names) == 2
+        else None
+    )
+
+
+def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
+    """The red and the blue box: two boxes."""
+    noun = nominal_of(parts)
+    features = [part for part in parts if isinstance(part, (Feature, Relative))]
+    if noun is None or noun.plural or len(words(parts, "DET")) < 2:
+        return None
+    each = [described(replace(noun, determined=True), (feature,)) for feature in features]
+    trouble = next((one for one in each if isinstance(one, Trouble)), None)
+    if trouble is not None:
+        return trouble
+    details = tuple(
+        part for part in parts if isinstance(part, Where) or type(part).__name__ in ("Hand", "Benefit")
+    )
+    return Items(tuple(Item(one, details) for one in each if isinstance(one, Nominal)))
+
+
+def spoken(nominal: Nominal) -> str:
+    """A short description for questions."""
+    attributes = (nominal.ordinal, nominal.size, nominal.color, nominal.material, nominal.kind or "one")
+    return " ".join(["the", *(one for one in attributes if one)])
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {
+        "item": _item,
+        "items": _items,
+        "joined": _joined,
+        "only_item": _only_item,
+        "alternatives": _alternatives,
+        "alternatives_of_a_kind": _alternatives_of_a_kind,
+        "two_of_a_kind": _two_of_a_kind,
+    }
+)

@@ -1,0 +1,183 @@
+"""Where things are put, and what is opened and closed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.handled_thing import BACK, count_of, thing, with_it
+from executive.language.lattice import Word
+from executive.language.nominals import words
+from executive.language.phrases import Bundle, Clause, Meaning, Nominal, Relative, Where, draft
+
+_PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
+"""Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""
+
+_SURFACES = frozenset(
+    {"table", "counter", "shelf", "bookshelf", "bench", "nightstand", "windowsill", "stove", "island"}
+)
+"""Furniture at which a thing is put by putting it onto it."""
+
+_SHELVES = frozenset({"shelf", "bookshelf"})
+"""Furniture that things are put into as well as onto."""
+
+
+def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str | None) -> Any:
+    """The task that puts a thing to where it goes."""
+    of = goal.of
+    slots = {"object": nominal, "source": source, "hand": hand, "count": count_of(nominal)}
+    if of.count != 1:
+        raise trouble("several places at once: name one", of.kind)
+    if goal.relation is not None:
+        return draft("place", **slots, to=Relative(goal.relation, of))
+    if of.reference == "here" or of.reference == "this":
+        raise trouble("where shall it be put?", asks=True)
+    if of.reference == "there":
+        return draft("place", **slots, there=goal)
+    if of.is_person:
+        raise trouble(f"nothing is put on or into a person ({of.kind!r})", of.kind)
+    if of.sort == "you":
+        raise unfit()
+    if goal.preposition == "in":
+        if of.sort == "room":
+            return draft("place", **slots, to=of)
+        if of.sort == "furniture" and of.kind in _SHELVES:
+            return draft("place", **slots, on=of)
+        if of.sort in ("furniture", "door"):
+            raise trouble(f"nothing can be put into the {of.kind}", of.kind)
+        return draft("put_in", **slots, to=of)
+    if of.sort == "door" and goal.preposition == "at":
+        return draft("place", **slots, to=Relative("next_to", of))
+    if of.sort == "door":
+        raise trouble(f"nothing can be put on the {of.kind}", of.kind)
+    if goal.preposition == "at" and of.sort == "furniture" and of.kind not in _SURFACES:
+        raise trouble(f"on the {of.kind}, or next to it?", asks=True)
+    if goal.preposition == "on":
+        if of.sort == "room":
+            raise unfit()
+        return draft("place", **slots, on=of)
+    if of.sort == "furniture":
+        return draft("place", **slots, on=of)
+    if of.sort in ("container", "room"):
+        return draft("place", **slots, to=of)
+    raise unfit()
+
+
+def _put(parts: Parts) -> Clause:
+    each = arranged(parts, goes=True)
+    down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
+    bundles: list[Bundle] = []
+    for one in each:
+        nominal = thing(one, "putting down")
+        if one.person is not None and one.person.sort != "me":
+            raise unfit()
+        if one.goal is not None:
+            bundles.append((put_draft(nominal, one.goal, one.source, one.hand),))
+        elif one.back:
+            bundles.append((draft("place", object=nominal, hand=one.hand, there=Where("to", BACK, "at")),))
+        elif down and nominal.count == "all" and nominal.sort == "any" and nominal.is_plain:
+            raise trouble("what shall be put down?", asks=True)
+        elif down:
+            bundles.append(
+                (draft("place", object=nominal, source=one.source, hand=one.hand, count=count_of(nominal)),)
+            )
+        else:
+            raise unfit()
+    return clause(parts, bundles)
+
+
+def _put_into(parts: Parts) -> Clause:
+    each = arranged(parts, goes=True)
+    if any(one.goal is None or one.goal.preposition != "in" or one.goal.of.sort == "room" for one in each):
+        raise unfit()
+    verb = words(parts, "PUT_IN")[0]
+    if verb.said.split()[0] in ("throw", "toss") and any(
+        one.goal is not None and one.goal.of.kind != "bin" for one in each
+    ):
+        raise trouble(f"{verb.said!r}: throwing is no skill of this robot yet", verb.said)
+    return clause(
+        parts,
+        [(put_draft(thing(one, "throwing"), one.goal, one.source, one.hand),) for one in each if one.goal],
+    )
+
+
+def _move_thing(parts: Parts) -> Clause:
+    each = arranged(parts, goes=True)
+    for one in each:
+        if one.goal is None:
+            raise unfit()
+        if one.goal.role == "either" and one.goal.relation is None and not one.goal.atop:
+            raise unfit()
+    return clause(
+        parts,
+        [(put_draft(thing(one, "moving"), one.goal, one.source, one.hand),) for one in each if one.goal],
+    )
+
+
+def _drop(parts: Parts) -> Clause:
+    each = arranged(parts)
+    for one in each:
+        thing(one, "dropping")
+        if one.goal is not None or one.source is not None or one.back:
+            raise unfit()
+    raise trouble("where shall it be put?", asks=True)
+
+
+def _put_it(parts: Parts) -> Clause:
+    if words(parts, "PUT")[0].said not in _PLACING:
+        raise unfit()
+    return _put(with_it(parts))
+
+
+def _opened(action: str) -> Callable[[Parts], Clause]:
+    def meaning(parts: Parts) -> Clause:
+        bundles = []
+        for one in arranged(parts, has_source=False):
+            nominal = one.object
+            if one.goal is not None or one.back or (one.person is not None and one.person.sort != "me"):
+                raise unfit()
+            if nominal.reference == "this":
+                raise trouble("which one is meant?", asks=True)
+            pulled = any(word.said.startswith("pull") and "out" in word.said for word in words(parts, "OPEN"))
+            if pulled and nominal.kind not in ("drawer", "drawers"):
+                raise unfit()
+            relation = nominal.relation
+            if (
+                nominal.sort == "door"
+                and relation is not None
+                and (relation.kind, relation.to.sort) == ("behind", "you")
+            ):
+                raise trouble("which door? is it behind the robot, or the one it walks through?", asks=True)
+            if nominal.count != 1 or nominal.plural:
+                raise trouble(f"only one at a time can be told to {action}", nominal.kind)
+            if not nominal.reference and nominal.sort not in ("container", "door"):
+                what = nominal.kind or "thing"
+                raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)
+            bundles.append((draft(action, object=nominal, hand=one.hand),))
+        return clause(parts, bundles)
+
+    return meaning
+
+
+def _push(parts: Parts) -> Clause:
+    arranged(parts)
+    verb = words(parts, "PULL", "PUSH")[0].said
+    raise trouble(f"pushing or pulling things ({verb!r}) is no skill of this robot yet", verb)
+
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "put": _put,
+    "put_it": _put_it,
+    "put_into": _put_into,
+    "move_thing": _move_thing,
+    "drop": _drop,
+    "open": _opened("open"),
+    "close": _opened("close"),
+    "push": _push,
+}
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+)

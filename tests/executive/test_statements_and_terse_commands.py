@@ -1,0 +1,90 @@
+"""Statements that name a thing, commands without a verb or an object, and words that mean the same."""
+
+import pytest
+
+from executive.command_parser import parse
+
+pytestmark = pytest.mark.requirement("L1", "L2")
+
+
+def tasks(sentence):
+    return parse(sentence).to_json()["tasks"]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "plain"),
+    [
+        ("there is a cup on the table. bring it to me", "bring me the cup on the table"),
+        ("my keys are on the shelf, please bring them to Ana", "bring my keys on the shelf to Ana"),
+        ("there's a ball under the table, pick it up", "pick up the ball under the table"),
+    ],
+)
+def test_it_is_what_a_statement_named(sentence, plain):
+    assert tasks(sentence) == tasks(plain) != []
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "there is a cup on the table",
+        "there is a cup on the table. go home",
+        "the cup is on the table and the bottle is on the shelf. pick it up",
+        "pick up the bottle. there is a cup on the table. put it on the shelf",
+    ],
+)
+def test_a_statement_that_no_task_takes_up_makes_none(sentence):
+    assert tasks(sentence) == []
+
+
+@pytest.mark.parametrize(
+    ("sentence", "plain"),
+    [
+        ("take the cup, place on the shelf", "take the cup, place it on the shelf"),
+        ("take the cup and bring to Ana", "take the cup and bring it to Ana"),
+        ("forward 2 m", "move forward 2 m"),
+        ("go kitchen", "go to the kitchen"),
+        ("wave left hand", "wave with your left hand"),
+    ],
+)
+def test_a_terse_command_means_what_the_whole_one_does(sentence, plain):
+    assert tasks(sentence) == tasks(plain) != []
+
+
+@pytest.mark.parametrize("sentence", ["put on the hat", "place on the shelf", "walk to the table backwards"])
+def test_a_terse_command_is_not_read_into_other_sentences(sentence):
+    assert tasks(sentence) == []
+
+
+def test_from_there_is_the_place_that_was_named():
+    assert tasks("walk to the table, and from there take the cup")[1]["from"] == "table"
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "put the cube into the box",
+        "move the cup from the side table to the dining table",
+        "put the red block on the blue block, and the green one on top of that",
+        "walk to Ana, then hand over the cup",
+        "put the box at the sofa",
+    ],
+)
+def test_what_could_be_meant_in_two_ways_is_asked(sentence):
+    assert parse(sentence).question is not None
+
+
+def test_by_is_beside():
+    assert tasks("put the box by the sofa")[0]["to"] == {"relation": {"is": "next_to", "to": "sofa"}}
+
+
+def test_they_may_be_one_person():
+    assert tasks("find the person in the kitchen and greet them")[1]["action"] == "wave"
+
+
+def test_several_words_for_stop_are_one():
+    assert tasks("whoa, stop right there") == [{"action": "stop"}]
+
+
+@pytest.mark.parametrize("sentence", ["pick up the mug and saw", "pick up the plate, then iron"])
+def test_a_bare_noun_that_is_a_verb_too_is_no_thing_of_a_list(sentence):
+    assert tasks(sentence) == []

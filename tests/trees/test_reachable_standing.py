@@ -1,0 +1,69 @@
+"""Places to stand for an object: near the usual one, with room for body and arms."""
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box, Cylinder
+from kinematics.stance import stance_at
+from kinematics.walking.path_planning import clearance_m, footprints
+from kinematics.walking.planar import PlanarPose
+from robots.description import load_description
+from trees.destination import Place
+from trees.reachable_standing import Stand, stance_of, stands_to_try
+
+SETTINGS = load_description("talos").walking
+USUAL = PlanarPose(5.25, 0.9, 0.0)
+BOTTLE_M = (5.74, 0.9)
+DOOR = SceneObject(
+    "door", Box((0.04, 0.6, 1.6)), PlanarPose(5.25, 1.1, np.radians(70.0)).transform(0.9), movable=False
+)
+FRIDGE = SceneObject("fridge", Box((0.64, 0.6, 1.7)), poses.translation(5.88, 0.9, 0.85), movable=False)
+
+
+def tried(*solids):
+    about = footprints(PlanningScene().with_objects(solids))
+    return list(stands_to_try(USUAL, BOTTLE_M, about, about, SETTINGS))
+
+
+def test_with_nothing_about_the_usual_place_comes_first():
+    assert tried()[0] == USUAL
+
+
+def test_nobody_stands_where_the_arms_would_be_in_an_open_door():
+    door = footprints(PlanningScene().with_objects([DOOR]))
+
+    places = tried(FRIDGE, DOOR)
+
+    assert places
+    assert USUAL not in places
+    for body in places:
+        hands = [body @ PlanarPose(0.2, side * 0.75) for side in (-1.0, 1.0)]
+        assert min(clearance_m(door, hand) for hand in hands) > 0.03
+
+
+def test_no_place_is_farther_from_the_object_than_an_arm_reaches():
+    assert all(body.distance_m(PlanarPose(*BOTTLE_M)) <= 1.15 for body in tried())
+
+
+def test_a_stand_moves_with_the_thing_that_it_is_for():
+    seen = Place("bottle", "object", Cylinder(0.03, 0.2), poses.translation(5.74, 0.9, 1.2), 0.9)
+    again = Place("bottle", "object", Cylinder(0.03, 0.2), poses.translation(5.76, 0.87, 1.2), 0.9)
+
+    stand = Stand.beside(seen, USUAL)
+
+    assert stand.body(again).to(USUAL @ PlanarPose(0.02, -0.03)).x_m == pytest.approx(0.0)
+
+
+def test_the_feet_are_moved_with_the_body(model):
+    stance = stance_at(model, model.q_home)
+    here = PlanarPose(0.3, -0.2, 0.4)
+
+    moved = stance_of(stance, here, here @ PlanarPose(1.0, 0.0, 0.5))
+
+    left, right = (PlanarPose.of(sole) for _, sole in moved.soles)
+    apart = [PlanarPose.of(sole) for _, sole in stance.soles]
+    assert left.distance_m(right) == pytest.approx(apart[0].distance_m(apart[1]))
+    assert here.to(moved_middle := PlanarPose.between(left, right)).distance_m(PlanarPose()) > 0.5
+    assert moved_middle.yaw_rad == pytest.approx(PlanarPose.between(*apart).yaw_rad + 0.5)

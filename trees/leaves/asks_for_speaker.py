@@ -1,0 +1,31 @@
+"""Tell whether a task is about who speaks."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.destination import aim_of
+from trees.failures import Failure
+from trees.leaf import DONE, Leaf
+from trees.ports import ports
+
+SPEAKER = "me"
+
+
+class AsksForSpeaker(Leaf):
+    """Succeed when the task is aimed at "me"."""
+
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the task is aimed at who speaks",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Look at the word."""
+        if aim_of(self.get_input("task")) != SPEAKER:
+            return Failure.postcondition("it is about somebody or something else")
+        return DONE

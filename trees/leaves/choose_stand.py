@@ -1,0 +1,125 @@
+"""Choose where to stand for an object: where a pick of it has a plan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from py_trees.common import Status
+
+from kinematics.requests import PickPlan, PickRequest
+from kinematics.scene import PlanningScene
+from kinematics.support import top_m
+from kinematics.walking.path_planning import Footprint, footprints
+from kinematics.walking.planar import PlanarPose
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.leaf import DONE, RUNNING, Leaf
+from trees.odometry import feet_pose
+from trees.ports import ports
+from trees.reachable_standing import Stand, sees, stance_of, stands_free, stands_to_try
+from trees.standing_place import standing_place
+from trees.toolbox import Job
+
+_MOST = 40
+"""Places that are asked about."""
+_BESIDE = PlanarPose(0.02, 0.02, 0.02)
+"""A place is taken only if one that is so far beside it does as well: nobody arrives exactly."""
+
+
+class ChooseStand(Leaf):
+    """Ask the planner for a pick from place after place, the usual one first; take the first that has one.
+
+    Only for objects that the planning scene holds; for all else the usual place is chosen, and for an object
+    that can be picked up from nowhere as well, if there is room: whoever wants no more than to go there can.
+    """
+
+    INPUT_PORTS = ports(place=Place)
+    OUTPUT_PORTS = ports(stand=Stand)
+    CONTRACT = Contract(
+        precondition="the place was seen",
+        postcondition="a pick has a plan from the chosen place and from beside it; or it is the usual one",
+        deadline_s=30.0,
+    )
+
+    _job: Job | None = None
+
+    def begin(self) -> None:
+        """List the places."""
+        toolbox = self.toolbox
+        place: Place = self.get_input("place")
+        body = feet_pose(toolbox)
+        scene = toolbox.world.scene
+        self._place, self._here, self._job, self._asked = place, body, None, 0
+        self._usual = standing_place(place, scene, body, toolbox.policy.support_gap_m)
+        self._stands: Iterator[PlanarPose] = iter(())
+        self._stand, self._sure = self._usual, False
+        self._above: tuple[Footprint, ...] = ()
+        settings = self._settings = toolbox.model.description.walking
+        if settings is not None and place.category == "object" and place.name in scene.objects:
+            others = [item for item in scene.objects.values() if item.name != place.name]
+            tall = [item for item in others if top_m(item) >= settings.hands_from_m]
+            about, above = (footprints(PlanningScene().with_objects(items)) for items in (others, tall))
+            x, y = (float(value) for value in place.odom_T_place[:2, 3])
+            model = toolbox.model
+            eye_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
+            item = scene.objects[place.name]
+            self._above = above
+            self._stands = (
+                stand
+                for stand in stands_to_try(self._usual, (x, y), about, above, settings)
+                if sees(stand, eye_m, item, scene)
+            )
+
+    def step(self) -> Status | Failure:
+        """Ask, and wait for the answer."""
+        if self._job is not None:
+            if not self._job.done:
+                return RUNNING
+            answer = self._job.result()
+            self._job = None
+            if isinstance(answer, PickPlan):
+                if self._sure:
+                    return self._choose(self._stand, f"for the {answer.grasp.hand} hand")
+                self._sure = True
+                self._ask(self._stand @ _BESIDE)
+                return RUNNING
+        following = next(self._stands, None) if self._asked < _MOST else None
+        if following is None:
+            if self._settings is not None and not stands_free(self._usual, self._above, self._settings):
+                return Failure.infeasible(
+                    f"there is no place to stand from which the {self._place.name} is within reach",
+                    places=self._asked,
+                )
+            return self._choose(self._usual, "the usual place")
+        self._stand, self._sure = following, False
+        self._ask(following)
+        return RUNNING
+
+    def release(self, reason: str) -> None:
+        """Forget the job."""
+        self.feedback_message = reason
+        if self._job is not None:
+            self._job.cancel()
+
+    def _ask(self, body: PlanarPose) -> None:
+        toolbox = self.toolbox
+        stance = stance_of(toolbox.motion.stance(), self._here, body)
+        self._asked += 1
+        self._job = toolbox.planning.submit(
+            PickRequest(
+                q_start=toolbox.model.home_over(stance),
+                stance=stance,
+                scene=toolbox.world.scene,
+                target=self._place.name,
+                lift_m=toolbox.policy.lift_m,
+                seed=int(toolbox.rng.integers(2**31)),
+            )
+        )
+
+    def _choose(self, body: PlanarPose, words: str) -> Status:
+        self._set_output("stand", Stand.beside(self._place, body))
+        self.feedback_message = words
+        beside = self._usual.to(body)
+        self.measured(asked=self._asked, ahead_m=beside.x_m, aside_m=beside.y_m, turned_rad=beside.yaw_rad)
+        return DONE

@@ -1,0 +1,60 @@
+"""See a piece of furniture by the door or drawer that hides all else of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.common import Status
+
+from kinematics.walking.planar import PlanarPose
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.destination import Place, aim_of
+from trees.failures import Failure
+from trees.handles import BODY_OF
+from trees.leaf import DONE
+from trees.look_around import LookAround
+from trees.ports import ports
+from trees.scene_update import kind_of
+from trees.tasks import ObjectDescription
+
+_FRONT_M = 0.9
+"""From the middle of a piece of furniture to the middle of its front, open or closed."""
+
+
+class SeeFront(LookAround):
+    """Look once: a door where a known piece of furniture has one tells that it still stands there.
+
+    A closed fridge shows nothing but its door to whoever stands before it.
+    """
+
+    INPUT_PORTS = ports(task=object, known=Place)
+    OUTPUT_PORTS = ports(place=Place)
+    CONTRACT = Contract(
+        precondition="the head is at rest; the piece of furniture was seen before",
+        postcondition="its door or drawer was seen; everything seen is in the world model",
+        deadline_s=2.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Look, if it is about something with a door."""
+        known: Place = self.get_input("known")
+        if known.category != "furniture" or self._word() not in BODY_OF.values():
+            return Failure.postcondition("it has no door that could be seen")
+        return super().step()
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """A front of the right kind near the piece."""
+        place: Place = self.get_input("known")
+        middle = PlanarPose.of(place.odom_T_place)
+        for name, item in seen.items():
+            near = middle.distance_m(PlanarPose.of(item.odom_T_object)) <= _FRONT_M
+            if near and BODY_OF.get(kind_of(name)) == self._word():
+                self._set_output("place", place)
+                self.feedback_message = f"its {kind_of(name)} is there"
+                return DONE
+        return Failure.postcondition(f"no door of the {self._word()} is seen")
+
+    def _word(self) -> str | None:
+        aim = aim_of(self.get_input("task"))
+        return aim.kind if isinstance(aim, ObjectDescription) else aim if isinstance(aim, str) else None

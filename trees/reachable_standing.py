@@ -1,0 +1,150 @@
+"""Places to stand from which an object may be within reach; the planner says which of them are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.line_of_sight import hidden
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.support import half_height_m
+from kinematics.trajectory import Stance
+from kinematics.walking.path_planning import Footprint
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.settings import WalkingSettings
+from trees.destination import Place
+
+Array = NDArray[np.float64]
+
+_AHEAD_M = (0.0, -0.1, 0.1, -0.2)
+_ASIDE_M = tuple(0.1 * k for k in range(-8, 9))
+_TURNED_RAD = (0.0, 0.3, -0.3, 0.6, -0.6)
+_TURN_COST_M = 0.25
+"""A turn of 1 rad is as bad as so many metres beside the usual place."""
+_FARTHEST_M = 1.15
+"""Of the object from the middle between the feet."""
+_SEEN_ASIDE_RAD = 1.2
+"""The head turns so far that what is in this direction is well inside the picture."""
+_EYE_AHEAD_M = 0.12
+_SEEN_WIDER = 1.5
+"""The edges of a cylinder so much wider than the object are seen: nobody stands exactly, or sees exactly."""
+_SPARE_M = 0.06
+"""Left between the body of the home posture and what stands about: swaying, and the errors of sight."""
+_APPROACH_M = 0.45
+"""The last stretch is walked straight ahead, with the arms of the home posture."""
+_STEP_M = 0.08
+
+
+@dataclass(frozen=True, slots=True)
+class Stand:
+    """Where to stand for one thing, so that it holds when the thing is seen again a little elsewhere.
+
+    Attributes:
+        name: The thing's, in the planning scene.
+        x_m, y_m: From the thing to the middle between the feet, along the axes of the odometry frame.
+        yaw_rad: Heading, in the odometry frame.
+    """
+
+    name: str
+    x_m: float
+    y_m: float
+    yaw_rad: float
+
+    @classmethod
+    def beside(cls, place: Place, body: PlanarPose) -> Stand:
+        """A pose of the body as a stand for a place."""
+        x, y = (float(value) for value in place.odom_T_place[:2, 3])
+        return cls(place.name, body.x_m - x, body.y_m - y, body.yaw_rad)
+
+    def body(self, place: Place) -> PlanarPose:
+        """The pose of the body, in the odometry frame, for the place as it is seen now."""
+        x, y = (float(value) for value in place.odom_T_place[:2, 3])
+        return PlanarPose(x + self.x_m, y + self.y_m, self.yaw_rad)
+
+
+def stands_to_try(
+    usual: PlanarPose,
+    thing_m: tuple[float, float],
+    obstacles: Sequence[Footprint],
+    tall: Sequence[Footprint],
+    settings: WalkingSettings,
+) -> Iterator[PlanarPose]:
+    """Poses of the body around the usual one, nearest to it first, where the robot has room to stand.
+
+    Args:
+        usual: Where one would stand without knowing better.
+        thing_m: Where the object is, on the floor.
+        obstacles: Everything that stands about.
+        tall: What of it is as tall as the hands of the home posture.
+        settings: The robot's sizes.
+    """
+    ways = sorted(product(_AHEAD_M, _ASIDE_M, _TURNED_RAD), key=_cost)
+    low, high = _inside(settings, settings.half_width_m), _inside(settings, settings.hands_half_width_m)
+    for ahead_m, aside_m, turned_rad in ways:
+        body = usual @ PlanarPose(ahead_m, aside_m, turned_rad)
+        if math.hypot(thing_m[0] - body.x_m, thing_m[1] - body.y_m) > _FARTHEST_M:
+            continue
+        at_usual = ahead_m == aside_m == turned_rad == 0.0  # it keeps its own distance from what is low
+        if _is_free(body, high, tall) and (at_usual or _is_free(body, low, obstacles)):
+            yield body
+
+
+def stands_free(body: PlanarPose, tall: Sequence[Footprint], settings: WalkingSettings) -> bool:
+    """Whether the arms of the home posture have room at a pose, and on the last stretch to it."""
+    return _is_free(body, _inside(settings, settings.hands_half_width_m), tall)
+
+
+def sees(body: PlanarPose, eye_m: float, item: SceneObject, scene: PlanningScene) -> bool:
+    """Whether an object would be in sight from a pose of the body, with nothing between.
+
+    Args:
+        body: The pose.
+        eye_m: Height of the camera.
+        item: The object.
+        scene: What may hide it.
+    """
+    x, y, z = (float(value) for value in item.world_T_object[:3, 3])
+    eye = body @ PlanarPose(_EYE_AHEAD_M)
+    bearing = PlanarPose(eye.x_m, eye.y_m, body.yaw_rad).to(PlanarPose(x, y))
+    if abs(math.atan2(bearing.y_m, bearing.x_m)) > _SEEN_ASIDE_RAD:
+        return False
+    half_m = half_height_m(item)
+    radius_m = _SEEN_WIDER * getattr(item.shape, "radius_m", half_m)
+    across = math.atan2(y - eye.y_m, x - eye.x_m) + 0.5 * math.pi
+    points = [
+        (x + side * radius_m * math.cos(across), y + side * radius_m * math.sin(across), z + up * half_m)
+        for side in (-1.0, 0.0, 1.0)
+        for up in (-0.5, 0.0, 0.9)
+    ]
+    others = [other for name, other in scene.objects.items() if name != item.name]
+    return not hidden(np.array([eye.x_m, eye.y_m, eye_m]), np.array(points), others).any()
+
+
+def stance_of(stance: Stance, here: PlanarPose, there: PlanarPose) -> Stance:
+    """The feet as they stand, moved along with the body from one pose to another."""
+    moved = (there @ here.inverse()).transform()
+    return Stance(tuple((frame, moved @ sole) for frame, sole in stance.soles))
+
+
+def _cost(way: tuple[float, float, float]) -> tuple[float, ...]:
+    ahead_m, aside_m, turned_rad = way
+    return (abs(ahead_m) + abs(aside_m) + _TURN_COST_M * abs(turned_rad), *way)
+
+
+def _inside(settings: WalkingSettings, half_width_m: float) -> Array:
+    """Points all over the room that a robot takes, and took on its last stretch, shape (n, 2)."""
+    back_m = -settings.back_m - _APPROACH_M
+    x = np.linspace(back_m, settings.front_m, math.ceil((settings.front_m - back_m) / _STEP_M))
+    y = np.linspace(-half_width_m, half_width_m, math.ceil(2.0 * half_width_m / _STEP_M))
+    return np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
+
+
+def _is_free(body: PlanarPose, points: Array, obstacles: Sequence[Footprint]) -> bool:
+    c, s = math.cos(body.yaw_rad), math.sin(body.yaw_rad)
+    turned = points @ np.array([[c, s], [-s, c]]) + (body.x_m, body.y_m)
+    return all(float(one.distance_m(turned).min()) > _SPARE_M for one in obstacles)
