@@ -133,7 +133,8 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
             if nominal.ordinal not in _COUNTED_FROM:
                 return None
             if part.side == "right":
-                nominal = replace(nominal, ordinal=f"{nominal.ordinal}_from_right")
+                first = nominal.ordinal == "first"
+                nominal = replace(nominal, ordinal="rightmost" if first else f"{nominal.ordinal}_from_right")
         elif isinstance(part, Word) and part.word_class == "ANOTHER":
             nominal = nominal.described(Feature("ordinal", "other"))
     return nominal
