@@ -135,6 +135,13 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
     return each
 
 
+def found_there(one: Arranged) -> Arranged:
+    """Read "there" of a thing that is looked for or picked up as the place that was named."""
+    if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
+        return replace(one, goal=None, source=one.goal.of)
+    return one
+
+
 def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     result = Arranged(item.of)
     wheres = [detail for detail in item.details if isinstance(detail, Where)]

@@ -7,7 +7,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import Parts, arranged, clause, found_there, guarded, trouble, unfit
 from executive.language.going import target
 from executive.language.lattice import Word
 from executive.language.nominals import SUPERLATIVES, words
@@ -89,7 +89,7 @@ def _asked(
 ) -> list[Bundle]:
     """What is asked about; ``existing`` is whether there is any such thing, be it one or several."""
     bundles: list[Bundle] = []
-    for one in arranged(parts):
+    for one in map(found_there, arranged(parts)):
         nominal = one.object
         if (
             one.goal is not None

@@ -7,7 +7,17 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import (
+    ME,
+    Arranged,
+    Parts,
+    arranged,
+    clause,
+    found_there,
+    guarded,
+    trouble,
+    unfit,
+)
 from executive.language.handled_thing import ASKER, PREVIOUS, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.lists import said_again, shared_adjective
@@ -44,20 +54,13 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 
 def _pick(parts: Parts) -> Clause:
     each = arranged(parts)
-    each = [_from_there(one) for one in each]
+    each = [found_there(one) for one in each]
     for one in each:
         if one.goal is not None or one.back:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     return clause(parts, [(_pick_bundle(one),) for one in each])
-
-
-def _from_there(one: Arranged) -> Arranged:
-    """Read "there" of a thing that is picked up as the place that was named."""
-    if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
-        return replace(one, goal=None, source=one.goal.of)
-    return one
 
 
 def _fetch(parts: Parts) -> Clause:

@@ -277,8 +277,11 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     ):
         return None
     told = described(nominal, parts[1:])
-    if isinstance(told, Nominal) and told.size in SUPERLATIVES and told.ordinal in _COUNTED_FROM:
-        return Trouble(f"the {told.ordinal} {told.size}: things are not ranked by size", told.ordinal)
+    if isinstance(told, Nominal) and told.ordinal in _COUNTED_FROM:
+        nearest = told.relation is not None and told.relation.kind == "nearest"
+        rank = told.size if told.size in SUPERLATIVES else "nearest" if nearest else None
+        if rank is not None:
+            return Trouble(f"the {told.ordinal} {rank}: things are counted from a side only", told.ordinal)
     if isinstance(told, Nominal) and told.plural and not told.counted and told.count == 1:
         only = told.size if told.size in SUPERLATIVES else told.ordinal
         if only not in (None, "other"):
