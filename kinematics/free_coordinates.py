@@ -55,6 +55,11 @@ class FreeCoordinates:
         self.weights = np.ones(self.size)
         self.weights[: min(3, self.base_size)] = PELVIS_WEIGHT
 
+    @cached_property
+    def home(self) -> Array:
+        """The home posture over these feet, shape (size,)."""
+        return self.from_q(self._model.home_over(self._stance))
+
     def index(self, joint: str) -> int:
         """Column of a joint in ``x``."""
         return self.base_size + self.joints.index(joint)

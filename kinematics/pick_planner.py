@@ -7,6 +7,7 @@ the open hand alone fit there?), then tried with whole-body inverse kinematics, 
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -67,7 +68,6 @@ class _Goal:
     approach: Curve
     lift: Curve
     x_pregrasp: Array
-    lift_scene: PlanningScene
 
 
 class PickPlanner:
@@ -173,17 +173,24 @@ class _PickTask:
 
     def candidates(self) -> list[GraspCandidate]:
         """Grasps of all allowed hands, most natural first; nothing but the room for the hand is judged."""
-        found = []
+        found: list[GraspCandidate] = []
+        excluded = self._request.excluded
         for hand, offset in self._in_reach.items():
             gripper = self._model.description.grippers[hand]
-            distance = float(np.linalg.norm(offset[:2]))
             natural = float(np.arctan2(offset[1], offset[0]))
-            mine = []
-            for candidate in grasp_candidates(self._target, gripper, natural, APPROACH_M, self._heights):
-                if key_of(hand, candidate.grasp.label) in self._request.excluded:
-                    self.reasons["tried before"] += 1
-                else:
-                    mine.append(GraspCandidate(candidate.grasp, candidate.cost + 2.0 * distance))
+            mine = grasp_candidates(
+                self._target,
+                gripper,
+                natural,
+                APPROACH_M,
+                self._heights,
+                2.0 * math.hypot(offset[0], offset[1]),
+            )
+            if excluded:
+                left = [c for c in mine if key_of(hand, c.grasp.label) not in excluded]
+                if len(left) < len(mine):
+                    self.reasons["tried before"] += len(mine) - len(left)
+                mine = left
             self._judge_room(hand, mine)
             found += mine
         return sorted(found, key=lambda candidate: candidate.cost)
@@ -197,13 +204,9 @@ class _PickTask:
         self._hands[hand] = judge
         places = np.array([candidate.grasp.world_T_tcp for candidate in candidates])
         advance_m = self._model.description.grippers[hand].closing_advance_m
-        advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1]]
-        fits = np.ones(len(places), dtype=bool)
-        for along_m in advances_m:
-            left = np.flatnonzero(fits)
-            fits[left] = ~judge.collisions(places[left] @ poses.translation(float(along_m), 0.0, 0.0))
-        for candidate, has_room in zip(candidates, fits, strict=True):
-            self._hand_fits[key_of(hand, candidate.grasp.label)] = bool(has_room)
+        advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1].tolist()]
+        for candidate, fits in zip(candidates, judge.fits_along(places, advances_m), strict=True):
+            self._hand_fits[key_of(hand, candidate.grasp.label)] = bool(fits)
 
     def solve(self, candidate: GraspCandidate) -> _Goal | None:
         """Find curves for approach and lift of a grasp; a failure is counted with its reason."""
@@ -230,14 +233,15 @@ class _PickTask:
 
     def timed(self, goal: _Goal, reach: Curve) -> PickPlan | None:
         """Give all three motions their time, once the lift is known to be free."""
-        if not self._planner(goal.lift_scene, 0.0).curve_is_free(goal.lift):
+        grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
+        lift_scene = self._lift_scene(goal.grasp, grasp_scene)
+        if not self._planner(lift_scene, 0.0).curve_is_free(goal.lift):
             self.reasons["lift collides"] += 1
             return None
-        grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
         steps = [
             self._step("reach", reach, REACH_PACE, self._reach_scene),
             self._step("approach", goal.approach, CARTESIAN_PACE, grasp_scene),
-            self._step("lift", goal.lift, CARTESIAN_PACE, goal.lift_scene),
+            self._step("lift", goal.lift, CARTESIAN_PACE, lift_scene),
         ]
         if any(step is None for step in steps):
             self.reasons["legs cannot follow"] += 1
@@ -252,7 +256,7 @@ class _PickTask:
         if not self._hand_fits[key_of(grasp.hand, grasp.label)]:
             return "hand collides at the grasp"
         ik = self._ik_of(grasp.hand)
-        grasp_scene, near = self._grasp_planner(grasp.hand)
+        _, near = self._grasp_planner(grasp.hand)
         first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the grasp"
@@ -274,7 +278,6 @@ class _PickTask:
         if up is None:
             return "no straight lift"
         lift = PolynomialCurve(self._gazing(up, gaze))
-        lift_scene = self._lift_scene(grasp, grasp_scene)
         clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
         balance_m = self._polygon.com_margin_m(self._model.com(first.q))
         cost = (
@@ -282,7 +285,7 @@ class _PickTask:
             + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
             + BALANCE_COST * max(0.0, 1.0 - balance_m / ENOUGH_BALANCE_M)
         )
-        return _Goal(grasp, cost, approach, lift, points[0], lift_scene)
+        return _Goal(grasp, cost, approach, lift, points[0])
 
     def _gazing(self, configurations: Array, gaze: Mapping[str, float]) -> Array:
         """Free coordinates of configurations, with the head turned to the target."""
