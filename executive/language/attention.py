@@ -160,6 +160,9 @@ def _count(parts: Parts) -> Clause:
     bundles = _asked(parts, "count")
     for (one,) in bundles:
         nominal = one.get("object")
+        source = one.get("source")
+        if words(parts, "HOW_MANY") and source is not None and source.reference == "there":
+            raise unfit()  # "how many cups are there" may be asked of any place
         if nominal.reference:
             raise trouble("name what shall be counted", nominal.reference)
         if not (nominal.plural or nominal.paired or nominal.kind in ("fruit", "food")):
