@@ -117,3 +117,21 @@ def test_what_is_put_already_is_not_put_again(end):
 @pytest.mark.parametrize("sentence", ["pick up the apple before me", "pick up the second largest box"])
 def test_what_is_no_place_and_no_rank_is_refused(sentence):
     assert parse(sentence).refusal is not None
+
+
+def test_a_thing_that_is_told_of_first_stands_at_the_beginning_of_a_clause():
+    done = tasks("put the fork in the cupboard, hand it to Tom")
+
+    assert done[0]["to"] == "cupboard"
+    assert done[1]["object"] == {"ref": 0}
+
+
+@pytest.mark.parametrize(
+    ("sentence", "place"),
+    [
+        ("go to the fridge, then to the table, and take the ball from there", "table"),
+        ("go to the table and take the ball from there, walk to the garage", "table"),
+    ],
+)
+def test_there_is_where_the_robot_was_sent_just_now(sentence, place):
+    assert next(task for task in tasks(sentence) if task["action"] == "pick")["from"] == place
