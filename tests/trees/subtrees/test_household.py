@@ -118,6 +118,20 @@ def test_what_is_looked_at_is_in_the_middle_of_the_picture(stage):
     assert tree.evidence["off_centre"] <= 0.10
 
 
+def test_a_look_that_is_barred_by_what_the_hand_holds_is_taken_from_home(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
+    stage.play(stage.pick())
+    planning = stage.fake.planning
+    stage.when("turn to it", lambda: setattr(planning, "no_plan", NoPlan("no way", {"no path": 1})))
+    stage.when("draw the hands in", lambda: setattr(planning, "no_plan", None))
+
+    tree = run(stage, LookAtTask("look at the blue cup", BLUE_CUP))
+
+    assert "no way" in [failure.message for failure in stage.failed()]
+    assert tree.status == "success"
+    assert tree.evidence["off_centre"] <= 0.10
+
+
 def test_a_cup_is_picked_up_and_put_down_beside_another(stage_with):
     stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
     beside = ObjectDescription(relation=Relation("right_of", BLUE_CUP))
