@@ -17,7 +17,7 @@ def believed(**places):
 
 
 def seen(kind, at):
-    return ObjectEstimate(kind, "furniture", None, poses.translation(*at), PANEL, 0.9, 8, 0.0)
+    return ObjectEstimate("furniture", kind, None, poses.translation(*at), PANEL, 0.9, 8, 0.0)
 
 
 def test_a_door_that_is_seen_elsewhere_replaces_the_one_that_was_believed():
