@@ -18,7 +18,7 @@ from trees.scene_update import kind_of
 EDGE_M = 0.34
 """From the middle between the feet to a table's edge: picks reach best from 0.29 to 0.36, and the
 fingertips of the home posture stand out by 0.20."""
-PERSON_M = 0.9
+PERSON_M = 1.1
 FREE_M = 0.7
 """From something that stands on the floor by itself."""
 _TALL_M, _TALL_EDGE_M = 1.3, 1.0

@@ -29,6 +29,7 @@ class WalkingSettings:
         trunk_stiffness_nm, trunk_damping_nms: Moment that rights the trunk, per rad and rad/s.
         joint_acceleration: Limit of the setpoints by joint, rad/s^2, while walking; those that are
             not named keep the limits of other motions.
+        ankle_stiffness_nm, ankle_damping_nms: Of the ankles while walking, per rad and rad/s.
         effort_share: Of a joint's effort limit that feed-forward and feedback may ask for.
     """
 
@@ -56,6 +57,8 @@ class WalkingSettings:
     zmp_inset_m: float
     trunk_stiffness_nm: float
     trunk_damping_nms: float
+    ankle_stiffness_nm: float
+    ankle_damping_nms: float
     joint_acceleration: Mapping[str, float]
     effort_share: float
 

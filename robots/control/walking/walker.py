@@ -22,6 +22,7 @@ from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
 from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.rejoin import Rejoin
+from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
@@ -285,6 +286,9 @@ class _Walk:
         self._stabiliser = Stabiliser(model, settings, self._body.omega)
         anchors = {side: placed[sole.frame] for side, sole in soles.items()}
         self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
+        self._soft_ankles = SoftAnkles(model, settings)
+        self._most = settings.effort_share * model.effort
+        self._read: tuple[Array, Array] | None = None
         self._sensed = False
         self._sample: PatternSample | None = None
         self._motion: MotionSample | None = None
@@ -300,6 +304,7 @@ class _Walk:
     def sense(self, readings: RobotState) -> Array:
         """Take readings in; gives the configuration estimated from them, shape (nq,)."""
         estimator, bodies = self._estimator, len(self._model.joints)
+        self._read = readings.q[:bodies], readings.v[:bodies]
         estimator.update(
             readings.stamp_s,
             readings.q[:bodies],
@@ -321,7 +326,11 @@ class _Walk:
         self._resting = self._resting + 1 if sample.phase is Phase.REST else 0
         before, self._sample = self._sample or sample, sample
         self._motion = motion
-        return motion, self._stabiliser.efforts(before, motion, self._estimator)
+        efforts = self._stabiliser.efforts(before, motion, self._estimator)
+        if self._read is not None:
+            told, soft = (motion.q[7:], motion.v[6:]), sample.phase not in (Phase.SETTLE, Phase.REST)
+            efforts = efforts + self._soft_ankles.efforts(told, self._read, soft, self._period_s)
+        return motion, np.clip(efforts, -self._most, self._most)
 
     def joints(self, motion: MotionSample) -> tuple[Array, Array]:
         """Positions and velocities to command, on the way back to the motion if they are off it."""
@@ -357,4 +366,4 @@ class _Walk:
     def _locate(self, sample: PatternSample) -> None:
         """Learn where the plan is from the foot that stands."""
         side = sample.carrying[0]
-        self.pattern.odom_T_plan = self._estimator.sole(side) @ sample.feet[side].inverse()
+        self.pattern.locate(self._estimator.sole(side) @ sample.feet[side].inverse())
