@@ -28,6 +28,9 @@ _PLAIN = str.maketrans(
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
 _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
+_LINE_END = re.compile(r"([^\s.,;:!?-])(?=\n)")
+"""The end of a line without a mark: what follows is a sentence of its own."""
+
 _MARKS = frozenset(".,;:!?")
 
 
@@ -78,7 +81,10 @@ def normalise(text: str) -> str:
         if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Co", "Cn") and character not in _SPACES:
             code = f"U+{ord(character):04X}"
             raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
-    plain = " ".join(unicodedata.normalize("NFKC", text).translate(_PLAIN).split())
+    lines = unicodedata.normalize("NFKC", text).translate(_PLAIN).splitlines()
+    plain = " ".join(
+        _LINE_END.sub(r"\1.", "\n".join(" ".join(line.split()) for line in lines).strip()).split()
+    )
     if len(plain) > 1 and plain[0] == plain[-1] and plain[0] in "\"'" and plain.count(plain[0]) == 2:
         plain = plain[1:-1].strip()
     if not plain:

@@ -135,3 +135,13 @@ def test_a_thing_that_is_told_of_first_stands_at_the_beginning_of_a_clause():
 )
 def test_there_is_where_the_robot_was_sent_just_now(sentence, place):
     assert next(task for task in tasks(sentence) if task["action"] == "pick")["from"] == place
+
+
+def test_a_line_is_a_sentence_of_its_own():
+    done = tasks("there is a bowl on the table, bring it to me\nwith your left hand, pick up the ball")
+
+    assert [task.get("hand") for task in done] == [None, None, "left"]
+
+
+def test_what_is_said_of_a_later_thing_may_not_hold_for_the_one_before():
+    assert parse("get three cans from the fridge, then the fork to Ana").question is not None
