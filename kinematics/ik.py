@@ -130,7 +130,7 @@ def along_line(
     Returns:
         Shape (points, nq), or None when one of them is not reached within the tolerance.
     """
-    targets = [poses.interpolate(start, end, part) for part in np.linspace(0.0, 1.0, points)[1:].tolist()]
+    targets = [poses.interpolate(start, end, k / (points - 1)) for k in range(1, points)]
     if isinstance(ik, FollowingKinematics):
         answers = ik.follow(targets, q)
         return np.array([q, *(answer.q for answer in answers)]) if len(answers) == len(targets) else None

@@ -76,8 +76,8 @@ class ReachIk:
         self._coordinates = standing_coordinates(model, stance)
         self._limits = standing_limits(model, stance)
         self._least = self._limits.offset - planning_reserve.COM_RESERVE_M
-        self._com_margin_m = description.com_margin_m
-        self._data = model.pin.createData()
+        self._margins_by_reserve: dict[float, tuple[Limits, Limits]] = {}
+        self._com_margin_m, self._data = description.com_margin_m, model.pin.createData()
         self._soles = np.array([pose for _, pose in stance.soles])
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
@@ -145,9 +145,9 @@ class ReachIk:
             tries = itertools.islice(tries, UPRIGHT_TRIES)
         tried: list[tuple[Limits, Array, bool, bool]] = []
         for limits, lower, start in tries:
-            x = start.copy()
-            if any(_same_way(limits, lower, *other) for other in tried) and start is seed:
+            if start is seed and any(_same_way(limits, lower, *other) for other in tried):
                 continue
+            x = start.copy()
             steps = self._reach(
                 self._tree,
                 self._coordinates,
@@ -240,10 +240,13 @@ class ReachIk:
     def _margins(self, tolerance: IkTolerance) -> tuple[Limits, Limits]:
         """Limits with the CoM's margin that is liked, and with the one that is asked for."""
         reserve = max(COM_RESERVE_M, tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M)
-        return (
-            self._limits._replace(offset=self._least + STEADY_RESERVE_M),
-            self._limits._replace(offset=self._least + reserve),
-        )
+        found = self._margins_by_reserve.get(reserve)
+        if found is None:
+            found = self._margins_by_reserve[reserve] = (
+                self._limits._replace(offset=self._least + STEADY_RESERVE_M),
+                self._limits._replace(offset=self._least + reserve),
+            )
+        return found
 
     def _tries(
         self, seed: Array, where: ReachSpace, starts: Array | None, tolerance: IkTolerance, following: bool

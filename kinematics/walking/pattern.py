@@ -15,13 +15,15 @@ from kinematics.robot_description import Hand, SoleDescription
 from kinematics.walking.com_motion import ComMotion, ComSample, SettlingCom, SteeredCom
 from kinematics.walking.dcm import Cubic, Point, ZmpStretch, dcm_before, zmp_that_leads
 from kinematics.walking.footsteps import OTHER, Footstep, FootstepPlanner
-from kinematics.walking.planar import PlanarPose
+from kinematics.walking.planar import PlanarPose, wrapped
 from kinematics.walking.settings import WalkingSettings
-from kinematics.walking.steering import Halt, Steering
+from kinematics.walking.steering import Halt, SlippingTurn, Steering, VelocitySteering
 from kinematics.walking.swing import Swing
 
 _HORIZON = 4
 """Landings ahead: what comes later moves the DCM now by less than 0.1 mm."""
+_SLIP_SHARE = 0.4
+"""Of the newest step's twist in the mean that turns are corrected by."""
 _REDIRECT_S = 0.25
 """A foot that lands sooner than this goes where it was going."""
 
@@ -101,6 +103,7 @@ class WalkingPattern:
         self._planner = FootstepPlanner(settings, rest_spacing_m)
         self._rest_m, self._sway_s2 = rest_m, sway_s2
         self._steering: Steering = Halt()
+        self._slip_rad = 0.0
         self._before = PlanarPose()
         self._body = self._next_body = PlanarPose.between(feet["left"], feet["right"])
         self._standing: Hand = "left"
@@ -112,6 +115,12 @@ class WalkingPattern:
         self._last_landing = False
         self._now = ComSample(com, com, com, com)
         self._motion: ComMotion = SettlingCom(self._now, com, 1.0, omega)
+
+    def locate(self, odom_T_plan: PlanarPose) -> None:
+        """Learn where the plan is, once a step; soles that twist on the floor turn it."""
+        slipped_rad = wrapped(odom_T_plan.yaw_rad - self.odom_T_plan.yaw_rad)
+        self._slip_rad += _SLIP_SHARE * (slipped_rad - self._slip_rad)
+        self.odom_T_plan = odom_T_plan
 
     def steer(self, steering: Steering) -> None:
         """Go somewhere else, from the next landing on; from rest: start."""
@@ -316,8 +325,11 @@ class WalkingPattern:
         return self._resting_over(feet)
 
     def _plan(self) -> list[Footstep]:
+        steering = self._steering
+        if isinstance(steering, VelocitySteering) and steering.angular_rad_s != 0.0:
+            steering = SlippingTurn(steering, self._slip_rad)
         return self._planner.plan(
-            self._standing, self.feet, self._body, self._steering, self._before, self.odom_T_plan, _HORIZON
+            self._standing, self.feet, self._body, steering, self._before, self.odom_T_plan, _HORIZON
         )
 
     # ---------------------------------------------------------------- places

@@ -73,6 +73,26 @@ class VelocitySteering:
 
 
 @dataclass(frozen=True, slots=True)
+class SlippingTurn:
+    """A velocity, reached although soles twist on the floor while the body turns.
+
+    Attributes:
+        wanted: The velocity.
+        slip_rad: How far the soles have twisted of late with each step, to the left; so much less is planned.
+    """
+
+    wanted: VelocitySteering
+    slip_rad: float
+
+    def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:
+        """The step that, with the slip, is the wanted one."""
+        step = self.wanted.advance(body, PlanarPose(before.x_m, before.y_m, before.yaw_rad + self.slip_rad))
+        if step is None:
+            return None
+        return PlanarPose(step.x_m, step.y_m, step.yaw_rad - self.slip_rad)
+
+
+@dataclass(frozen=True, slots=True)
 class StretchSteering:
     """Go a distance straight on, or back, and stop there.
 

@@ -366,4 +366,4 @@ class _Walk:
     def _locate(self, sample: PatternSample) -> None:
         """Learn where the plan is from the foot that stands."""
         side = sample.carrying[0]
-        self.pattern.odom_T_plan = self._estimator.sole(side) @ sample.feet[side].inverse()
+        self.pattern.locate(self._estimator.sole(side) @ sample.feet[side].inverse())

@@ -190,3 +190,30 @@ def test_a_body_that_is_at_the_goal_of_a_path_goes_there_straight_wherever_the_p
     step = steering.advance(PlanarPose(0.5, 0.0), PlanarPose())
 
     assert step == PlanarPose(0.0, 0.05, 0.0)
+
+
+def test_a_turn_in_which_the_soles_twist_is_planned_narrower(model):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.0, 1.0))
+    twist_rad, turned_rad, found, before = 0.05, 0.0, PlanarPose(), Phase.REST
+
+    for _ in range(6000):  # each landing twists the plan a little to the left
+        sample = walk.pattern.advance(PERIOD_S)
+        if sample.phase is Phase.SWING and before is not Phase.SWING:
+            found = found @ PlanarPose(yaw_rad=twist_rad)
+            walk.pattern.locate(found)
+            heading = found.yaw_rad + PlanarPose.between(sample.feet["left"], sample.feet["right"]).yaw_rad
+            step_rad, turned_rad = heading - turned_rad, heading
+        before = sample.phase
+
+    assert step_rad == pytest.approx(walk.settings.step_s, rel=0.03)
+
+
+def test_a_stretch_is_not_turned_by_soles_that_twist(model):
+    walk = Walk(model)
+    walk.pattern.locate(PlanarPose(yaw_rad=0.1))
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.3, 0.0))
+
+    samples = walk.samples(2000)
+
+    assert max(abs(pose.yaw_rad) for sample in samples for pose in sample.feet.values()) < 1e-3
