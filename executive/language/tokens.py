@@ -28,8 +28,8 @@ _PLAIN = str.maketrans(
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
 _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
-_LINE_END = re.compile(r"([^\s.,;:!?-])(?=\n)")
-"""The end of a line without a mark: what follows is a sentence of its own."""
+_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
+"""The end of a line without a mark."""
 
 _MARKS = frozenset(".,;:!?")
 
@@ -81,10 +81,7 @@ def normalise(text: str) -> str:
         if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Co", "Cn") and character not in _SPACES:
             code = f"U+{ord(character):04X}"
             raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
-    lines = unicodedata.normalize("NFKC", text).translate(_PLAIN).splitlines()
-    plain = " ".join(
-        _LINE_END.sub(r"\1.", "\n".join(" ".join(line.split()) for line in lines).strip()).split()
-    )
+    plain = " ".join(unicodedata.normalize("NFKC", text).translate(_PLAIN).split())
     if len(plain) > 1 and plain[0] == plain[-1] and plain[0] in "\"'" and plain.count(plain[0]) == 2:
         plain = plain[1:-1].strip()
     if not plain:
@@ -92,6 +89,14 @@ def normalise(text: str) -> str:
     if len(plain) > MAX_LENGTH:
         raise MalformedTextError(f"the sentence has more than {MAX_LENGTH} characters")
     return plain
+
+
+def lines_as_sentences(text: str) -> str | None:
+    """The text with a full stop at the end of each line that has no mark; None where no line has none."""
+    if "\n" not in text or len(text) > MAX_LENGTH:
+        return None
+    broken = _LINE_END.sub(". ", text.strip())
+    return None if broken == text.strip() else broken
 
 
 def pieces_of(plain: str) -> list[Piece]:
