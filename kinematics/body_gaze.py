@@ -20,7 +20,7 @@ LEANS_RAD = (0.0, 0.15, 0.3, 0.45, 0.6, 0.7)
 TURNS_RAD = (0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8, 1.1, -1.1)
 # Where the pelvis goes, from where it is, when the trunk alone does not get there (ahead, left, up): eyes
 # that lean over a high table are soon straight above what stands at its edge.
-PELVIS_M = ((0.0, 0.0, 0.0), (-0.03, 0.0, 0.0), (-0.06, 0.0, 0.0))
+PELVIS_M = ((0.0, 0.0, 0.0), (-0.03, 0.0, 0.0), (-0.06, 0.0, 0.0), (-0.09, 0.0, 0.0))
 # An aim that is this near to the point is good, and this near will do when there is none nearer.
 AIMED_RAD = 0.01
 GOOD_ENOUGH_RAD = 0.04
@@ -43,7 +43,13 @@ class BodyGaze:
     off_rad: float
 
 
-def body_gaze(model: RobotModel, q: Array, point: Array, turning_joint: str | None = None) -> BodyGaze | None:
+def body_gaze(
+    model: RobotModel,
+    q: Array,
+    point: Array,
+    turning_joint: str | None = None,
+    aimed_rad: float = AIMED_RAD,
+) -> BodyGaze | None:
     """How to bring a world point, shape (3,), to the middle of the picture.
 
     Args:
@@ -51,18 +57,19 @@ def body_gaze(model: RobotModel, q: Array, point: Array, turning_joint: str | No
         q: Where the other joints are, shape (nq,).
         point: What to look at.
         turning_joint: A joint that turns the trunk, or None.
+        aimed_rad: An aim that is this near to the point is taken.
 
     Returns:
         The least help that looks there, or None when no posture that was tried does.
     """
     best: BodyGaze | None = None
     for pelvis_m in PELVIS_M[:1] if model.description.welded else PELVIS_M:
-        gaze = _with_trunk(model, q, point, turning_joint, pelvis_m)
+        gaze = _with_trunk(model, q, point, turning_joint, pelvis_m, aimed_rad)
         if best is None or gaze.off_rad < best.off_rad:
             best = gaze
-        if best.off_rad <= DOUBTFUL_RAD:
+        if best.off_rad <= max(DOUBTFUL_RAD, aimed_rad):
             break
-    return best if best is not None and best.off_rad <= GOOD_ENOUGH_RAD else None
+    return best if best is not None and best.off_rad <= max(GOOD_ENOUGH_RAD, aimed_rad) else None
 
 
 def _with_trunk(
@@ -71,6 +78,7 @@ def _with_trunk(
     point: Array,
     turning_joint: str | None,
     pelvis_m: tuple[float, float, float],
+    aimed_rad: float,
 ) -> BodyGaze:
     """The smallest lean and turn that aim well, or those that aim best."""
     camera = model.description.camera
@@ -94,7 +102,7 @@ def _with_trunk(
         off = off_axis_rad(model, _with(shifted, model, joints), point)
         if best is None or off < best.off_rad:
             best = BodyGaze(joints, pelvis_m, off)
-        if off <= AIMED_RAD:
+        if off <= aimed_rad:
             break
     if best is None:
         raise RuntimeError("no posture was tried")

@@ -69,6 +69,31 @@ def _turn(a: Array, b: Array, c: Array) -> float:
     return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
+class _Standing:
+    """What is the same for every motion on one stance.
+
+    Attributes:
+        stance: The stance.
+        polygon: What its soles span.
+        points_m: Places of the m soles, shape (m, 3).
+        share: Their wrenches, force and moment behind each other, for each wrench of the ground, shape
+            (6 m, 6).
+    """
+
+    def __init__(self, model: RobotModel, stance: Stance) -> None:
+        self.stance = stance
+        self.polygon = SupportPolygon(model, stance)
+        self.points_m = np.array([world_T_sole[:3, 3] for _, world_T_sole in stance.soles]).reshape(-1, 3)
+        grasp = np.zeros((6, 6 * len(self.points_m)))
+        for k, (x, y, z) in enumerate(self.points_m):
+            arm = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+            grasp[:3, 6 * k : 6 * k + 3] = np.eye(3)
+            grasp[3:, 6 * k : 6 * k + 3] = arm
+            grasp[3:, 6 * k + 3 : 6 * k + 6] = np.eye(3)
+        weight = np.diag([1.0, 1.0, 1.0, *[_MOMENT_WEIGHT] * 3] * len(self.points_m))
+        self.share = weight @ np.linalg.pinv(grasp @ weight)
+
+
 class DynamicsCheck:
     """Balance and effort of trajectories of one robot."""
 
@@ -77,6 +102,7 @@ class DynamicsCheck:
         self._kinematics = kinematics
         self._settings = settings
         self._data = model.pin.createData()
+        self._last: _Standing | None = None
 
     def findings(self, trajectory: Trajectory, timeline: Timeline) -> tuple[list[Finding], float]:
         """Judge balance and effort.
@@ -93,7 +119,7 @@ class DynamicsCheck:
         if self._model.description.welded:
             return self._effort(times, self._inverse_dynamics(trajectory, times, q)[:, 6:]), np.inf
         placed = self._kinematics.poses(configurations)
-        polygon = SupportPolygon(self._model, trajectory.stance)
+        polygon = self._standing(trajectory.stance).polygon
         margin = polygon.margin_m(self._kinematics.com(placed)[:, :2])
         least = self._model.description.com_margin_m
         findings = _first_below("CoM", times, margin, least, least - settings.com_tolerance_m)
@@ -134,16 +160,9 @@ class DynamicsCheck:
         torques = efforts[:, 6:].copy()
         if not stance.soles:
             return torques
-        points = np.array([world_T_sole[:3, 3] for _, world_T_sole in stance.soles])
-        grasp = np.zeros((6, 6 * len(points)))
-        for k, (x, y, z) in enumerate(points):
-            arm = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-            grasp[:3, 6 * k : 6 * k + 3] = np.eye(3)
-            grasp[3:, 6 * k : 6 * k + 3] = arm
-            grasp[3:, 6 * k + 3 : 6 * k + 6] = np.eye(3)
-        weight = np.diag([1.0, 1.0, 1.0, *[_MOMENT_WEIGHT] * 3] * len(points))
-        share = weight @ np.linalg.pinv(grasp @ weight)
-        wrenches = np.hstack([force, moment]) @ share.T
+        standing = self._standing(stance)
+        points = standing.points_m
+        wrenches = np.hstack([force, moment]) @ standing.share.T
         for k, (name, _) in enumerate(stance.soles):
             foot = int(self._model.pin.frames[self._model.frame_id(name)].parentJoint)
             f, n = wrenches[:, 6 * k : 6 * k + 3], wrenches[:, 6 * k + 3 : 6 * k + 6]
@@ -154,6 +173,11 @@ class DynamicsCheck:
             axis = np.matmul(placed.rotation[leg], self._kinematics.axis[leg][:, None, :, None])[..., 0]
             torques[:, [body - _FIRST_JOINT for body in leg]] -= np.einsum("bni,bni->nb", axis, pull)
         return torques
+
+    def _standing(self, stance: Stance) -> _Standing:
+        if self._last is None or self._last.stance is not stance:
+            self._last = _Standing(self._model, stance)
+        return self._last
 
     def _effort(self, times: Array, torques: Array) -> list[Finding]:
         over = np.abs(torques) > self._model.effort

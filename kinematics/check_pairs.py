@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from kinematics.check_kinematics import BASE, WORLD, BatchedKinematics
 from kinematics.check_solids import Solid, plain_solid, robot_solids
 from kinematics.robot_model import RobotModel
-from kinematics.scene import FLOOR, PlanningScene, floor
+from kinematics.scene import FLOOR, PlanningScene, SceneObject, floor
 from kinematics.trajectory import FindingKind
 
 Array = NDArray[np.float64]
@@ -82,10 +82,15 @@ class PairBuilder:
             if self.robot[pair.first].body != self.robot[pair.second].body
         ]
         self._self_names = [frozenset((self.robot[i].name, self.robot[j].name)) for i, j in self._self_pairs]
-        self._own = list(range(len(self._self_pairs)))
+        self._self_index = np.array(self._self_pairs, dtype=np.intp).reshape(-1, 2)
+        self._solids_of: dict[str, list[int]] = {}
+        for number, solid in enumerate(self.robot):
+            self._solids_of.setdefault(solid.name, []).append(number)
         self._robot_rates: dict[tuple[int, int], Array] = {}
         self._meetings: dict[tuple[int, int], int] = {}
         self._last: tuple[PlanningScene, Pairs] | None = None
+        self._floor = floor()
+        self._known: dict[int, tuple[SceneObject, Solid]] = {}
         self._self_rate = self._rates(self.robot, self._self_pairs)
         self._sole_links = frozenset(sole.link for sole in model.description.soles)
         if model.description.welded:  # what is bolted to the floor stands on it too
@@ -100,7 +105,8 @@ class PairBuilder:
     def _pairs(self, scene: PlanningScene) -> Pairs:
         robot, kinematics = self.robot, self._kinematics
         held = []
-        for body in scene.attached.values():
+        touching = list(scene.attached.values())
+        for body in touching:
             frame = self._model.pin.frames[self._model.frame_id(body.frame)]
             joint_T_object = np.array(frame.placement.homogeneous) @ body.frame_T_object
             held.append(
@@ -110,47 +116,67 @@ class PairBuilder:
             )
         things = list(scene.objects.values())
         if FLOOR not in scene.objects:
-            things.append(floor())
-        world = [
-            plain_solid(item.name, WORLD, item.world_T_object, item.shape, kinematics) for item in things
-        ]
+            things.append(self._floor)
+        world = self._around(things)
         solids = [*robot, *held, *world]
         first_held, first_world = len(robot), len(robot) + len(held)
         names = [solid.name for solid in solids]
         allowed = scene.allowed
-        own = [k for k, pair in enumerate(self._self_names) if pair not in allowed] if allowed else self._own
-        pairs = [self._self_pairs[k] for k in own]
-        clearance = [0.0] * len(pairs)
-        kinds = [FindingKind.SELF_COLLISION] * len(pairs)
-        others: list[tuple[int, int]] = []
+        own = np.arange(len(self._self_pairs))
+        if allowed:
+            own = own[[pair not in allowed for pair in self._self_names]]
         may_touch: dict[str, set[str]] = {}
         for pair in allowed:
             for name in pair:
                 may_touch.setdefault(name, set()).update(pair)
-        touching = list(scene.attached.values())
+        solids_of = {name: list(numbers) for name, numbers in self._solids_of.items()}
         for i in range(first_held, first_world):
-            free = {*touching[i - first_held].touch_links, *may_touch.get(names[i], ())}
-            others += [(j, i) for j in range(i) if names[j] not in free]
-        clearance += [0.0] * len(others)
-        for i in range(first_world, len(solids)):
-            free = {*may_touch.get(names[i], ()), *(self._sole_links if names[i] == FLOOR else ())}
-            with_it = [(j, i) for j in range(first_world) if names[j] not in free]
-            others += with_it
-            clearance += [things[i - first_world].margin_m] * len(with_it)
-        for j, i in others:
-            by_hand = j >= first_held or first_held <= i < first_world
-            kinds.append(FindingKind.HELD_OBJECT_COLLISION if by_hand else FindingKind.SCENE_COLLISION)
-        index = np.array(pairs + others, dtype=np.intp).reshape(-1, 2)
+            solids_of.setdefault(names[i], []).append(i)
+        others: list[Indices] = []
+        clearance = [np.zeros(len(own))]
+        kinds = [FindingKind.SELF_COLLISION] * len(own)
+        for i in range(first_held, len(solids)):
+            held_one = i < first_world
+            free = set(may_touch.get(names[i], ()))
+            if held_one:
+                free |= touching[i - first_held].touch_links
+            elif names[i] == FLOOR:
+                free |= self._sole_links
+            with_it = np.ones(min(i, first_world), dtype=bool)
+            for name in free & solids_of.keys():
+                with_it[[number for number in solids_of[name] if number < i]] = False
+            those = np.flatnonzero(with_it)
+            others.append(np.column_stack([those, np.full(len(those), i)]))
+            margin_m = 0.0 if held_one else things[i - first_world].margin_m
+            clearance.append(np.full(len(those), margin_m))
+            by_arm = 0 if held_one else int(np.count_nonzero(those < first_held))
+            kinds += [FindingKind.SCENE_COLLISION] * by_arm
+            kinds += [FindingKind.HELD_OBJECT_COLLISION] * (len(those) - by_arm)
+        more = np.concatenate(others).astype(np.intp)
+        index = np.concatenate([self._self_index[own], more])
         return Pairs(
             tuple(solids),
-            index[:, 0],
-            index[:, 1],
-            np.array(clearance),
+            np.ascontiguousarray(index[:, 0]),
+            np.ascontiguousarray(index[:, 1]),
+            np.concatenate(clearance),
             tuple(kinds),
             functools.cache(
-                lambda: np.hstack([self._self_rate[:, own], self._rates(solids, others)]),
+                lambda: np.hstack([self._self_rate[:, own], self._rates(solids, more.tolist())]),
             ),
         )
+
+    def _around(self, things: Sequence[SceneObject]) -> list[Solid]:
+        """Solids of objects; those of the scene before are kept: scenes of one task share most of them."""
+        before, self._known = self._known, {}
+        for item in things:
+            known = before.get(id(item))
+            if known is None or known[0] is not item:
+                known = (
+                    item,
+                    plain_solid(item.name, WORLD, item.world_T_object, item.shape, self._kinematics),
+                )
+            self._known[id(item)] = known
+        return [self._known[id(item)][1] for item in things]
 
     def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
         if not pairs:

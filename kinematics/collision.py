@@ -5,11 +5,14 @@ The trajectory checker is a judge of its own and shares none of this.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -178,6 +181,14 @@ class HandCollision:
     def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:
         """``collides`` of many poses, shape (n, 4, 4), shape (n,)."""
         return np.array([self.collides(pose) for pose in world_T_tcp], dtype=bool)
+
+    def fits_along(self, world_T_tcp: Array, along_m: Sequence[float]) -> NDArray[np.bool_]:
+        """Whether there is room at poses, shape (n, 4, 4), moved along their x axis by each distance."""
+        fits = np.ones(len(world_T_tcp), dtype=bool)
+        for step_m in along_m:
+            left = np.flatnonzero(fits)
+            fits[left] = ~self.collisions(world_T_tcp[left] @ poses.translation(step_m, 0.0, 0.0))
+        return fits
 
     def collides(self, world_T_tcp: Transform) -> bool:
         """Tell whether the open hand, TCP at a pose, is too near to anything but the target."""

@@ -13,6 +13,10 @@ Array = NDArray[np.float64]
 LONGEST_BLEND = 0.5
 
 
+# Coefficients of the polynomial through points at equally spaced parameters, by their number.
+_INTERPOLATION = {k: np.linalg.inv(np.vander(np.linspace(0.0, 1.0, k), increasing=True)) for k in range(2, 6)}
+
+
 class Curve(Protocol):
     """A curve without corners: its derivative is continuous, and bends smoothly between knots."""
 
@@ -37,8 +41,7 @@ class PolynomialCurve:
         k = len(points)
         if not 2 <= k <= 5:
             raise ValueError(f"a polynomial curve takes 2 to 5 points, got {k}")
-        powers = np.vander(np.linspace(0.0, 1.0, k), increasing=True)
-        self._coefficients = np.linalg.solve(powers, points)
+        self._coefficients = _INTERPOLATION[k] @ points
         self.knots = np.array([0.0, 1.0])
 
     def __call__(self, s: Array) -> Array:

@@ -55,6 +55,11 @@ class FreeCoordinates:
         self.weights = np.ones(self.size)
         self.weights[: min(3, self.base_size)] = PELVIS_WEIGHT
 
+    @cached_property
+    def home(self) -> Array:
+        """The home posture over these feet, shape (size,)."""
+        return self.from_q(self._model.home_over(self._stance))
+
     def index(self, joint: str) -> int:
         """Column of a joint in ``x``."""
         return self.base_size + self.joints.index(joint)
@@ -69,6 +74,17 @@ class FreeCoordinates:
         norm = math.sqrt(vector @ vector)
         turn = 2.0 * vector if norm < 1e-12 else vector * (2.0 * math.atan2(norm, w) / norm)
         return np.concatenate([q[:3], turn, q[self._columns]])
+
+    def from_many(self, q: Array) -> Array:
+        """``from_q`` of many configurations, shape (n, nq), at once, shape (n, size)."""
+        if self._mount is not None:
+            return q[:, self._columns]
+        # a quaternion and its negative are one rotation
+        turn = np.where(q[:, 6:7] < 0.0, -q[:, 3:7], q[:, 3:7])
+        norm = np.sqrt(np.sum(turn[:, :3] ** 2, axis=1))
+        tiny = norm < 1e-12
+        scale = np.where(tiny, 2.0, 2.0 * np.arctan2(norm, turn[:, 3]) / np.where(tiny, 1.0, norm))
+        return np.hstack([q[:, :3], turn[:, :3] * scale[:, None], q[:, self._columns]])
 
     def to_q(self, x: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Configurations of many points.

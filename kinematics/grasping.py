@@ -7,8 +7,9 @@ A grasp is a TCP pose: x along the approach, y along the opening. Candidates tur
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -66,6 +67,7 @@ def grasp_candidates(
     natural_yaw_rad: float,
     approach_m: float,
     heights: Sequence[float] = (ABOVE_MIDDLE,),
+    extra_cost: float = 0.0,
 ) -> list[GraspCandidate]:
     """Candidates for one hand, most natural first.
 
@@ -75,43 +77,66 @@ def grasp_candidates(
         natural_yaw_rad: Heading, in the world, in which this arm reaches that place most easily.
         approach_m: Length of the straight approach.
         heights: Where to grasp from the side: above the middle, as shares of the object's height.
+        extra_cost: Of this hand, added to every candidate's.
     """
     # the arm prefers to come from its own outer side: the elbow stays off the trunk
     outward = 1.0 if gripper.hand == "right" else -1.0
     widest = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
-    leans = {tilt: poses.rotation_y(tilt) for tilt in TILTS_RAD}
-    kinds = [
+    kinds = tuple(
         (tilt, height)
         for tilt, height in product(TILTS_RAD, heights)
         # from above, palm and fingertips leave no choice of height
         if height == ABOVE_MIDDLE or tilt <= _STEEPEST_RAD
-    ]
-    round_ones = {kind: _round_spot(item, gripper, *kind, widest) for kind in kinds}
-    is_round = _is_round(item)
-    found = []
-    for yaw in YAWS_RAD:
-        heading = poses.rotation_z(natural_yaw_rad + outward * yaw)
-        turned = f"yaw {math.degrees(outward * yaw):+.0f} tilt "
-        for tilt, height in kinds:
-            placements: Iterable[_Placement]
-            rotation = heading @ leans[tilt]
-            if is_round:
-                spot = round_ones[tilt, height]
-                placements = [] if spot is None else _rolled(rotation, *spot)
-            else:
-                placements = _box_placements(item, gripper, rotation, tilt, height, widest)
-            where = "" if height == ABOVE_MIDDLE else f" at {0.5 + height:.2f}"
-            for placed in placements:
-                grasp = Grasp(
-                    hand=gripper.hand,
-                    label=f"{turned}{math.degrees(tilt):.0f}{where}{placed.suffix}",
-                    world_T_tcp=placed.world_T_tcp,
-                    approach_m=approach_m,
-                    diameter_m=placed.diameter_m,
-                )
-                cost = abs(yaw - math.radians(10)) + 0.6 * abs(tilt - math.radians(20)) + placed.cost
-                found.append(GraspCandidate(grasp, cost))
+    )
+    headings = np.array([poses.rotation_z(natural_yaw_rad + outward * yaw) for yaw in YAWS_RAD])
+    leans = np.array([poses.rotation_y(tilt) for tilt, _ in kinds])
+    # (yaw, kind, 3, 3)
+    rotations = headings[:, None] @ leans
+    names, costs = _names(outward, kinds)
+    found: list[GraspCandidate] = []
+    if _is_round(item):
+        spots = [_round_spot(item, gripper, *kind, widest) for kind in kinds]
+        placements = (_placed_round(rotations[yaw], spots) for yaw in range(len(YAWS_RAD)))
+    else:
+        placements = (
+            [
+                (k, placed)
+                for k, kind in enumerate(kinds)
+                for placed in _box_placements(item, gripper, rotations[yaw, k], *kind, widest)
+            ]
+            for yaw in range(len(YAWS_RAD))
+        )
+    for yaw, placements_of_yaw in enumerate(placements):
+        for k, placed in placements_of_yaw:
+            grasp = Grasp(
+                hand=gripper.hand,
+                label=names[yaw][k] + placed.suffix,
+                world_T_tcp=placed.world_T_tcp,
+                approach_m=approach_m,
+                diameter_m=placed.diameter_m,
+            )
+            found.append(GraspCandidate(grasp, costs[yaw][k] + placed.cost + extra_cost))
     return sorted(found, key=lambda candidate: candidate.cost)
+
+
+@functools.lru_cache(maxsize=16)
+def _names(
+    outward: float, kinds: tuple[tuple[float, float], ...]
+) -> tuple[tuple[tuple[str, ...], ...], tuple[tuple[float, ...], ...]]:
+    """Labels and costs by yaw and kind, before what a placement adds to them."""
+    names = tuple(
+        tuple(
+            f"yaw {math.degrees(outward * yaw):+.0f} tilt {math.degrees(tilt):.0f}"
+            + ("" if height == ABOVE_MIDDLE else f" at {0.5 + height:.2f}")
+            for tilt, height in kinds
+        )
+        for yaw in YAWS_RAD
+    )
+    costs = tuple(
+        tuple(abs(yaw - math.radians(10)) + 0.6 * abs(tilt - math.radians(20)) for tilt, _ in kinds)
+        for yaw in YAWS_RAD
+    )
+    return names, costs
 
 
 def key_of(hand: Hand, label: str) -> str:
@@ -213,11 +238,23 @@ def _straddled_opening(radius: float, gripper: GripperDescription) -> float:
     return radius + math.sqrt(radius**2 - (0.5 * gripper.pad_gap_m) ** 2)
 
 
+def _placed_round(
+    rotations: Array, spots: Sequence[tuple[Array, float, float] | None]
+) -> list[tuple[int, _Placement]]:
+    """Placements for one yaw, with the number of their kind; rotations by kind, shape (kinds, 3, 3)."""
+    both = np.zeros((len(spots), 2, 4, 4))
+    both[:, 0, :3, :3], both[:, 1, :3, :3] = rotations, rotations * _HALF_TURN
+    both[:, :, 3, 3] = 1.0
+    found = []
+    for k, spot in enumerate(spots):
+        if spot is not None:
+            centre, opening, cost = spot
+            both[k, :, :3, 3] = centre
+            found.append((k, _Placement(both[k, 0], opening, "", cost)))
+            found.append((k, _Placement(both[k, 1], opening, " rolled", cost + 0.3)))
+    return found
+
+
 def _rolled(rotation: Array, centre: Array, opening: float, cost: float = 0.0) -> list[_Placement]:
-    both = np.zeros((2, 4, 4))
-    both[:, :3, 3], both[:, 3, 3] = centre, 1.0
-    both[0, :3, :3], both[1, :3, :3] = rotation, rotation * _HALF_TURN
-    return [
-        _Placement(both[0], opening, "", cost),
-        _Placement(both[1], opening, " rolled", cost + 0.3),
-    ]
+    """One placement and the same turned by half a turn about the approach."""
+    return [placed for _, placed in _placed_round(rotation[None], [(centre, opening, cost)])]

@@ -42,7 +42,8 @@ APPROACH_M = 0.10
 SHORT_M = 0.010
 """The TCP stops so far before the bar's middle: fingers swing ahead as they close, and behind the bar there
 is no more room than they need."""
-_REACH_PACE = Pace(velocity=0.5, acceleration=0.7)
+# Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
+_REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
 _STRAIGHT_PACE = Pace(velocity=0.2, acceleration=0.5)
 _RESERVE_M, _SELF_MARGIN_M = 0.004, 0.005
 _POINTS = 4

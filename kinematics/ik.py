@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,6 +93,15 @@ class InverseKinematics(Protocol):
         ...
 
 
+@runtime_checkable
+class FollowingKinematics(Protocol):
+    """A solver that takes many poses at once."""
+
+    def follow(self, world_T_tcp: Sequence[Transform], q_seed: Array) -> list[IkResult]:
+        """Bring the TCP to one pose after another; the answers as far as they are within the tolerance."""
+        ...
+
+
 def _make_solver(model: RobotModel, stance: Stance, hand: Hand) -> InverseKinematics:
     from kinematics.placo_ik import PlacoIk
     from kinematics.reach_ik import ReachIk
@@ -120,9 +130,13 @@ def along_line(
     Returns:
         Shape (points, nq), or None when one of them is not reached within the tolerance.
     """
+    targets = [poses.interpolate(start, end, k / (points - 1)) for k in range(1, points)]
+    if isinstance(ik, FollowingKinematics):
+        answers = ik.follow(targets, q)
+        return np.array([q, *(answer.q for answer in answers)]) if len(answers) == len(targets) else None
     found = [q]
-    for fraction in np.linspace(0.0, 1.0, points)[1:]:
-        result = ik.solve(poses.interpolate(start, end, float(fraction)), found[-1], q_preferred=found[-1])
+    for target in targets:
+        result = ik.solve(target, found[-1], q_preferred=found[-1])
         if not result.within(DEFAULT_TOLERANCE):
             return None
         found.append(result.q)

@@ -14,7 +14,8 @@ from kinematics.gesture_planner import GesturePlanner
 from kinematics.handle_planner import HandlePlanner
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
-from kinematics.pick_planner import REACH_PACE, PickPlanner
+from kinematics.pick_planner import PickPlanner
+from kinematics.pick_task import REACH_PACE
 from kinematics.place_planner import PlacePlanner
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (

@@ -23,7 +23,8 @@ from kinematics.gaze import gaze_joints
 from kinematics.ik import DEFAULT_TOLERANCE, along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
-from kinematics.pick_planner import CARTESIAN_POINTS, LEAST_RESERVE_M, REACH_PACE, SELF_MARGIN_M
+from kinematics.pick_planner import LEAST_RESERVE_M
+from kinematics.pick_task import CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
 from kinematics.place_requests import PlaceRequest, Spot
 from kinematics.pointing import link_moved_by
 from kinematics.poses import Transform

@@ -17,9 +17,10 @@ Transform = NDArray[np.float64]
 
 def transform(rotation: ArrayLike, translation: ArrayLike) -> Transform:
     """Put a rotation, shape (3, 3), and a translation, shape (3,), into one transform."""
-    a_T_b = np.eye(4)
+    a_T_b = np.zeros((4, 4))
     a_T_b[:3, :3] = rotation
     a_T_b[:3, 3] = translation
+    a_T_b[3, 3] = 1.0
     return a_T_b
 
 

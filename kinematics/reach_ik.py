@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,7 +22,7 @@ from kinematics.trajectory import Stance
 
 if TYPE_CHECKING:
     from kinematics.kernel.coordinates import Limits
-    from kinematics.kernel.reach_problem import ReachSpace
+    from kinematics.kernel.reach_problem import ReachGoal, ReachSettings, ReachSpace
 
 Array = NDArray[np.float64]
 
@@ -68,7 +68,7 @@ class ReachIk:
         description = model.description
         if description.welded:
             raise ModelError("the free coordinates of a welded robot have no base")
-        self._reach, self._problem = reach.reach, reach_problem
+        self._reach, self._reach_in_turn, self._problem = reach.reach, reach.reach_in_turn, reach_problem
         self._model = model
         self._space = free_coordinates(model, stance)
         self._polygon = SupportPolygon(stance, description.soles)
@@ -76,12 +76,13 @@ class ReachIk:
         self._coordinates = standing_coordinates(model, stance)
         self._limits = standing_limits(model, stance)
         self._least = self._limits.offset - planning_reserve.COM_RESERVE_M
-        self._com_margin_m = description.com_margin_m
-        self._data = model.pin.createData()
-        self._soles = [(model.frame_id(name), pose) for name, pose in stance.soles]
+        self._margins_by_reserve: dict[float, tuple[Limits, Limits]] = {}
+        self._com_margin_m, self._data = description.com_margin_m, model.pin.createData()
+        self._soles = np.array([pose for _, pose in stance.soles])
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
+        self._frames = [self._tcp_id, *(model.frame_id(name) for name, _ in stance.soles)]
         frame = model.pin.frames[self._tcp_id]
         placement = np.array(frame.placement.homogeneous)
         self._tool = (
@@ -108,7 +109,9 @@ class ReachIk:
         column = np.full(len(self._tree.parent), -1, np.int64)
         column[[model.pin.getJointId(joint) for joint in self._space.joints]] = 6 + np.arange(len(columns))
         self._column = column
-        self._memory = reach_problem.scratch(self._tree, model.nq, self._space.size)
+        self._memory = reach_problem.scratch(
+            self._tree, model.nq, self._space.size, self._coordinates.leg_bodies, self._tool[0]
+        )
 
     def solve(
         self,
@@ -131,33 +134,19 @@ class ReachIk:
             upright: Try only what does not bend the knees: half of the time where nothing is found.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
         """
-        kernel = self._problem
-        body, offset_R, offset_p = self._tool
         seed = self._space.from_q(q_seed)
         preferred = self._home if q_preferred is None else self._space.from_q(q_preferred)
-        where = kernel.ReachSpace(
-            lower=np.where(self._moving, self._lower, seed),
-            upper=np.where(self._moving, self._upper, seed),
-            freedom=self._freedom,
-            reference=np.where(self._moving, preferred, seed),
-            column=self._column,
-        )
-        goal = kernel.ReachGoal(
-            body,
-            offset_R,
-            offset_p,
-            np.ascontiguousarray(world_T_tcp[:3, :3], dtype=np.float64),
-            np.ascontiguousarray(world_T_tcp[:3, 3], dtype=np.float64),
-        )
-        settings = kernel.ReachSettings(
-            0.5 * tolerance.position_m, 0.5 * tolerance.orientation_rad, DAMPING, PULL, iterations
-        )
+        where, goal = self._search(seed, preferred), self._goal(world_T_tcp)
+        settings = self._settings(tolerance, iterations)
         taken = 0
         following = q_preferred is not None
         tries = self._tries(seed, where, starts, tolerance, following)
         if upright and not following:
             tries = itertools.islice(tries, UPRIGHT_TRIES)
+        tried: list[tuple[Limits, Array, bool, bool]] = []
         for limits, lower, start in tries:
+            if start is seed and any(_same_way(limits, lower, *other) for other in tried):
+                continue
             x = start.copy()
             steps = self._reach(
                 self._tree,
@@ -172,7 +161,92 @@ class ReachIk:
             taken += iterations if steps < 0 else steps
             if steps >= 0:
                 break
-        return self._verified(world_T_tcp, taken)
+            unbalanced, at_lowest = self._memory.noted.tolist()
+            tried.append((limits, lower, bool(unbalanced), bool(at_lowest)))
+        return self._verified(self._memory.q.copy(), world_T_tcp, taken)
+
+    def follow(
+        self,
+        world_T_tcp: Sequence[Transform],
+        q_seed: Array,
+        tolerance: IkTolerance = DEFAULT_TOLERANCE,
+        iterations: int = 60,
+    ) -> list[IkResult]:
+        """Bring the TCP to one pose after another, staying near to the posture at the one before.
+
+        As ``solve`` with each answer for the next seed and for the posture preferred, in one call.
+
+        Args:
+            world_T_tcp: Targets, shape (4, 4) each.
+            q_seed: Where it begins, shape (nq,).
+            tolerance: As for ``solve``.
+            iterations: Most steps from one start, for each of them.
+
+        Returns:
+            Answers as far as they are within the tolerance.
+        """
+        x = self._space.from_q(q_seed)
+        where = self._search(x, x)
+        x = np.clip(x, where.lower, where.upper)
+        found = np.empty((len(world_T_tcp), self._model.nq))
+        targets = np.array(world_T_tcp, dtype=np.float64)
+        steady, farthest = self._margins(tolerance)
+        reached = self._reach_in_turn(
+            self._tree,
+            self._coordinates,
+            steady,
+            farthest.offset,
+            self._goal(targets[0]),
+            targets,
+            where,
+            self._settings(tolerance, iterations),
+            x,
+            found,
+            self._memory,
+        )
+        answers = []
+        for q, target in zip(found[:reached], targets, strict=False):
+            answer = self._verified(q, target, 0)
+            if not answer.within(tolerance):
+                break
+            answers.append(answer)
+        return answers
+
+    def _search(self, seed: Array, preferred: Array) -> ReachSpace:
+        """Where it is searched: what does not move stays at the seed."""
+        return self._problem.ReachSpace(
+            lower=np.where(self._moving, self._lower, seed),
+            upper=np.where(self._moving, self._upper, seed),
+            freedom=self._freedom,
+            reference=np.where(self._moving, preferred, seed),
+            column=self._column,
+        )
+
+    def _goal(self, world_T_tcp: Transform) -> ReachGoal:
+        body, offset_R, offset_p = self._tool
+        return self._problem.ReachGoal(
+            body,
+            offset_R,
+            offset_p,
+            np.array(world_T_tcp[:3, :3], dtype=np.float64),
+            np.array(world_T_tcp[:3, 3], dtype=np.float64),
+        )
+
+    def _settings(self, tolerance: IkTolerance, iterations: int) -> ReachSettings:
+        return self._problem.ReachSettings(
+            0.5 * tolerance.position_m, 0.5 * tolerance.orientation_rad, DAMPING, PULL, iterations
+        )
+
+    def _margins(self, tolerance: IkTolerance) -> tuple[Limits, Limits]:
+        """Limits with the CoM's margin that is liked, and with the one that is asked for."""
+        reserve = max(COM_RESERVE_M, tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M)
+        found = self._margins_by_reserve.get(reserve)
+        if found is None:
+            found = self._margins_by_reserve[reserve] = (
+                self._limits._replace(offset=self._least + STEADY_RESERVE_M),
+                self._limits._replace(offset=self._least + reserve),
+            )
+        return found
 
     def _tries(
         self, seed: Array, where: ReachSpace, starts: Array | None, tolerance: IkTolerance, following: bool
@@ -181,9 +255,7 @@ class ReachIk:
 
         Who follows a line stays in the posture that he has.
         """
-        steady = self._limits._replace(offset=self._least + STEADY_RESERVE_M)
-        reserve = max(COM_RESERVE_M, tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M)
-        farthest = self._limits._replace(offset=self._least + reserve)
+        steady, farthest = self._margins(tolerance)
         if not following:
             upright = where.lower.copy()
             upright[2] = self._home[2] - UPRIGHT_M
@@ -194,17 +266,15 @@ class ReachIk:
         for share in () if starts is None else starts:
             yield farthest, where.lower, where.lower + share * (where.upper - where.lower)
 
-    def _verified(self, world_T_tcp: Transform, count: int) -> IkResult:
-        """Measure the last configuration again, with Pinocchio's kinematics instead of the kernel's."""
-        q = self._memory.q.copy()
+    def _verified(self, q: Array, world_T_tcp: Transform, count: int) -> IkResult:
+        """Measure a configuration again, with Pinocchio's kinematics instead of the kernel's."""
         model, data = self._model.pin, self._data
         pin.forwardKinematics(model, data, q)
-        feet = all(
-            np.abs(pin.updateFramePlacement(model, data, frame).homogeneous - pose).max() < _SAME
-            for frame, pose in self._soles
+        placed = np.array(
+            [pin.updateFramePlacement(model, data, frame).homogeneous for frame in self._frames]
         )
-        tcp = pin.updateFramePlacement(model, data, self._tcp_id).homogeneous
-        error, turn = errors_between(tcp, world_T_tcp)
+        feet = bool(np.abs(placed[1:] - self._soles).max() < _SAME)
+        error, turn = errors_between(placed[0], world_T_tcp)
         joints = q[7:]
         inside = (joints >= self._least_rad).all() and (joints <= self._most_rad).all()
         return IkResult(
@@ -216,3 +286,15 @@ class ReachIk:
             feet_reached=feet,
             iterations=count,
         )
+
+
+def _same_way(
+    limits: Limits, lower: Array, before: Limits, lower_before: Array, unbalanced: bool, at_lowest: bool
+) -> bool:
+    """Whether a search from the same start would go as one before did, which came to nothing.
+
+    It does where the bounds that differ were never met.
+    """
+    same_margin = limits is before or (not unbalanced and bool((limits.offset <= before.offset).all()))
+    same_bounds = lower is lower_before or (not at_lowest and bool((lower <= lower_before).all()))
+    return same_margin and same_bounds

@@ -18,7 +18,7 @@ from kinematics.free_coordinates import free_coordinates
 from kinematics.ik import InverseKinematics, along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
-from kinematics.pick_planner import CARTESIAN_PACE, CARTESIAN_POINTS
+from kinematics.pick_task import CARTESIAN_PACE, CARTESIAN_POINTS
 from kinematics.requests import MovePlan, NoPlan, PlannedStep, RetreatRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene

@@ -109,7 +109,9 @@ class SupportPolygon:
         Outside it is minus the distance to the line of the edge that is overstepped most, which is
         never more than the distance to the polygon.
         """
-        return float(np.min(self._inward @ com_xy[:2] - self._offset, initial=np.inf))
+        if not len(self._offset):
+            return np.inf
+        return float((self._inward @ com_xy[:2] - self._offset).min())
 
     def margins_m(self, points: Array) -> Array:
         """``com_margin_m`` of many ground points, shape (n, 2), at once, shape (n,)."""

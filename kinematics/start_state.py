@@ -42,9 +42,8 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         furniture or in another link.
     """
     parts = _parts(model)
-    geometry, data = parts.geometry, model.pin.createData()
-    placed = geometry.createData()
-    pin.updateGeometryPlacements(model.pin, data, geometry, placed, q)
+    geometry, placed = parts.geometry, parts.placed
+    pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q)
     centres = np.array([at.act(centre) for at, centre in zip(placed.oMg, parts.centres_m, strict=True)])
     relaxed = scene
     for item in scene.objects.values():
@@ -67,9 +66,14 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
 
 @dataclass(frozen=True, slots=True)
 class _Parts:
-    """A robot's collision geometries with a ball about each, in its own frame."""
+    """A robot's collision geometries with a ball about each, in its own frame.
+
+    With Pinocchio's memory for where they are: to make it takes longer than all that is done with it.
+    """
 
     geometry: pin.GeometryModel
+    data: pin.Data
+    placed: pin.GeometryData
     links: tuple[str, ...]
     centres_m: tuple[Array, ...]
     radii_m: Array
@@ -81,6 +85,8 @@ def _parts(model: RobotModel) -> _Parts:
     items = list(geometry.geometryObjects)
     return _Parts(
         geometry,
+        model.pin.createData(),
+        geometry.createData(),
         tuple(model.link_of(item) for item in items),
         tuple(np.array(item.geometry.aabb_center) for item in items),
         np.array([item.geometry.aabb_radius for item in items]),

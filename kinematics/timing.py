@@ -23,6 +23,7 @@ from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
 from kinematics.timing_kernel import excess, grid_times, running_mean
 from kinematics.trajectory import Stance, Trajectory
+from kinematics.trajectory_sampler import cross
 
 Array = NDArray[np.float64]
 
@@ -179,9 +180,9 @@ def _velocity(q: Array, slope: Array) -> Array:
     xyz, w = q[:, 3:6], q[:, 6:7]
     d_xyz, d_w = slope[:, 3:6], slope[:, 6:7]
     # local angular velocity 2 * conj(quaternion) * derivative
-    v[:, 3:6] = 2.0 * (w * d_xyz - d_w * xyz - np.cross(xyz, d_xyz))
+    v[:, 3:6] = 2.0 * (w * d_xyz - d_w * xyz - cross(xyz, d_xyz))
     # linear velocity turned into the base's frame: rotate by the conjugate
     linear = slope[:, :3]
-    twice = 2.0 * np.cross(-xyz, linear)
-    v[:, :3] = linear + w * twice + np.cross(-xyz, twice)
+    twice = 2.0 * cross(-xyz, linear)
+    v[:, :3] = linear + w * twice + cross(-xyz, twice)
     return v

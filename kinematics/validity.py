@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import itertools
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
@@ -73,6 +74,10 @@ class HandJudge(Protocol):
 
     def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:
         """Tell whether the hand is too near to anything, by pose, shape (n, 4, 4) to (n,)."""
+        ...
+
+    def fits_along(self, world_T_tcp: Array, along_m: Sequence[float]) -> NDArray[np.bool_]:
+        """Tell whether it has room at poses, shape (n, 4, 4), moved along their x axis by each distance."""
         ...
 
     def clearance_m(self, world_T_tcp: Array, enough_m: float) -> float:

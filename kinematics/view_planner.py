@@ -20,7 +20,7 @@ from kinematics.gaze import gaze_joints
 from kinematics.lead_in import lead_in
 from kinematics.line_of_sight import hidden, near_line
 from kinematics.path_planner import PathPlanner
-from kinematics.pick_planner import REACH_PACE
+from kinematics.pick_task import REACH_PACE
 from kinematics.pointing import elbow_frame
 from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import HANDS

@@ -22,7 +22,7 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     from kinematics.balanced_timing import time_in_balance
     from kinematics.curves import PolynomialCurve
     from kinematics.free_coordinates import free_coordinates
-    from kinematics.ik import inverse_kinematics
+    from kinematics.ik import along_line, inverse_kinematics
     from kinematics.timing import Pace
     from kinematics.trajectory_check import TrajectoryChecker
 
@@ -30,6 +30,7 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     stance = stance_at(model, model.q_home)
     hand = next(iter(model.description.grippers))
     tcp = model.frame_pose(model.q_home, model.description.grippers[hand].tcp_frame)
+    along_line(inverse_kinematics(model, stance, hand), model.q_home, tcp, tcp, 2)
     inverse_kinematics(model, stance, hand).solve(tcp, model.q_home)
     space = free_coordinates(model, stance)
     ends = space.from_q(model.q_home)[None].repeat(2, axis=0)

@@ -126,13 +126,20 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
         raise unfit()
     items[-1] = Item(items[-1].of, (*items[-1].details, *loose))
     each = [_arrange(item, goes=goes, has_source=has_source) for item in items]
-    last = each[-1]
-    for index, (item, one) in enumerate(zip(items[:-1], each[:-1], strict=True)):
-        if not item.details:
-            each[index] = replace(last, object=one.object)
-        elif one.goal is None and last.goal is not None:
-            each[index] = replace(one, goal=last.goal)
+    for index in reversed(range(len(items) - 1)):  # what is said of a thing holds for those before it
+        one, following = each[index], each[index + 1]
+        if not items[index].details:
+            each[index] = replace(following, object=one.object)
+        elif one.goal is None and following.goal is not None:
+            each[index] = replace(one, goal=following.goal)
     return each
+
+
+def found_there(one: Arranged) -> Arranged:
+    """Read "there" of a thing that is looked for or picked up as the place that was named."""
+    if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
+        return replace(one, goal=None, source=one.goal.of)
+    return one
 
 
 def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
@@ -147,6 +154,8 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     open_ones = [where for where in wheres if where.role == "either"] if goes and not goals else []
     if not goals and not open_ones:
         return _at(result, wheres, has_source=has_source)
+    if goals and goals[0].of.reference == "there" and any(where.role == "either" for where in wheres):
+        raise trouble("which place is meant, the one that is named or the one before?", asks=True)
     goal = goals[0] if goals else _goal(open_ones)
     index = wheres.index(goals[0] if goals else open_ones[0])
     before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]

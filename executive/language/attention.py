@@ -7,7 +7,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import Parts, arranged, clause, found_there, guarded, trouble, unfit
 from executive.language.going import target
 from executive.language.lattice import Word
 from executive.language.nominals import SUPERLATIVES, words
@@ -89,7 +89,7 @@ def _asked(
 ) -> list[Bundle]:
     """What is asked about; ``existing`` is whether there is any such thing, be it one or several."""
     bundles: list[Bundle] = []
-    for one in arranged(parts):
+    for one in map(found_there, arranged(parts)):
         nominal = one.object
         if (
             one.goal is not None
@@ -160,6 +160,9 @@ def _count(parts: Parts) -> Clause:
     bundles = _asked(parts, "count")
     for (one,) in bundles:
         nominal = one.get("object")
+        source = one.get("source")
+        if words(parts, "HOW_MANY") and source is not None and source.reference == "there":
+            raise unfit()  # "how many cups are there" may be asked of any place
         if nominal.reference:
             raise trouble("name what shall be counted", nominal.reference)
         if not (nominal.plural or nominal.paired or nominal.kind in ("fruit", "food")):

@@ -81,6 +81,8 @@ def _toward(parts: Parts) -> Nominal:
     """Where to; into something that is no room would be a collision."""
     goal = target(parts[-1])
     links = words(parts, "TO_ALSO", "IN")
+    if any(link.said == "by" for link in words(parts, "NEXT_TO")) and not goal.is_place:
+        raise unfit()
     if links and _INSIDE & set(links[0].said.split()) and goal.sort not in ("room", "any"):
         raise trouble(f"walking {links[0].said} the {goal.kind} is no skill of this robot", links[0].said)
     return goal

@@ -7,7 +7,17 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import ME, Arranged, Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import (
+    ME,
+    Arranged,
+    Parts,
+    arranged,
+    clause,
+    found_there,
+    guarded,
+    trouble,
+    unfit,
+)
 from executive.language.handled_thing import ASKER, PREVIOUS, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.lists import said_again, shared_adjective
@@ -44,20 +54,13 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 
 def _pick(parts: Parts) -> Clause:
     each = arranged(parts)
-    each = [_from_there(one) for one in each]
+    each = [found_there(one) for one in each]
     for one in each:
         if one.goal is not None or one.back:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     return clause(parts, [(_pick_bundle(one),) for one in each])
-
-
-def _from_there(one: Arranged) -> Arranged:
-    """Read "there" of a thing that is picked up as the place that was named."""
-    if one.goal is not None and one.goal.of.reference == "there" and one.source is None:
-        return replace(one, goal=None, source=one.goal.of)
-    return one
 
 
 def _fetch(parts: Parts) -> Clause:
@@ -138,41 +141,27 @@ def _carry(parts: Parts) -> Clause:
 
 
 def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
-    result = []
-    for pair in (part for part in parts if isinstance(part, Pair)):
-        (one,) = arranged((pair.item,))
-        if one.goal is not None or (one.person is not None and one.person.sort != "me"):
-            raise unfit()
-        result.append((_recipient(pair.person), one))
+    """Who gets what; further things are for the last person: "me the cup and the bottle on the table"."""
+    pairs = [part for part in parts if isinstance(part, Pair)]
+    loose = tuple(part for part in parts if isinstance(part, Item))
+    if loose:
+        each_item = (*(pair.item for pair in pairs), *loose)
+        unclear = said_again(each_item[-2].of, each_item[-1].of, parts) or shared_adjective(each_item)
+        if unclear is not None:
+            raise trouble(unclear.message, asks=True)
+    result = [(_recipient(pair.person), one) for pair in pairs[:-1] for one in arranged((pair.item,))]
+    last = _recipient(pairs[-1].person)
+    result += [(last, one) for one in arranged((pairs[-1].item, *loose))]
+    if any(one.goal is not None or (one.person is not None and one.person.sort != "me") for _, one in result):
+        raise unfit()
     return result
 
 
 def _bring_pairs(parts: Parts) -> Clause:
-    bundles: list[Bundle] = []
-    person = ME
-    for person, one in _pairs(parts):
-        bundles.append(_handed(one, _pick_bundle(one, fetched=True), person))
-    bundles += [_handed(one, _pick_bundle(one, fetched=True), person) for one in _more(parts)]
-    return clause(parts, bundles)
-
-
-def _more(parts: Parts) -> list[Arranged]:
-    """Further things for the same person: "me the cup and the bottle"."""
-    loose = tuple(part for part in parts if isinstance(part, Item))
-    if not loose:
-        return []
-    paired = [part.item for part in parts if isinstance(part, Pair)]
-    each_item = (*paired, *loose)
-    again = said_again(each_item[-2].of, each_item[-1].of, parts)
-    if again is not None:
-        raise trouble(again.message, asks=True)
-    unclear = shared_adjective(each_item)
-    if unclear is not None:
-        raise trouble(unclear.message, asks=True)
-    each = arranged(loose)
-    if any(one.goal is not None or one.person is not None for one in each):
-        raise unfit()
-    return each
+    return clause(
+        parts,
+        [_handed(one, _pick_bundle(one, fetched=True), person) for person, one in _pairs(parts)],
+    )
 
 
 def _pair(parts: Parts) -> Pair | None:
@@ -219,10 +208,7 @@ def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
 
 
 def _give_pairs(parts: Parts) -> Clause:
-    pairs = _pairs(parts)
-    bundles = [_give_bundle(one, person) for person, one in pairs]
-    bundles += [_give_bundle(one, pairs[-1][0]) for one in _more(parts)]
-    return clause(parts, bundles)
+    return clause(parts, [_give_bundle(one, person) for person, one in _pairs(parts)])
 
 
 def _can_i_have(parts: Parts) -> Clause:

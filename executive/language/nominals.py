@@ -133,7 +133,8 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
             if nominal.ordinal not in _COUNTED_FROM:
                 return None
             if part.side == "right":
-                nominal = replace(nominal, ordinal=f"{nominal.ordinal}_from_right")
+                first = nominal.ordinal == "first"
+                nominal = replace(nominal, ordinal="rightmost" if first else f"{nominal.ordinal}_from_right")
         elif isinstance(part, Word) and part.word_class == "ANOTHER":
             nominal = nominal.described(Feature("ordinal", "other"))
     return nominal
@@ -276,8 +277,11 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     ):
         return None
     told = described(nominal, parts[1:])
-    if isinstance(told, Nominal) and told.size in SUPERLATIVES and told.ordinal in _COUNTED_FROM:
-        return Trouble(f"the {told.ordinal} {told.size}: things are not ranked by size", told.ordinal)
+    if isinstance(told, Nominal) and told.ordinal in _COUNTED_FROM:
+        nearest = told.relation is not None and told.relation.kind == "nearest"
+        rank = told.size if told.size in SUPERLATIVES else "nearest" if nearest else None
+        if rank is not None:
+            return Trouble(f"the {told.ordinal} {rank}: things are counted from a side only", told.ordinal)
     if isinstance(told, Nominal) and told.plural and not told.counted and told.count == 1:
         only = told.size if told.size in SUPERLATIVES else told.ordinal
         if only not in (None, "other"):

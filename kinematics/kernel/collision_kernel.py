@@ -28,7 +28,7 @@ from kinematics.kernel.memory import Problem, pack, work_for
 from kinematics.kernel.pairs import grouped, joined, pairs_of
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.kernel.scene_solids import scene_solids
-from kinematics.kernel.solids import with_plain
+from kinematics.kernel.solids import flatten, with_plain
 from kinematics.kernel.tuning import Tuning
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -113,10 +113,10 @@ class CollisionKernel:
         if found.held:
             chains = with_solids(chains, found.held)
             own = joined(own, grouped(found.pairs, bodies, chains))
-        self._pairs = pairs_of(
-            own, robot.limb, chains.limbs, bodies, found.object_margin, found.judged, found.object_box
-        )
-        solids = with_plain(robot.flat, [*found.held, *found.around])
+        carriers = robot.carriers(bodies)
+        self._pairs = pairs_of(own, carriers, found.object_margin, found.judged, found.object_box)
+        held = [flatten(found.held)] if found.held else []
+        solids = with_plain(robot.flat, *held, found.around)
         problem = Problem(tree, chains, space, limits, solids, self._pairs, TUNING)
         self._packed = pack(problem, work_for(problem))
         # the buffers are kept: compiled code is given where they are

@@ -124,6 +124,8 @@ def centre_of_mass(tree: Tree, R: Array, p: Array, com: Array) -> None:
     com[0] = com[1] = com[2] = 0.0
     for body in range(1, tree.parent.shape[0]):
         m = tree.mass[body]
+        if m == 0.0:
+            continue
         lever = tree.lever[body]
         total += m
         for r in range(3):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -48,6 +50,19 @@ class HandKernel:
     def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:
         """Tell whether the hand is too near to anything, by pose, shape (n, 4, 4) to (n,)."""
         return self._kernel.contacts(_configurations(world_T_tcp))
+
+    def fits_along(self, world_T_tcp: Array, along_m: Sequence[float]) -> NDArray[np.bool_]:
+        """Tell whether it has room at poses, shape (n, 4, 4), moved along their x axis by each distance."""
+        start = _configurations(world_T_tcp)
+        ahead = world_T_tcp[:, :3, 0]
+        left = np.arange(len(start))
+        for step_m in along_m:
+            moved = start[left]
+            moved[:, :3] += step_m * ahead[left]
+            left = left[~self._kernel.contacts(moved)]
+        fits = np.zeros(len(start), dtype=bool)
+        fits[left] = True
+        return fits
 
     def clearance_m(self, world_T_tcp: Transform, enough_m: float) -> float:
         """Room between the hand and everything but the target, beyond the margins.

@@ -157,19 +157,22 @@ class Packed(NamedTuple):
 
 def pack(problem: Problem, work: Work) -> Packed:
     """Put everything into two buffers; the memory of ``work`` is zero, whatever it holds."""
-    given = [np.atleast_1d(value) for part in problem for value in part]
-    table = np.zeros((len(given) + len(work), 4), np.int64)
+    given = [
+        value if isinstance(value, np.ndarray) else np.atleast_1d(value) for part in problem for value in part
+    ]
+    rows: list[tuple[int, ...]] = []
     end = {"f": 0, "i": 0}
-    for row, array in zip(table, [*given, *work], strict=True):
+    parts: dict[str, list[Array | Indices]] = {"f": [], "i": []}
+    for number, array in enumerate((*given, *work)):
         kind = array.dtype.kind
-        row[0] = end[kind]
-        row[1 : 1 + array.ndim] = array.shape
+        rows.append((end[kind], *array.shape, 0, 0, 0)[:4])
         end[kind] += array.size
+        if number < len(given):
+            parts[kind].append(array.ravel())
     floats, ints = np.zeros(end["f"]), np.zeros(end["i"], np.int64)
     for buffer, kind in ((floats, "f"), (ints, "i")):
-        parts = [array.ravel() for array in given if array.dtype.kind == kind]
-        np.concatenate(parts, out=buffer[: sum(map(len, parts))])
-    return Packed(floats, ints, table)
+        np.concatenate(parts[kind], out=buffer[: sum(map(len, parts[kind]))])
+    return Packed(floats, ints, np.array(rows, np.int64))
 
 
 class Memory(NamedTuple):

@@ -125,38 +125,53 @@ def joined(one: OwnPairs, other: OwnPairs) -> OwnPairs:
     )
 
 
-def pairs_of(
-    own: OwnPairs,
-    limb: Indices,
-    limbs: int,
-    body: Sequence[int],
-    object_margin: Array,
-    judged: Indices,
-    object_box: Array,
-) -> Pairs:
-    """All pairs of a scene.
+class Carriers(NamedTuple):
+    """Which bodies carry solids, by limb; attributes as those of ``Pairs``."""
+
+    moving: int
+    limb_start: Indices
+    limb_bodies: Indices
+    body_start: Indices
+    body_solids: Indices
+
+
+def carriers_of(limb: Indices, body: Sequence[int]) -> Carriers:
+    """The bodies that carry solids.
 
     Args:
-        own: Those among what moves.
-        limb, limbs: Limb of each body, and how many there are.
+        limb: Limb of each body.
         body: Body of each moving solid.
-        object_margin, judged: As in ``Pairs``.
-        object_box: ``object_low`` and ``object_high`` of ``Pairs``, shape (2, 3, objects), m.
     """
     carrier = np.array(body, np.int64)
     order = np.lexsort((carrier, limb[carrier]))
     carriers, counts = np.unique(carrier, return_counts=True)
     place = np.lexsort((carriers, limb[carriers]))
-    on_limb = np.bincount(limb[carriers], minlength=limbs)
-    return Pairs(
-        *own,
+    on_limb = np.bincount(limb[carriers], minlength=int(limb.max()) + 1)
+    return Carriers(
         moving=len(carrier),
-        object_margin=object_margin,
-        judged=judged,
         limb_start=_starts(on_limb),
         limb_bodies=carriers[place],
         body_start=_starts(counts[place]),
         body_solids=order.astype(np.int64),
+    )
+
+
+def pairs_of(
+    own: OwnPairs, carriers: Carriers, object_margin: Array, judged: Indices, object_box: Array
+) -> Pairs:
+    """All pairs of a scene.
+
+    Args:
+        own: Those among what moves.
+        carriers: What carries it.
+        object_margin, judged: As in ``Pairs``.
+        object_box: ``object_low`` and ``object_high`` of ``Pairs``, shape (2, 3, objects), m.
+    """
+    return Pairs(
+        *own,
+        **carriers._asdict(),
+        object_margin=object_margin,
+        judged=judged,
         object_low=object_box[0],
         object_high=object_box[1],
     )

@@ -84,7 +84,7 @@ def pose_rows(
     if space.floating == 1:
         for r in range(3):
             J[r, r] = 1.0
-            a0, a1, a2 = _turning_axis(x, r)
+            a0, a1, a2 = turning_axis(x, r)
             _turn_column(J, 3 + r, a0, a1, a2, memory.q, tip)
 
 
@@ -98,7 +98,7 @@ def _turn_column(J: Array, k: int, a0: float, a1: float, a2: float, origin: Arra
 
 
 @inlined
-def _turning_axis(x: Array, k: int) -> tuple[float, float, float]:
+def turning_axis(x: Array, k: int) -> tuple[float, float, float]:
     """Angular velocity in the world for a unit rate of one entry of the base's rotation vector."""
     r0, r1, r2 = x[3], x[4], x[5]
     squared = r0 * r0 + r1 * r1 + r2 * r2

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.kernel.tree import Tree
+from kinematics.kernel.tree import WORLD, Tree
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -67,24 +67,37 @@ class ReachSpace(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Memory of one search."""
+    """Memory of one search.
+
+    Some of its fields:
+        needed: Whether a body moves in the search: base, legs, and what leads to the frame; the rest
+            hangs on these as it does at the start, shape (bodies,).
+        everything: All of them, shape (bodies,).
+        weight, lever: Mass and centre of mass of the needed bodies with what hangs on them, shapes
+            (bodies,) and (bodies, 3), kg and m.
+        moving: Coordinates that are free to move, then what is not used, shape (n,).
+        noted: Of the last search: whether the CoM's margin was ever broken, and whether the base was ever
+            at its lowest, shape (2,).
+    """
 
     q: Array
     base_R: Array
     needed: Indices
-    legs: Indices
+    everything: Indices
+    weight: Array
+    lever: Array
+    moving: Indices
+    noted: Indices
     R: Array
     p: Array
     com: Array
-    rest: Array
     tool_R: Array
     tool_p: Array
     rows: Array
     wanted: Array
     broken: Array
-    probe: Array
-    probe_q: Array
-    probe_broken: Array
+    leg_system: Array
+    leg_rates: Array
     system: Array
     right: Array
     freedom: Array
@@ -93,27 +106,42 @@ class Scratch(NamedTuple):
     moment: Array
 
 
-def scratch(tree: Tree, nq: int, coordinates: int) -> Scratch:
-    """Memory for a robot with configurations of shape (nq,) and so many free coordinates."""
+def scratch(tree: Tree, nq: int, coordinates: int, legs: Indices, frame: int) -> Scratch:
+    """Memory.
+
+    Args:
+        tree: The robot.
+        nq: Length of its configurations.
+        coordinates: How many free coordinates it has.
+        legs: Bodies of the legs, shape (legs, 6).
+        frame: The body that carries the frame.
+    """
     bodies = len(tree.parent)
     edges = MOST_ROWS - 6
+    needed = np.zeros(bodies, np.int64)
+    needed[legs.ravel()] = 1
+    while frame != WORLD:
+        needed[frame] = 1
+        frame = int(tree.parent[frame])
     return Scratch(
         q=np.zeros(nq),
         base_R=np.eye(3),
-        needed=np.ones(bodies, np.int64),
-        legs=np.zeros(bodies, np.int64),
+        needed=needed,
+        everything=np.ones(bodies, np.int64),
+        weight=np.zeros(bodies),
+        lever=np.zeros((bodies, 3)),
+        moving=np.zeros(coordinates, np.int64),
+        noted=np.zeros(2, np.int64),
         R=np.zeros((bodies, 3, 3)),
         p=np.zeros((bodies, 3)),
         com=np.zeros(3),
-        rest=np.zeros(4),
         tool_R=np.eye(3),
         tool_p=np.zeros(3),
         rows=np.zeros((MOST_ROWS, coordinates)),
         wanted=np.zeros(MOST_ROWS),
         broken=np.zeros(edges),
-        probe=np.zeros(coordinates),
-        probe_q=np.zeros(nq),
-        probe_broken=np.zeros(edges),
+        leg_system=np.zeros((6, 12)),
+        leg_rates=np.zeros((len(legs), 6, 6)),
         system=np.zeros((MOST_ROWS, MOST_ROWS)),
         right=np.zeros(MOST_ROWS),
         freedom=np.zeros(coordinates),

@@ -12,7 +12,7 @@ import pinocchio as pin
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.kernel.chains import Chains, Indices, chains_of, limbs_of
 from kinematics.kernel.coordinates import Coordinates
-from kinematics.kernel.pairs import OwnPair, OwnPairs, grouped
+from kinematics.kernel.pairs import Carriers, OwnPair, OwnPairs, carriers_of, grouped
 from kinematics.kernel.solids import Solid, Solids, flatten, link_solid
 from kinematics.kernel.tree import Tree, tree_of, welded_at
 from kinematics.poses import Transform
@@ -84,6 +84,7 @@ class RobotArrays:
         self.limb: Indices = limbs_of(self.tree)
         self._rigid = self._rigid_distances()
         self._alone: dict[tuple[float, bytes], RobotAlone] = {}
+        self._carriers = carriers_of(self.limb, body)
 
     @cached_property
     def flat(self) -> Solids:
@@ -112,6 +113,10 @@ class RobotArrays:
             own = grouped(pairs, [solid.body for solid in self.solids], chains)
             found = self._alone[key] = RobotAlone(chains, own)
         return found
+
+    def carriers(self, body: Sequence[int]) -> Carriers:
+        """What carries its solids and those that it holds, by the body of each."""
+        return self._carriers if len(body) == len(self.solids) else carriers_of(self.limb, body)
 
     def _rigid_distances(self) -> dict[tuple[int, int], float]:
         """Lower bounds of the distances of judged pairs that never move against each other, m."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinematics.kernel.pairs import Array, Indices, OwnPair
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.kernel.solids import Solid, plain_solid
+from kinematics.kernel.solids import Solid, Solids, half_extents_m, plain_solid, plain_solids
 from kinematics.kernel.tree import WORLD
 from kinematics.scene import PlanningScene
 
@@ -30,7 +30,7 @@ class SceneSolids(NamedTuple):
     names: tuple[str, ...]
     held: list[Solid]
     pairs: list[OwnPair]
-    around: list[Solid]
+    around: Solids
     object_margin: Array
     judged: Indices
     object_box: Array
@@ -75,9 +75,9 @@ def scene_solids(robot: RobotArrays, scene: PlanningScene, extra_margin_m: float
     for name, links in touch.items():
         for thing in links & row_of.keys():
             judged[row_of[thing], solids_of[name]] = 0
-    around = [plain_solid(WORLD, item.world_T_object, item.shape) for item in objects]
-    centre = np.array([solid.centre for solid in around], np.float64).reshape(-1, 3)
-    half = np.array([solid.half_extents_m() for solid in around], np.float64).reshape(-1, 3) + _ROUNDING_M
+    poses = np.array([item.world_T_object for item in objects], np.float64).reshape(-1, 4, 4)
+    around = plain_solids(WORLD, poses, [item.shape for item in objects])
+    centre, half = around.centre, half_extents_m(around) + _ROUNDING_M
     return SceneSolids(
         names=(*names, *row_of),
         held=held,

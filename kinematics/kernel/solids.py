@@ -76,14 +76,6 @@ class Solid:
     rough: int = 0
     rough_pad_m: float = 0.0
 
-    def half_extents_m(self) -> Array:
-        """Half-sizes of the box along its body's axes that just holds it, shape (3,); not of a hull."""
-        R, size = self.pose[:3, :3], self.size
-        if self.kind == BOX:
-            return np.asarray(np.abs(R) @ size + self.round_m)
-        around = size[0] * np.sqrt(R[:, 0] ** 2 + R[:, 1] ** 2) + size[1] * np.abs(R[:, 2])
-        return np.asarray(around + self.round_m)
-
 
 _NO_POINTS = np.zeros((0, 3))
 
@@ -97,6 +89,55 @@ def plain_solid(body: int, pose: Transform, shape: Shape) -> Solid:
             return _primitive(CYLINDER, body, pose, (radius, 0.5 * height, 0.0), 0.0)
         case Ball(radius_m=radius):
             return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), radius)
+
+
+def plain_solids(body: int, poses: Array, shapes: Sequence[Shape]) -> Solids:
+    """Boxes, cylinders and balls on one body, as arrays: ``flatten`` of ``plain_solid``, faster.
+
+    Args:
+        body: What carries them.
+        poses: In its frame, shape (n, 4, 4).
+        shapes: What they are.
+    """
+    n = len(shapes)
+    kind, size, rounding = np.empty(n, np.int64), np.zeros((n, 3)), np.zeros(n)
+    for k, shape in enumerate(shapes):
+        match shape:
+            case Box(size_m=(x, y, z)):
+                kind[k] = BOX
+                size[k] = 0.5 * x, 0.5 * y, 0.5 * z
+            case Cylinder(radius_m=radius, height_m=height):
+                kind[k] = CYLINDER
+                size[k, :2] = radius, 0.5 * height
+            case Ball(radius_m=radius):
+                kind[k] = POINT
+                rounding[k] = radius
+    rows = np.zeros((n, 2), np.int64)
+    none, place = np.zeros(n), np.ascontiguousarray(poses[:, :3, 3])
+    return Solids(
+        kind=kind,
+        body=np.full(n, body, np.int64),
+        R=np.ascontiguousarray(poses[:, :3, :3]),
+        p=place,
+        size=size,
+        round=rounding,
+        few=rows,
+        pad=none,
+        all=rows,
+        points=_NO_POINTS,
+        centre=place,
+        radius=np.sqrt(np.sum(size * size, axis=1)) + rounding,
+        rough=rows[:, 0],
+        rough_pad=none,
+    )
+
+
+def half_extents_m(plain: Solids) -> Array:
+    """Half-sizes of the boxes along their body's axes that just hold solids, shape (n, 3); not of hulls."""
+    R, size = np.abs(plain.R), plain.size[:, None]
+    box = np.sum(R * size, axis=2)
+    around = size[..., 0] * np.sqrt(R[..., 0] ** 2 + R[..., 1] ** 2) + size[..., 1] * R[..., 2]
+    return np.asarray(np.where(plain.kind[:, None] == BOX, box, around) + plain.round[:, None])
 
 
 def _primitive(
@@ -177,8 +218,12 @@ def flatten(solids: Sequence[Solid]) -> Solids:
     )
 
 
-def with_plain(solids: Solids, more: Sequence[Solid]) -> Solids:
+def with_plain(solids: Solids, *more: Solids) -> Solids:
     """The same with boxes, cylinders and balls behind them: they have no vertices, so rows stay."""
-    return (
-        Solids(*(np.concatenate(two) for two in zip(solids, flatten(more), strict=True))) if more else solids
+    joined = Solids(
+        *(
+            np.concatenate(parts)
+            for parts in zip(*(each._replace(points=_NO_POINTS) for each in (solids, *more)), strict=True)
+        )
     )
+    return joined._replace(points=solids.points)

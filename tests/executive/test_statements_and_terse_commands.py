@@ -88,3 +88,50 @@ def test_several_words_for_stop_are_one():
 @pytest.mark.parametrize("sentence", ["pick up the mug and saw", "pick up the plate, then iron"])
 def test_a_bare_noun_that_is_a_verb_too_is_no_thing_of_a_list(sentence):
     assert tasks(sentence) == []
+
+
+def test_each_place_of_a_list_is_that_of_the_things_before_it():
+    done = tasks("put the apple and the pear in the bowl and the box on the shelf")
+
+    assert [task.get("to", task.get("on")) for task in done] == [{"kind": "bowl"}, {"kind": "bowl"}, "shelf"]
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "bring me the blue cup, the one on the shelf",
+        "go to the chair, the red one",
+        "give Ana the ball, the red ball",
+        "walk to the table and put the cup in the bowl there",
+    ],
+)
+def test_what_is_said_again_or_of_two_places_is_asked(sentence):
+    assert parse(sentence).question is not None
+
+
+@pytest.mark.parametrize("end", ["leave it there", "put it down", "put it on the table"])
+def test_what_is_put_already_is_not_put_again(end):
+    assert len(tasks(f"take the cup to the table and {end}")) == 2
+
+
+@pytest.mark.parametrize("sentence", ["pick up the apple before me", "pick up the second largest box"])
+def test_what_is_no_place_and_no_rank_is_refused(sentence):
+    assert parse(sentence).refusal is not None
+
+
+def test_a_thing_that_is_told_of_first_stands_at_the_beginning_of_a_clause():
+    done = tasks("put the fork in the cupboard, hand it to Tom")
+
+    assert done[0]["to"] == "cupboard"
+    assert done[1]["object"] == {"ref": 0}
+
+
+@pytest.mark.parametrize(
+    ("sentence", "place"),
+    [
+        ("go to the fridge, then to the table, and take the ball from there", "table"),
+        ("go to the table and take the ball from there, walk to the garage", "table"),
+    ],
+)
+def test_there_is_where_the_robot_was_sent_just_now(sentence, place):
+    assert next(task for task in tasks(sentence) if task["action"] == "pick")["from"] == place

@@ -51,3 +51,39 @@ def test_the_same_question_has_the_same_answer(talos, stance, solver):
     second = solver(talos, stance, "right").solve(target, talos.q_home).q
 
     assert np.array_equal(first, second)
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_following_many_poses_is_solving_one_after_another(talos, stance, hand):
+    side = 1.0 if hand == "left" else -1.0
+    turn = poses.rotation_z(-0.3 * side)
+    targets = [poses.transform(turn, (0.45 + 0.03 * k, 0.25 * side, 1.0 - 0.08 * k)) for k in range(4)]
+    ik = ReachIk(talos, stance, hand)
+    q = ik.solve(targets[0], talos.q_home).q
+    one_by_one = []
+    for target in targets[1:]:
+        one_by_one.append(ik.solve(target, one_by_one[-1] if one_by_one else q, q_preferred=q).q)
+        q = one_by_one[-1]
+
+    followed = ik.follow(targets[1:], ik.solve(targets[0], talos.q_home).q)
+
+    assert len(followed) == 3
+    for answer, alone in zip(followed, one_by_one, strict=True):
+        assert answer.within(IkTolerance())
+        assert answer.q == pytest.approx(alone, abs=1e-6)
+
+
+def test_following_ends_before_the_first_pose_that_is_out_of_reach(talos, stance):
+    ik = ReachIk(talos, stance, "right")
+    near, far = poses.translation(0.5, -0.25, 1.0), poses.translation(1.6, -0.3, 1.0)
+
+    followed = ik.follow([near, far, near], ik.solve(near, talos.q_home).q)
+
+    assert len(followed) == 1
+
+
+def test_a_low_pose_that_upright_knees_do_not_reach_is_reached_by_bending_them(talos, stance):
+    ik, low = ReachIk(talos, stance, "right"), poses.translation(0.5, -0.25, 0.3)
+
+    assert not ik.solve(low, talos.q_home, upright=True).within(IkTolerance())
+    assert ik.solve(low, talos.q_home).within(IkTolerance())

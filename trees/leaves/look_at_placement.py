@@ -38,8 +38,8 @@ class LookAtPlacement(LookAt):
         looking = q.copy()
         for joint, angle in head.items():
             looking[7 + model.joint_index(joint)] = angle
-        half_rad = 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
-        if off_axis_rad(model, looking, place) <= _WELL_IN_VIEW * half_rad:
+        seen_rad = _WELL_IN_VIEW * 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
+        if off_axis_rad(model, looking, place) <= seen_rad:
             return head
-        gaze = body_gaze(model, q, place, turning_joint(model.description))
+        gaze = body_gaze(model, q, place, turning_joint(model.description), seen_rad)
         return head if gaze is None else gaze.joints

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
 
+from trees.alternatives import Alternatives
+from trees.failures import Failure, FailureKind
 from trees.leaves.go_home import GoHome
 from trees.leaves.look_at_place import LookAtPlace
 from trees.leaves.point_at import PointAt
@@ -39,8 +42,21 @@ def point_at(toolbox: Toolbox) -> Behaviour:
 
 def look_at(toolbox: Toolbox) -> Behaviour:
     """Find it, and keep it in the middle of the picture. Reads "task", writes "evidence"."""
+    from_home: list[Behaviour] = [
+        GoHome("draw the hands in", toolbox),
+        LookAtPlace("turn to it from home", toolbox),
+    ]
+    ways: list[Behaviour] = [
+        LookAtPlace("turn to it", toolbox),
+        Sequence("with the hands at home", memory=True, children=from_home),
+    ]
     children: list[Behaviour] = [
         search_place("find it", toolbox, everywhere(toolbox)),
-        LookAtPlace("turn to it", toolbox),
+        Alternatives("look", ways, hopeless=hands_are_not_in_the_way),
     ]
     return tidily("look at", children, toolbox)
+
+
+def hands_are_not_in_the_way(failure: Failure) -> bool:
+    """All but a planner's no: what a hand has lifted over a table is in the way of who leans over it."""
+    return failure.kind is not FailureKind.INFEASIBLE or bool(failure.choices)

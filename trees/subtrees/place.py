@@ -1,4 +1,7 @@
-"""Put an object down: find room, plan, check, bring it there, lower it until it stands, let go, look."""
+"""Put an object down: find room, plan, check, bring it there, lower it until it stands, let go, look.
+
+Where this hand does not reach, it is put down on the way and taken up with the other one.
+"""
 
 from __future__ import annotations
 
@@ -24,10 +27,11 @@ from trees.leaves.still_held import StillHeld
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
-from trees.subtrees.have_it import have_it
+from trees.subtrees.have_it import have_it, rewired
 from trees.subtrees.look_over import look_over
 from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.subtrees.swap_hands import other_hand_is_no_help, swap_hands
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
 
@@ -37,15 +41,12 @@ _FURTHER_STEPS = 3
 
 def place(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
-    attempts = Retry(
-        "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
-    )
-    carry: list[Behaviour] = [
-        have_it(toolbox),
-        _find_room(toolbox),
-        NoteBystanders("note what stands about", toolbox),
-        attempts,
-    ]
+    anywhere: list[Behaviour] = [rewired(_find_room(toolbox), {"task": "swap_place"}), _attempt(toolbox)]
+    swapped: list[Behaviour] = [swap_hands(anywhere, toolbox), _bring(toolbox)]
+    ways: list[Behaviour] = [_bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
+    bring = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
+    bring.transparent = True
+    carry: list[Behaviour] = [have_it(toolbox), bring]
     children: list[Behaviour] = [
         look_over(toolbox),
         regrasping(carry, toolbox),
@@ -72,6 +73,25 @@ def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Beha
         Lower("lower", toolbox, {"checked": "checked_lower"}),
         *further,
     ]
+
+
+class _Bring(Sequence):
+    """Structures; it is left out of places in the tree."""
+
+    transparent = True
+
+
+def _bring(toolbox: Toolbox) -> Behaviour:
+    """From a hand to a free spot."""
+    attempts = Retry(
+        "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
+    )
+    children: list[Behaviour] = [
+        _find_room(toolbox),
+        NoteBystanders("note what stands about", toolbox),
+        attempts,
+    ]
+    return _Bring("bring it", memory=True, children=children)
 
 
 def _find_room(toolbox: Toolbox) -> Behaviour:

@@ -65,8 +65,9 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         attempts,
     ]
     children: list[Behaviour] = [
-        look_over(toolbox),
         NotShut("is it open", toolbox),
+        look_over(toolbox),
+        NotShut("is it open after all", toolbox),
         regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),

@@ -19,9 +19,9 @@ def lean_rad(stage):
     return stage.fake.sensing.state().q[7 + stage.toolbox.model.joint_index("torso_2_joint")]
 
 
-@pytest.mark.parametrize(("ahead_m", "leans"), [(0.8, False), (0.40, True)])
+@pytest.mark.parametrize(("ahead_m", "leans"), [(0.8, False), (0.40, True), (0.38, True)])
 def test_what_stands_at_the_near_edge_is_looked_at_with_the_trunk_too(stage, ahead_m, leans):
-    placement = placed_at(ahead_m, 0.2, 0.87)
+    placement = placed_at(ahead_m, 0.04, 0.92)
 
     assert stage.run(LookAtPlacement("look", stage.toolbox), placement=placement) is Status.SUCCESS
 

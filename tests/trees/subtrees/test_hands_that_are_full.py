@@ -1,11 +1,13 @@
-"""Picking something up while a hand is full: said at once, or done with the other hand."""
+"""Picking something up while a hand is full, and placing what the hand that holds it cannot bring there."""
 
 import pytest
 
+from kinematics.place_requests import PlaceRequest
+from kinematics.requests import NoPlan
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.failures import FailureKind
-from trees.tasks import ObjectDescription, PickTask, PlaceTask
+from trees.tasks import ObjectDescription, PickTask, PlaceTask, Relation
 
 RED_CUP, BLUE_CUP = ObjectDescription("cup", "red"), ObjectDescription("cup", "blue")
 AT_ONCE_S = 0.3
@@ -102,3 +104,40 @@ def test_something_else_is_put_down_with_the_free_hand(stage):
 
     assert tree.status == "success"
     assert (carried_by(stage, "red cup"), carried_by(stage, "blue cup")) == ("right", None)
+
+
+@pytest.fixture
+def right_hand_fails(stage, monkeypatch):
+    """The right hand reaches no spot beside anything; anywhere else it does."""
+    answer = stage.fake.planning.answer
+
+    def planned(request):
+        if not isinstance(request, PlaceRequest):
+            return answer(request)
+        frame = request.scene.attached[request.held].frame
+        left_part = request.spots[0].world_T_object[1, 3] > 0.0
+        if frame == stage.toolbox.model.description.tcp_frames["right"] and left_part:
+            return NoPlan("no way", {"no inverse kinematics": 9}, {"spots": 9.0, "considered": 99.0})
+        return answer(request)
+
+    monkeypatch.setattr(stage.fake.planning, "answer", planned)
+
+
+BESIDE_BLUE = ObjectDescription(relation=Relation("left_of", BLUE_CUP))
+
+
+def test_what_one_hand_cannot_bring_there_is_taken_by_the_other(stage, right_hand_fails):
+    tree = run(stage, PlaceTask("put it left of the blue cup", RED_CUP, to=BESIDE_BLUE))
+
+    assert tree.status == "success"
+    assert tree.evidence["hand"] == "left"
+    assert carried_by(stage, "red cup") is None
+    assert stage.fake.world.object("red cup").world_T_object[1, 3] > 0.2
+
+
+def test_the_hand_that_was_named_is_not_exchanged(stage, right_hand_fails):
+    tree = run(stage, PlaceTask("put it there with the right hand", RED_CUP, to=BESIDE_BLUE, hand="right"))
+
+    assert tree.status == "failure"
+    assert "it has to be the right hand" in tree.failure.message
+    assert carried_by(stage, "red cup") == "right"

@@ -1,0 +1,110 @@
+"""Room between the legs: what the planner's judges leave out, for the few configurations that are kept.
+
+Standing motions hardly change it, so no search pays for it; in a squat with turned knees the thighs can
+touch, and the trajectory checker would refuse the plan.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics.kernel import readiness
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+
+if TYPE_CHECKING:
+    from kinematics.kernel.collision_kernel import CollisionKernel
+
+Array = NDArray[np.float64]
+
+RESERVE_M = 0.001
+"""Kept between the legs, against the checker, which wants them not to touch."""
+
+
+class LegRoom(Protocol):
+    """Tells how far a robot's legs are apart."""
+
+    def too_near(self, q: Array) -> NDArray[np.bool_]:
+        """Tell whether two links of the legs are nearer than ``RESERVE_M``, at each of q, shape (n, nq)."""
+        ...
+
+    def clearances_m(self, q: Array) -> Array:
+        """The smallest distance of two links of the legs that may not touch.
+
+        Args:
+            q: Configurations, shape (n, nq).
+
+        Returns:
+            Shape (n,), m; exact below twice ``RESERVE_M``, more than that where there is more room.
+        """
+        ...
+
+
+@functools.lru_cache(maxsize=4)
+def leg_room(model: RobotModel) -> LegRoom | None:
+    """The judge of a robot's legs, by the kernel where it is compiled; None when it has no such pairs."""
+    geometry = _between_legs(model)
+    if not len(geometry.collisionPairs):
+        return None
+    if not readiness.usable():
+        return _CoalLegRoom(model, geometry)
+    # imported here: it brings the compiler
+    from kinematics.kernel.collision_kernel import CollisionKernel
+    from kinematics.kernel.robot_arrays import RobotArrays
+
+    names = [model.link_of(item) for item in geometry.geometryObjects]
+    arrays = RobotArrays(model.pin, geometry, names)
+    return _KernelLegRoom(CollisionKernel(arrays, PlanningScene(), self_margin_m=RESERVE_M))
+
+
+def _between_legs(model: RobotModel) -> pin.GeometryModel:
+    """The collision geometry of the legs alone, with the pairs that the planner's judges leave out."""
+    whole, legs = model.geometry(), pin.GeometryModel()
+    bodies = {
+        int(model.pin.getJointId(joint))
+        for group, joints in model.description.groups.items()
+        if group.endswith("_leg")
+        for joint in joints
+    }
+    number: dict[int, int] = {}
+    for k, item in enumerate(whole.geometryObjects):
+        if int(item.parentJoint) in bodies:
+            number[k] = int(legs.addGeometryObject(item))
+    for pair in whole.collisionPairs:
+        if pair.first in number and pair.second in number:
+            legs.addCollisionPair(pin.CollisionPair(number[pair.first], number[pair.second]))
+    return legs
+
+
+class _KernelLegRoom:
+    def __init__(self, kernel: CollisionKernel) -> None:
+        self._kernel = kernel
+
+    def too_near(self, q: Array) -> NDArray[np.bool_]:
+        return self._kernel.contacts(q)
+
+    def clearances_m(self, q: Array) -> Array:
+        return np.array([self._kernel.distances_m(row, 2.0 * RESERVE_M).min() for row in q])
+
+
+class _CoalLegRoom:
+    def __init__(self, model: RobotModel, geometry: pin.GeometryModel) -> None:
+        self._model, self._geometry = model.pin, geometry
+        self._data, self._placed = model.pin.createData(), geometry.createData()
+        for request in self._placed.distanceRequests:
+            request.enable_signed_distance = True
+
+    def too_near(self, q: Array) -> NDArray[np.bool_]:
+        return np.asarray(self.clearances_m(q) <= RESERVE_M)
+
+    def clearances_m(self, q: Array) -> Array:
+        found = []
+        for row in q:
+            pin.computeDistances(self._model, self._data, self._geometry, self._placed, row)
+            found.append(min(result.min_distance for result in self._placed.distanceResults))
+        return np.array(found)

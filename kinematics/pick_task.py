@@ -1,0 +1,282 @@
+"""One planning problem of a pick: candidates, ways to them, and motions in time.
+
+Many grasps are filtered cheaply (does the open hand alone fit there?), then tried with whole-body
+inverse kinematics; which of them are tried and taken, ``pick_planner`` says.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.balanced_timing import time_in_balance
+from kinematics.curves import Curve, PolynomialCurve
+from kinematics.free_coordinates import free_coordinates
+from kinematics.gaze import gaze_joints
+from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
+from kinematics.ik import DEFAULT_TOLERANCE, InverseKinematics, along_line, inverse_kinematics
+from kinematics.lead_in import lead_in
+from kinematics.path_planner import PathPlanner
+from kinematics.requests import Grasp, PickPlan, PickRequest, PlannedStep
+from kinematics.robot_description import Hand
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.stance import SupportPolygon
+from kinematics.start_state import relaxed_at
+from kinematics.support import supports_of
+from kinematics.timing import Pace
+from kinematics.validity import HandJudge, hand_judge, validity
+
+Array = NDArray[np.float64]
+
+SELF_MARGIN_M = 0.005
+# Straight approach: long enough that open fingers clear the object before it begins.
+APPROACH_M = 0.10
+# Points of the straight approach and lift that are solved; a cubic runs through them.
+CARTESIAN_POINTS = 4
+REACH_PACE = Pace(velocity=0.5, acceleration=0.7)
+CARTESIAN_PACE = Pace(velocity=0.2, acceleration=0.5)
+# An arm reaches no farther than this from its shoulder to the TCP, trunk leaning included.
+FARTHEST_M = 1.15
+# What a hand without room, or a CoM at its limit, costs against 1 rad of an unnatural approach.
+CLEARANCE_COST = 0.5
+ENOUGH_CLEARANCE_M = 0.03
+BALANCE_COST = 0.5
+ENOUGH_BALANCE_M = 0.06
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A grasp that can be approached.
+
+    Attributes:
+        candidate: The grasp.
+        q: Configuration that holds it.
+        gaze: Head joints that look at the target.
+        approach: The straight way there.
+        x_pregrasp: Where that begins.
+    """
+
+    candidate: GraspCandidate
+    q: Array
+    gaze: Mapping[str, float]
+    approach: Curve
+    x_pregrasp: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """A grasp with the curves that carry it out; ``cost`` ranks it, smaller first."""
+
+    grasp: Grasp
+    cost: float
+    approach: Curve
+    lift: Curve
+    x_pregrasp: Array
+
+
+class PickTask:
+    """The state of one planning problem.
+
+    Attributes:
+        reasons: How many grasps failed for which reason so far.
+        considered: How many grasps were looked at so far.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        request: PickRequest,
+        heights: Sequence[float],
+        reserve_m: float,
+        upright: bool,
+    ) -> None:
+        self._model, self._request, self._target = model, request, request.scene.objects[request.target]
+        self._heights, self._reserve_m, self._upright = heights, reserve_m, upright
+        self._space = free_coordinates(model, request.stance)
+        self._polygon = SupportPolygon(request.stance, model.description.soles)
+        self._rng = np.random.default_rng(request.seed)
+        self._hands: dict[Hand, HandJudge] = {}
+        self._hand_fits: dict[str, bool] = {}
+        self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
+        self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
+        self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
+        self._x_start = self._space.from_q(request.q_start)
+        # the search starts at home, which keeps elbows where they belong
+        self._seed = model.home_over(request.stance)
+        self.reasons: Counter[str] = Counter()
+        self.considered = 0
+        self._in_reach: dict[Hand, Array] = {}
+        for hand in request.hands:
+            offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
+            if np.linalg.norm(offset[:2]) <= FARTHEST_M:
+                self._in_reach[hand] = offset
+            else:
+                self.reasons["out of reach"] += 1
+
+    def candidates(self) -> list[GraspCandidate]:
+        """Grasps of all allowed hands, most natural first; nothing but the room for the hand is judged."""
+        found: list[GraspCandidate] = []
+        excluded = self._request.excluded
+        for hand, offset in self._in_reach.items():
+            gripper = self._model.description.grippers[hand]
+            natural = float(np.arctan2(offset[1], offset[0]))
+            mine = grasp_candidates(
+                self._target,
+                gripper,
+                natural,
+                APPROACH_M,
+                self._heights,
+                2.0 * math.hypot(offset[0], offset[1]),
+            )
+            if excluded:
+                left = [c for c in mine if key_of(hand, c.grasp.label) not in excluded]
+                if len(left) < len(mine):
+                    self.reasons["tried before"] += len(mine) - len(left)
+                mine = left
+            self._judge_room(hand, mine)
+            found += mine
+        return sorted(found, key=lambda candidate: candidate.cost)
+
+    def _judge_room(self, hand: Hand, candidates: Sequence[GraspCandidate]) -> None:
+        """Note for which grasps the hand alone has room: open, closed, and where the approach is solved."""
+        if not candidates:
+            return
+        scene = self._request.scene
+        judge = hand_judge(self._model, hand, scene, self._target.name, self._reserve_m)
+        self._hands[hand] = judge
+        places = np.array([candidate.grasp.world_T_tcp for candidate in candidates])
+        advance_m = self._model.description.grippers[hand].closing_advance_m
+        advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1].tolist()]
+        for candidate, fits in zip(candidates, judge.fits_along(places, advances_m), strict=True):
+            self._hand_fits[key_of(hand, candidate.grasp.label)] = bool(fits)
+
+    def solve(self, candidate: GraspCandidate) -> Way | None:
+        """Find the approach to a grasp; a failure is counted with its reason."""
+        self.considered += 1
+        way = self._solve(candidate)
+        if isinstance(way, str):
+            self.reasons[way] += 1
+            return None
+        return way
+
+    def straight_reach(self, way: Way) -> Curve | None:
+        """The straight way to the pre-grasp, if it is free."""
+        return self._reach_planner.straight(self._x_start, way.x_pregrasp)
+
+    def completed(self, way: Way) -> Goal | None:
+        """The same with its lift and what it costs; a failure is counted."""
+        grasp = way.candidate.grasp
+        lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
+        up = along_line(self._ik_of(grasp.hand), way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS)
+        if up is None:
+            self.reasons["no straight lift"] += 1
+            return None
+        clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
+        balance_m = self._polygon.com_margin_m(self._model.com(way.q))
+        cost = (
+            way.candidate.cost
+            + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
+            + BALANCE_COST * max(0.0, 1.0 - balance_m / ENOUGH_BALANCE_M)
+        )
+        lift = PolynomialCurve(self._gazing(up, way.gaze))
+        return Goal(grasp, cost, way.approach, lift, way.x_pregrasp)
+
+    def detour(self, goal: Goal) -> Curve | None:
+        """A way around what is between here and the pre-grasp."""
+        groups = self._model.description.groups
+        joints = (*groups[f"{goal.grasp.hand}_arm"], *groups["torso"])
+        moving = [self._space.index(joint) for joint in joints]
+        curve = self._reach_planner.plan(self._x_start, goal.x_pregrasp, moving, self._rng)
+        if curve is None:
+            self.reasons["no path to the pre-grasp"] += 1
+        return curve
+
+    def timed(self, goal: Goal, reach: Curve) -> PickPlan | None:
+        """Give all three motions their time, once the lift is known to be free."""
+        grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
+        lift_scene = self._lift_scene(goal.grasp, grasp_scene)
+        if not self._planner(lift_scene, 0.0).curve_is_free(goal.lift):
+            self.reasons["lift collides"] += 1
+            return None
+        steps = [
+            self._step("reach", reach, REACH_PACE, self._reach_scene),
+            self._step("approach", goal.approach, CARTESIAN_PACE, grasp_scene),
+            self._step("lift", goal.lift, CARTESIAN_PACE, lift_scene),
+        ]
+        if any(step is None for step in steps):
+            self.reasons["legs cannot follow"] += 1
+            return None
+        first, second, third = (step for step in steps if step is not None)
+        start = lead_in(first.trajectory, self._request.q_start, self._model.acceleration)
+        first = dataclasses.replace(first, trajectory=start)
+        return PickPlan(goal.grasp, first, second, third, self.considered)
+
+    def _solve(self, candidate: GraspCandidate) -> Way | str:
+        grasp = candidate.grasp
+        if not self._hand_fits[key_of(grasp.hand, grasp.label)]:
+            return "hand collides at the grasp"
+        ik = self._ik_of(grasp.hand)
+        _, near = self._grasp_planner(grasp.hand)
+        first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
+        if not first.within(DEFAULT_TOLERANCE):
+            return "no inverse kinematics at the grasp"
+        if not near.is_free(self._space.from_q(first.q)):
+            return "collision at the grasp"
+        pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
+        back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
+        if back is None:
+            return "no straight approach"
+        gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
+        points = self._gazing(back[::-1], gaze)
+        if not self._reach_planner.is_free(points[0]):
+            return "collision before the approach"
+        approach = PolynomialCurve(points)
+        if not near.curve_is_free(approach):
+            return "approach collides"
+        return Way(candidate, first.q, gaze, approach, points[0])
+
+    def _gazing(self, configurations: Array, gaze: Mapping[str, float]) -> Array:
+        """Free coordinates of configurations, with the head turned to the target."""
+        x = self._space.from_many(configurations)
+        for joint, angle in gaze.items():
+            x[:, self._space.index(joint)] = angle
+        return x
+
+    def _planner(self, scene: PlanningScene, reserve_m: float) -> PathPlanner:
+        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M)
+        return PathPlanner(self._model, self._space, judge)
+
+    def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
+        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
+        return None if trajectory is None else PlannedStep(name, trajectory, scene)
+
+    def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
+        """Scene and planner in which this hand may touch the target."""
+        if hand not in self._grasp_planners:
+            links = self._model.description.grippers[hand].touch_links
+            scene = self._request.scene.allowing((link, self._target.name) for link in links)
+            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m)
+        return self._grasp_planners[hand]
+
+    def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
+        """The scene with the target in the hand; what it stands on may still touch it."""
+        gripper = self._model.description.grippers[grasp.hand]
+        tcp_T_object = poses.inverse(grasp.world_T_tcp) @ self._target.world_T_object
+        held = scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
+        return held.allowing((self._target.name, name) for name in supports_of(self._target, scene))
+
+    def _ik_of(self, hand: Hand) -> InverseKinematics:
+        return inverse_kinematics(self._model, self._request.stance, hand)
+
+    def _shoulder(self, hand: Hand) -> Array:
+        joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])
+        name = next(f.name for f in self._model.pin.frames if f.parentJoint == joint)
+        return self._model.frame_pose(self._request.q_start, name)[:3, 3]
