@@ -128,5 +128,5 @@ def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> Sc
 
 
 def _face_m2(estimate: ObjectEstimate) -> float:
-    """Of a box from above; nothing for what is round. A fridge is its boards, not the back that is as wide."""
+    """Of a box from above; nothing for what is round. A fridge is its boards, not its back."""
     return estimate.shape.size_m[0] * estimate.shape.size_m[1] if isinstance(estimate.shape, Box) else 0.0
