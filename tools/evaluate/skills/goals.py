@@ -12,7 +12,7 @@ from executive.task_result import TaskResult
 from kinematics.shapes import Cylinder
 from kinematics.walking.path_planning import clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose, wrapped
-from robots.articulated import ARTICULATED_KINDS
+from robots.articulated import ARTICULATED_KINDS, GAP_M, PANEL_M
 from robots.errors import SceneError
 from robots.furniture import floor_pose
 from robots.scene_description import Furniture, MovingPart, Person, RobotStart, SceneDescription, SceneItem
@@ -98,8 +98,9 @@ class GoalJudge:
             at = middle.to(PlanarPose(*(float(value) for value in item.world_T_object[:2, 3])))
         half_x, half_y = 0.5 * piece.size_m[0], 0.5 * piece.size_m[1]
         away_m = edge_m(piece.size_m[2])
+        door_m = PANEL_M + GAP_M if piece.kind == "fridge" else 0.0  # what it shuts is what is walked to
         usual = [
-            middle @ PlanarPose(-half_x - away_m, at.y_m, 0.0),
+            middle @ PlanarPose(door_m - half_x - away_m, at.y_m, 0.0),
             middle @ PlanarPose(half_x + away_m, at.y_m, math.pi),
             middle @ PlanarPose(at.x_m, -half_y - away_m, 0.5 * math.pi),
             middle @ PlanarPose(at.x_m, half_y + away_m, -0.5 * math.pi),
