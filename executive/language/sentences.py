@@ -188,9 +188,9 @@ class _Unseparated:
 
 def _without_separator(parts: Parts) -> _Unseparated | None:
     (part,) = parts
-    if isinstance(part, Clause) and part.terse:
-        return None
-    return _Unseparated(part.clauses if isinstance(part, Group) else (part,))
+    if isinstance(part, Group) or part.terse:
+        return None  # "before you ..." belongs to what was said before it
+    return _Unseparated((part,))
 
 
 def _more(parts: Parts) -> Any:

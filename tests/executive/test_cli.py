@@ -10,8 +10,7 @@ import jsonschema
 import pytest
 from typer.testing import CliRunner
 
-from executive import cli
-from executive.commands import runs as runs_command
+from executive import cli, run_search
 from executive.config import CONFIG_VARIABLE
 from executive.exit_codes import ExitCode
 
@@ -305,7 +304,7 @@ def test_a_defect_is_one_line_with_the_name_of_its_crash_report(executive, monke
     def broken(record):
         raise ZeroDivisionError("a planted defect")
 
-    monkeypatch.setattr(runs_command, "runs_directory", lambda: broken(None))
+    monkeypatch.setattr(run_search, "find_runs", broken)
 
     result = executive("runs")
 
@@ -316,10 +315,10 @@ def test_a_defect_is_one_line_with_the_name_of_its_crash_report(executive, monke
 
 
 def test_a_missing_package_is_told_from_a_defect(executive, monkeypatch):
-    def broken():
+    def broken(_record):
         raise ModuleNotFoundError("No module named 'lark'", name="lark")
 
-    monkeypatch.setattr(runs_command, "runs_directory", broken)
+    monkeypatch.setattr(run_search, "find_runs", broken)
 
     result = executive("runs")
 

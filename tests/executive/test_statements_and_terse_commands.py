@@ -157,3 +157,10 @@ def test_lines_that_mean_something_else_together_are_asked_about():
 
 def test_what_is_said_of_a_later_thing_may_not_hold_for_the_one_before():
     assert parse("get three cans from the fridge, then the fork to Ana").question is not None
+
+
+def test_what_stands_before_something_else_belongs_to_what_was_said_before_it():
+    done = tasks("go to the table before you take the fork, then put the bottle on the bench")
+
+    assert [task["action"] for task in done] == ["walk_to", "pick", "place"]
+    assert parse("go to the table before you take the fork, bring me the can, hand it to Tom").commands == ()
