@@ -79,7 +79,7 @@ def updated_scene(
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached}
-        for estimate in sorted(strangers, key=_extent_m, reverse=True):  # "table" is its top, not a leg
+        for estimate in sorted(strangers, key=_face_m2, reverse=True):  # "table" is its top, not a leg
             name = _free_name(words, taken)
             taken.add(name)
             matched[name] = estimate
@@ -127,6 +127,6 @@ def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> Sc
     )
 
 
-def _extent_m(estimate: ObjectEstimate) -> float:
-    """Longest horizontal edge of a box; nothing for what is round."""
-    return max(estimate.shape.size_m[:2]) if isinstance(estimate.shape, Box) else 0.0
+def _face_m2(estimate: ObjectEstimate) -> float:
+    """Of a box from above; nothing for what is round. A fridge is its boards, not its back."""
+    return estimate.shape.size_m[0] * estimate.shape.size_m[1] if isinstance(estimate.shape, Box) else 0.0

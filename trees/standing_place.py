@@ -45,8 +45,7 @@ def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support
     if place.category == "region" and isinstance(place.shape, Box):
         return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
     if place.category == "furniture" and isinstance(place.shape, Box):
-        edge_m = _TALL_EDGE_M if _height_m(place, scene) >= _TALL_M else EDGE_M
-        return _before(place.shape, place.odom_T_place, body, edge_m=edge_m)
+        return _before(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
     if place.category == "object":
         item = SceneObject(place.name, place.shape, place.odom_T_place)
         under = support_of(item, scene, support_gap_m)
@@ -55,6 +54,11 @@ def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support
     away_m = PERSON_M if place.category == "person" else FREE_M
     heading = math.atan2(y - body.y_m, x - body.x_m)
     return PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+
+
+def edge_m(height_m: float) -> float:
+    """How far from the edge of a piece of furniture one stands, by its height."""
+    return _TALL_EDGE_M if height_m >= _TALL_M else EDGE_M
 
 
 def stands_inside(place: Place, body: PlanarPose) -> bool:

@@ -177,6 +177,8 @@ class Antecedents(Discourse):
             raise ask("which place is meant?")
         held_at = self._sources.get(root)
         places = [place for place in dict.fromkeys(self._places) if place != held_at]
+        if len(places) > 1 and self._commands and self._commands[-1].action == "walk_to":
+            places = [place for place in places if place == self._walks[-1]]  # where it was sent just now
         if len(places) != 1:
             raise ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
         return places[0]

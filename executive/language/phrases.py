@@ -231,7 +231,8 @@ class Clause:
         text: The words.
         revokes: The words that take back what was said before them, if these are such words.
         mention: What is stated, of a clause that is no command.
-        terse: Whether it has no verb, so that it stands only where a clause begins: "forward 2 m".
+        terse: Whether it stands only where a clause begins, because its first words could belong to what is
+            said before it: "forward 2 m", "the cup, take it".
     """
 
     bundles: tuple[Bundle, ...]

@@ -52,8 +52,11 @@ def _list_number(parts: Parts) -> Any:
 def _clause(parts: Parts) -> Clause | None:
     """A command, with what was said before it."""
     command: Clause = parts[-1]
+    if any(mark.meaning not in (",", ":") for mark in nominals.words(parts, "PAUSE")):
+        return None  # "the cup. With your left hand. Wave"
     for part in parts[:-1]:
         if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
+            command = replace(command, terse=True)  # else it belongs to what was said before
             continue
         slot = (
             ("hand", part.side)
@@ -100,7 +103,7 @@ def _fronted(parts: Parts) -> Clause | None:
         if first.get("count") is not None:
             return None
         changed = changed.with_slot("count", topic.of.count)
-    return replace(command, bundles=((changed, *rest),))
+    return replace(command, bundles=((changed, *rest),), terse=True)
 
 
 _TAKES = {

@@ -1,9 +1,14 @@
 """What has to be done before a command, that nobody said."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from executive.command_parser import parse
+from executive.errand import Errand, drive
 from executive.preparing import prepared, spoken_by
+from executive.task_result import TaskResult, TaskTimes
+from trees.failures import Failure
 from trees.tasks import FindTask, HandOverTask, ObjectDescription, OpenTask, PickTask, WalkToTask
 
 
@@ -80,3 +85,69 @@ def test_what_was_seen_inside_needs_no_opening():
     steps = prepared(commands, True, in_view=lambda pick: pick.source == "fridge")
 
     assert [type(step.command) for step in steps] == [WalkToTask, PickTask]
+
+
+class Notes:
+    """A session that does everything it is told to, and finds Ana."""
+
+    now_s = 0.0
+
+    def __init__(self, fails=""):
+        walks = SimpleNamespace(description=SimpleNamespace(walking=object()))
+        self.toolbox = SimpleNamespace(walking=object(), model=walks)
+        self.told, self.fails = [], fails
+
+    def task_steps(self, command, _timeout_s):
+        self.told.append(command)
+        yield
+        fails = command.action == self.fails
+        failure = Failure.infeasible("the door is stuck") if fails else None
+        return TaskResult(
+            command.text,
+            command.action,
+            "failed" if fails else "done",
+            1,
+            failure,
+            {"found": "Ana"},
+            TaskTimes(),
+            acted_on="green bottle" if command.action == "pick" else None,
+        )
+
+
+class UnseenErrand(Errand):
+    """Nothing is in view."""
+
+    def _in_view(self, _pick):
+        return False
+
+
+def carried_out(notes, sentence):
+    return drive(UnseenErrand(notes, parse(sentence).commands).steps(), Nobody(), notes)
+
+
+class Nobody:
+    """Asks and stops nothing."""
+
+    def attend(self, _session):
+        pass
+
+
+def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():
+    notes = Notes()
+
+    results = carried_out(notes, "bring me the bottle from the fridge")
+
+    assert [result.outcome for result in results] == ["done"] * 7
+    back, give = notes.told[-2:]
+    assert (back.to, give.to) == ("Ana", "Ana")
+    assert give.object.name == "green bottle"
+
+
+def test_what_fails_on_the_way_ends_the_errand_with_its_own_reason():
+    notes = Notes(fails="open")
+
+    results = carried_out(notes, "bring me the bottle from the fridge")
+
+    assert results[-1].action == "open"
+    assert results[-1].failure.message == "the door is stuck"
+    assert PickTask not in [type(command) for command in notes.told]

@@ -80,3 +80,10 @@ def test_following_ends_before_the_first_pose_that_is_out_of_reach(talos, stance
     followed = ik.follow([near, far, near], ik.solve(near, talos.q_home).q)
 
     assert len(followed) == 1
+
+
+def test_a_low_pose_that_upright_knees_do_not_reach_is_reached_by_bending_them(talos, stance):
+    ik, low = ReachIk(talos, stance, "right"), poses.translation(0.5, -0.25, 0.3)
+
+    assert not ik.solve(low, talos.q_home, upright=True).within(IkTolerance())
+    assert ik.solve(low, talos.q_home).within(IkTolerance())

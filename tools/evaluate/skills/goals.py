@@ -12,7 +12,7 @@ from executive.task_result import TaskResult
 from kinematics.shapes import Cylinder
 from kinematics.walking.path_planning import clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose, wrapped
-from robots.articulated import ARTICULATED_KINDS
+from robots.articulated import ARTICULATED_KINDS, GAP_M, PANEL_M
 from robots.errors import SceneError
 from robots.furniture import floor_pose
 from robots.scene_description import Furniture, MovingPart, Person, RobotStart, SceneDescription, SceneItem
@@ -21,7 +21,8 @@ from robots.scene_solids import planning_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked, feet_of
-from trees.standing_place import EDGE_M, PERSON_M
+from trees.events import Measured
+from trees.standing_place import PERSON_M, edge_m
 from trees.tasks import ObjectDescription, WalkToTask
 
 FAR_M = (1.0, 6.0)
@@ -50,9 +51,13 @@ class GoalJudge:
         self._assembly, self._scene, self._aim = assembly, trial.scene, trial.aim
         self._start = feet_of(assembly)
         self._way = WayWalked(assembly)
+        self._chosen = PlanarPose()
 
     def on_event(self, event: object) -> None:
-        """Nothing to note."""
+        """Note the place beside the usual one that the robot has chosen for an object."""
+        if isinstance(event, Measured) and event.where.endswith("choose where to stand"):
+            x, y, yaw = (float(event.numbers[key]) for key in ("ahead_m", "aside_m", "turned_rad"))
+            self._chosen = PlanarPose(x, y, yaw)
 
     def on_period(self) -> None:
         """Add up the way that was walked."""
@@ -92,12 +97,15 @@ class GoalJudge:
         if item is not None:
             at = middle.to(PlanarPose(*(float(value) for value in item.world_T_object[:2, 3])))
         half_x, half_y = 0.5 * piece.size_m[0], 0.5 * piece.size_m[1]
-        return [
-            middle @ PlanarPose(-half_x - EDGE_M, at.y_m, 0.0),
-            middle @ PlanarPose(half_x + EDGE_M, at.y_m, math.pi),
-            middle @ PlanarPose(at.x_m, -half_y - EDGE_M, 0.5 * math.pi),
-            middle @ PlanarPose(at.x_m, half_y + EDGE_M, -0.5 * math.pi),
+        away_m = edge_m(piece.size_m[2])
+        door_m = PANEL_M + GAP_M if piece.kind == "fridge" else 0.0  # what it shuts is what is walked to
+        usual = [
+            middle @ PlanarPose(door_m - half_x - away_m, at.y_m, 0.0),
+            middle @ PlanarPose(half_x + away_m, at.y_m, math.pi),
+            middle @ PlanarPose(at.x_m, -half_y - away_m, 0.5 * math.pi),
+            middle @ PlanarPose(at.x_m, half_y + away_m, -0.5 * math.pi),
         ]
+        return [place @ self._chosen for place in usual]
 
 
 def goal_trial(rng: np.random.Generator) -> Trial:
@@ -170,7 +178,7 @@ def _trial(rng: np.random.Generator, count: int) -> Trial | None:
 def _piece(kind: str, before: PlanarPose, rng: np.random.Generator) -> Furniture:
     """Furniture whose front's middle is in front of where the robot stands."""
     depth, width, height = (float(rng.uniform(*span)) for span in _SIZES[kind])
-    middle = before @ PlanarPose(EDGE_M + 0.5 * depth)
+    middle = before @ PlanarPose(edge_m(height) + 0.5 * depth)
     opens = None
     if kind in ARTICULATED_KINDS:
         opens = MovingPart("left" if kind == "fridge" else None, 10.0, 2.0, handle_height_m=0.0)
