@@ -100,6 +100,14 @@ def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate
     return scene
 
 
+def without_inside(scene: PlanningScene) -> PlanningScene:
+    """A scene without what an open drawer shows behind its front: it goes wherever the handle is led."""
+    for name in list(scene.objects):
+        if kind_of(name) in INSIDE_KINDS:
+            scene = scene.without_object(name)
+    return scene
+
+
 def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = None) -> list[HandleTarget]:
     """Every handle that was seen with its door or drawer.
 
