@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -20,7 +21,7 @@ from executive.language.selection import Selection, description_of
 from executive.language.sentences import MEANINGS as SENTENCES
 from executive.language.sentences import Sentence
 from executive.language.speech import UNQUOTED
-from executive.language.tokens import MalformedTextError, normalise, pieces_of
+from executive.language.tokens import MalformedTextError, lines_as_sentences, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from trees.tasks import ObjectDescription, SayTask
@@ -88,7 +89,19 @@ class CommandParser:
         self._explainer = Explainer(vocabulary, self._is_valid)
 
     def parse(self, text: str) -> Parsed:
-        """Understand one text."""
+        """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
+        parsed = self._parsed(text)
+        sentences = lines_as_sentences(text)
+        if sentences is None:
+            return parsed
+        of_lines = self._parsed(sentences)
+        if not of_lines.commands:
+            return parsed
+        if not parsed.commands or _alike(parsed, of_lines):
+            return replace(of_lines, text=text)
+        return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
+
+    def _parsed(self, text: str) -> Parsed:
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
@@ -153,6 +166,12 @@ class CommandParser:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
+
+
+def _alike(one: Parsed, other: Parsed) -> bool:
+    return [command_json(command) for command in one.commands] == [
+        command_json(command) for command in other.commands
+    ]
 
 
 def _outcomes(

@@ -48,14 +48,13 @@ def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> 
     rows = np.linspace(0, len(reach.trajectory.q) - 1, _LOOKED_AT).astype(int)
     way = np.array([model.frame_pose(q, frame)[:3, 3] for q in reach.trajectory.q[rows]])
     places = [
-        place
-        for place in _about(way, top)
-        if not sight.shows(place) and _in_reach_of_the_eyes(toolbox, place)
+        place for place in _about(way, top) if not sight.shows(place) and in_reach_of_the_eyes(toolbox, place)
     ]
     return np.array(places).reshape(-1, 3)
 
 
-def _in_reach_of_the_eyes(toolbox: Toolbox, place: Array) -> bool:
+def in_reach_of_the_eyes(toolbox: Toolbox, place: Array) -> bool:
+    """Whether the head alone can be turned so that a place, shape (3,), is in the picture."""
     model, q = toolbox.model, toolbox.motion.reference()
     for joint, angle in gaze_joints(model, q, place).items():
         q[7 + model.joint_index(joint)] = angle

@@ -43,6 +43,8 @@ class TreePolicy:
             camera than 0.3 m), then what is far to the sides.
         first_lean_rad: Of the trunk, in the first look for what is to be picked up: what stands at the near
             edge of a low table is below the picture of who stands upright, and in the way of the hand.
+        looks_for_twins: Whether a part of a table that is out of view is looked at before the only thing in
+            view that fits is taken for the one that is meant.
         survey_gazes: Where else the head looks before it is said which of several things is meant: what the
             first gaze cuts off on both sides of a table, without leaning.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
@@ -121,6 +123,7 @@ class TreePolicy:
         Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
     )
     first_lean_rad: float = 0.2
+    looks_for_twins: bool = True
     survey_gazes: tuple[Gaze, ...] = (
         Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),
         Gaze("to the right", tilt_rad=0.75, pan_rad=-0.5),

@@ -13,6 +13,7 @@ from executive.language.nominals import described, nominal_of, words
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
 
 Parts = tuple[Any, ...]
+_LATER = frozenset({"then", "after", "finally", "followed"})
 
 
 def _item(parts: Parts) -> Item:
@@ -21,13 +22,15 @@ def _item(parts: Parts) -> Item:
 
 @dataclass(frozen=True, slots=True)
 class _Joined:
-    """What stands between two things of a list; with ``commas`` nothing but those."""
+    """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later."""
 
     commas: bool
+    then: bool = False
 
 
 def _joined(parts: Parts) -> _Joined:
-    return _Joined(not words(parts, "AND"))
+    said = [one for word in words(parts, "AND") for one in word.said.split()]
+    return _Joined(not said, not _LATER.isdisjoint(said))
 
 
 def _items(parts: Parts) -> Items | Trouble:
@@ -37,9 +40,19 @@ def _items(parts: Parts) -> Items | Trouble:
     if len(each) > 1 and len(links) == len(each) - 1:
         placed = bool(each[-2].details and each[-1].details)
         unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
+        unclear = unclear or _told_later(each, links)
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(each)
+
+
+def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:
+    """The cup, then the bottle to Ana: whether the cup is for her too is not said."""
+    for (first, second), link in zip(itertools.pairwise(each), links, strict=False):
+        goes = any(isinstance(one, Where) and one.role == "to" for one in second.details)
+        if link.then and second.details and (goes or not first.details):
+            return Trouble(f"does that hold for {spoken(first.of)} too? say it as two sentences", asks=True)
+    return None
 
 
 def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:

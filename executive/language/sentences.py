@@ -52,6 +52,8 @@ def _list_number(parts: Parts) -> Any:
 def _clause(parts: Parts) -> Clause | None:
     """A command, with what was said before it."""
     command: Clause = parts[-1]
+    if any(mark.meaning not in (",", ":") for mark in nominals.words(parts, "PAUSE")):
+        return None  # "the cup. With your left hand. Wave"
     for part in parts[:-1]:
         if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
             command = replace(command, terse=True)  # else it belongs to what was said before

@@ -28,6 +28,9 @@ _PLAIN = str.maketrans(
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
 _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
+_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
+"""The end of a line without a mark."""
+
 _MARKS = frozenset(".,;:!?")
 
 
@@ -86,6 +89,14 @@ def normalise(text: str) -> str:
     if len(plain) > MAX_LENGTH:
         raise MalformedTextError(f"the sentence has more than {MAX_LENGTH} characters")
     return plain
+
+
+def lines_as_sentences(text: str) -> str | None:
+    """The text with a full stop at the end of each line that has no mark; None where no line has none."""
+    if "\n" not in text or len(text) > MAX_LENGTH:
+        return None
+    broken = _LINE_END.sub(". ", text.strip())
+    return None if broken == text.strip() else broken
 
 
 def pieces_of(plain: str) -> list[Piece]:

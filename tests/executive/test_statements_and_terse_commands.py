@@ -135,3 +135,25 @@ def test_a_thing_that_is_told_of_first_stands_at_the_beginning_of_a_clause():
 )
 def test_there_is_where_the_robot_was_sent_just_now(sentence, place):
     assert next(task for task in tasks(sentence) if task["action"] == "pick")["from"] == place
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("go to the table\ntake the cup\ngo home", "go to the table. take the cup. go home"),
+        ("take the cup\nplace on the shelf", "take the cup, place on the shelf"),
+        ("pick up the\nred cup", "pick up the red cup"),
+    ],
+)
+def test_lines_are_sentences_or_one_that_was_broken(text, plain):
+    assert tasks(text) == tasks(plain) != []
+
+
+def test_lines_that_mean_something_else_together_are_asked_about():
+    text = "there is a bowl on the table, bring it to me\nwith your left hand, pick up the ball"
+
+    assert parse(text).question is not None
+
+
+def test_what_is_said_of_a_later_thing_may_not_hold_for_the_one_before():
+    assert parse("get three cans from the fridge, then the fork to Ana").question is not None

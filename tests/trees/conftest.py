@@ -1,5 +1,7 @@
 """A fake robot on a stage: any leaf or tree is ticked in milliseconds, without physics."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from py_trees.blackboard import Blackboard
@@ -52,7 +54,7 @@ def believed(request):
 class Stage:
     """The fake world with a toolbox around it, and ways to run nodes in it."""
 
-    def __init__(self, model, objects=None, policy=QUICK, period_s=0.02, dynamics=None):
+    def __init__(self, model, objects=None, policy=QUICK, period_s=0.02, dynamics=None, looks_for_twins=True):
         things = [table(), cup()] if objects is None else objects
         self.fake = FakeWorld(model, believed, things, period_s, dynamics)
         self.events = []
@@ -68,7 +70,7 @@ class Stage:
             world=self.told,
             events=self.events.append,
             rng=np.random.default_rng(1),
-            policy=policy,
+            policy=replace(policy, looks_for_twins=looks_for_twins),
         )
         self.hooks = []
         self.fake.step()

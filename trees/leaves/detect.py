@@ -27,6 +27,7 @@ from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
 from trees.tasks import ObjectOf
 from trees.toolbox import Toolbox
+from trees.whole_top import seen_wholly
 
 
 class Detect(LookLeaf):
@@ -55,6 +56,7 @@ class Detect(LookLeaf):
         *,
         surveyed: bool = True,
         looking_around: bool = False,
+        more_to_come: bool = False,
     ) -> None:
         """Make the leaf.
 
@@ -63,11 +65,13 @@ class Detect(LookLeaf):
             toolbox: What it may call.
             wiring: As for every leaf.
             surveyed: Whether the looks before this one covered all there is to compare; if not, and several
-                things are to be compared, it fails asking for more looks (``wants_survey``).
+                things are to be compared, or another one may stand where nobody has looked, it fails asking
+                for more looks (``wants_survey``).
             looking_around: Whether it is one of several looks during which nothing is moved.
+            more_to_come: Whether it is one of the looks that were asked for, but not the last.
         """
         super().__init__(name, toolbox, wiring)
-        self._surveyed, self._looking_around = surveyed, looking_around
+        self._surveyed, self._looking_around, self._more_to_come = surveyed, looking_around, more_to_come
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
@@ -109,9 +113,10 @@ class Detect(LookLeaf):
         around = surroundings(world.scene, base, policy.support_gap_m, world.last_acted_on)
         source, count = getattr(task, "source", None), getattr(task, "count", 1)
         grounding = ground(task.object, around, source, count)
-        several = isinstance(grounding, Ambiguous) or compares(task.object, count)
-        if several and not self._surveyed and not isinstance(grounding, Missing):
-            return Failure.postcondition(f"looking for more than this {task.object}", survey=True)
+        if not self._surveyed and self._unsure(grounding, compares(task.object, count), seen):
+            return Failure.postcondition(
+                f"looking whether there is more than this {task.object}", survey=True
+            )
         match grounding:
             case Missing(message):
                 return Failure.postcondition(message, seen=_words(seen))
@@ -124,6 +129,19 @@ class Detect(LookLeaf):
                 )
             case Found(names):
                 return self._target(names, seen)
+
+    def _unsure(
+        self, grounding: Found | Ambiguous | Missing, comparing: bool, seen: Mapping[str, ObjectEstimate]
+    ) -> bool:
+        """Whether it takes more looks to say which one is meant."""
+        match grounding:
+            case Missing():
+                return False
+            case Found(names) if not comparing and not self._more_to_come:
+                looks = self.toolbox.policy.looks_for_twins and names[0] in seen
+                return looks and not seen_wholly(self.toolbox, names[0])
+            case _:
+                return True
 
     def _target(self, names: tuple[str, ...], seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
         """The first of those that are meant; the others are left for later."""

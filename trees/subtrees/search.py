@@ -23,14 +23,16 @@ _HOME_RAD = 0.1
 def search(name: str, toolbox: Toolbox) -> Alternatives:
     """One gaze after the other, until the object is detected.
 
-    When several things fit, or the description compares them, the head looks to both sides before one is
-    chosen or a question is put: what is out of view counts as well.
+    When several things fit, or the description compares them, or a part of what the only one stands on is out
+    of view, the head looks to both sides before one is chosen or a question is put: what was not in the first
+    picture counts as well.
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
     gazes = [replace(upright, lean_rad=policy.first_lean_rad), *others, replace(upright, name="far ahead")]
     looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
-    looks += [_look(gaze, toolbox, surveyed=gaze is survey[-1]) for gaze in survey]
+    looks += [_look(gaze, toolbox, surveyed=False, more_to_come=True) for gaze in survey[:-1]]
+    looks.append(_look(survey[-1], toolbox, surveyed=True))
     return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
 
@@ -66,8 +68,8 @@ def _arms_at_home(toolbox: Toolbox) -> bool:
     return all(abs(float(off[i])) <= _HOME_RAD for i, name in enumerate(model.joints) if name in arms)
 
 
-def _look(gaze: Gaze, toolbox: Toolbox, *, surveyed: bool) -> Behaviour:
-    detect = Detect("detect", toolbox, surveyed=surveyed, looking_around=True)
+def _look(gaze: Gaze, toolbox: Toolbox, *, surveyed: bool, more_to_come: bool = False) -> Behaviour:
+    detect = Detect("detect", toolbox, surveyed=surveyed, looking_around=True, more_to_come=more_to_come)
     children: list[Behaviour] = [LookAt("look", toolbox, gaze), detect]
     return Sequence(f"look {gaze.name}", memory=True, children=children)
 

@@ -5,7 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from kinematics import poses
 from kinematics.requests import CheckRequest, NoPlan, PickRequest
+from kinematics.shapes import Box
 from kinematics.trajectory import Finding, FindingKind, Unsafe
 from robots.fake.fake_world import cup, table
 from trees.events import NodeChanged
@@ -115,7 +117,7 @@ def test_after_an_empty_grasp_another_grasp_is_tried(stage):
 
 
 def test_what_stands_out_of_view_beside_the_hands_way_is_seen_before_the_arm_moves(stage_with):
-    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.42, -0.36)))
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.42, -0.36)), looks_for_twins=False)
     seen = []
     stage.when("detect", lambda: seen.append("blue cup" in stage.told.scene.objects), 30)
     stage.when("stream reach", lambda: seen.append("blue cup" in stage.told.scene.objects))
@@ -138,7 +140,9 @@ def test_a_look_beside_the_cup_that_overlooks_it_does_not_forget_it(stage):
     assert tree.attempts == 1
 
 
-def test_where_somebody_looked_before_nobody_looks_again(stage):
+def test_where_somebody_looked_before_nobody_looks_again(stage_with):
+    stage = stage_with(table(), cup(), looks_for_twins=False)
+
     def looks_aside():
         names = [event.where for event in stage.events if isinstance(event, NodeChanged)]
         return sum(name.endswith("where the hand goes/survey") for name in names)
@@ -151,6 +155,29 @@ def test_where_somebody_looked_before_nobody_looks_again(stage):
 
     assert once > 0
     assert looks_aside() == once
+
+
+def test_a_twin_outside_the_first_picture_leads_to_a_question(stage_with):
+    stage = stage_with(table(), cup(), cup("red cup 2", "red", (0.42, -0.36)))
+
+    tree = stage.play(stage.pick())
+
+    assert tree.status == "failure"
+    assert len(tree.failure.choices) == 2
+    assert not any(isinstance(request, PickRequest) for request in stage.fake.planning.requests)
+
+
+def test_who_has_seen_the_whole_table_looks_no_further(stage_with):
+    def looks_aside(top):
+        stage = stage_with(top, cup())
+        assert stage.play(stage.pick()).status == "success"
+        return [
+            event for event in stage.events if getattr(event, "where", "").endswith("look to the left/look")
+        ]
+
+    small = replace(table(), shape=Box((0.3, 0.2, 0.04)), world_T_object=poses.translation(0.55, -0.15, 0.88))
+    assert looks_aside(table())
+    assert not looks_aside(small)
 
 
 @pytest.mark.requirement("M2", "M4")
