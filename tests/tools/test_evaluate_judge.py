@@ -31,6 +31,9 @@ class ScriptedTruth:
     def pad_contacts(self, name):
         return (SimpleNamespace(friction=self.friction),)
 
+    def robot_touches_something(self):
+        return bool(self.touching or self.objects_touched)
+
     def contacts_with_furniture(self):
         return self.touching
 

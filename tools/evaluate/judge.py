@@ -41,6 +41,10 @@ class Truth(Protocol):
         """Contact points of the finger pads with an object."""
         ...
 
+    def robot_touches_something(self) -> bool:
+        """Whether the robot touches anything but the floor."""
+        ...
+
     def contacts_with_furniture(self) -> tuple[TrueContact, ...]:
         """What of the robot touches furniture."""
         ...
@@ -86,16 +90,20 @@ class Judge:
 
     def on_period(self) -> None:
         """Look at the world."""
-        for contact in self._truth.contacts_with_furniture():
-            self.furniture_contacts.add(f"{contact.first} and {contact.second}")
-        for contact in self._truth.touched_objects():
-            if contact.second != self._target:
-                self.others_touched.add(f"{contact.first} and {contact.second}")
+        if self._truth.robot_touches_something():
+            self._note_contacts()
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
             self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
             self._watch_object()
         self._periods += 1
+
+    def _note_contacts(self) -> None:
+        for contact in self._truth.contacts_with_furniture():
+            self.furniture_contacts.add(f"{contact.first} and {contact.second}")
+        for contact in self._truth.touched_objects():
+            if contact.second != self._target:
+                self.others_touched.add(f"{contact.first} and {contact.second}")
 
     def begin_hold(self) -> None:
         """From now on the object has to stay up."""
