@@ -17,7 +17,6 @@ from trees.leaves.exclude_spot import ExcludeSpot
 from trees.leaves.find_spots import FindSpots
 from trees.leaves.go_home import GoHome
 from trees.leaves.let_go import LetGo
-from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.lower import Lower, LowerFurther
 from trees.leaves.note_bystanders import NoteBystanders
@@ -29,8 +28,8 @@ from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it, rewired
 from trees.subtrees.look_over import look_over
+from trees.subtrees.look_past_hands import look_past_hands
 from trees.subtrees.regrasp import regrasping
-from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.swap_hands import other_hand_is_no_help, swap_hands
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -95,21 +94,8 @@ def _bring(toolbox: Toolbox) -> Behaviour:
 
 
 def _find_room(toolbox: Toolbox) -> Behaviour:
-    """Looks until a surface with room is seen; what a hand lifts from it hides much: then from home."""
-    looks: list[Behaviour] = []
-    first, *others = toolbox.policy.search_gazes
-    for name, gaze, before in (
-        ("look ahead", first, []),
-        ("draw the hand in", first, [GoHome("hand away", toolbox)]),
-        *((f"look {gaze.name}", gaze, []) for gaze in others),
-    ):
-        children: list[Behaviour] = [
-            *before,
-            LookAt("look", toolbox, gaze),
-            FindSpots("find spots", toolbox),
-        ]
-        looks.append(Sequence(name, memory=True, children=children))
-    return Alternatives("find room", looks, hopeless=looking_elsewhere_is_useless)
+    """Looks until a surface with room is seen."""
+    return look_past_hands("find room", lambda: FindSpots("find spots", toolbox), toolbox)
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:

@@ -28,9 +28,9 @@ from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
+from trees.subtrees.look_past_hands import look_past_hands
 from trees.subtrees.place import set_down
 from trees.subtrees.regrasp import regrasping
-from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
 
@@ -96,21 +96,9 @@ def _see_it_inside(toolbox: Toolbox) -> Behaviour:
 
 
 def _find_container(toolbox: Toolbox) -> Behaviour:
-    """Looks until it is seen; what a hand lifts from a table hides what stands behind: then from home."""
-    looks: list[Behaviour] = []
-    first, *others = toolbox.policy.search_gazes
-    for name, gaze, before in (
-        ("look ahead", first, []),
-        ("draw the hand in", first, [GoHome("hand away", toolbox)]),
-        *((f"look {gaze.name}", gaze, []) for gaze in others),
-    ):
-        children: list[Behaviour] = [
-            *before,
-            LookAt("look", toolbox, gaze),
-            FindContainer("find container", toolbox),
-        ]
-        looks.append(Sequence(name, memory=True, children=children))
-    return Alternatives("find what it goes into", looks, hopeless=looking_elsewhere_is_useless)
+    """Looks until it is seen."""
+    name = "find what it goes into"
+    return look_past_hands(name, lambda: FindContainer("find container", toolbox), toolbox)
 
 
 def _nothing_else_helps(failure: Failure, before: Failure | None) -> bool:
