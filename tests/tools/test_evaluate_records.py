@@ -63,6 +63,11 @@ def test_in_clutter_nothing_but_the_target_may_be_touched():
     assert demand not in missed(Summary("pick", 0, None, 0.02, touched, None))
 
 
+def test_a_suite_that_does_not_look_for_other_contacts_tells_of_none():
+    assert Summary("place", 0, None, 0.02, (record(0),)).to_json()["others_touched"] is None
+    assert Summary("pick", 0, None, 0.02, (record(0),)).to_json()["others_touched"] == 0
+
+
 def test_recovery_counts_only_episodes_whose_fault_came_and_can_be_recovered_from():
     found = summary(
         record(0, fault_fired=True, recoverable=True),

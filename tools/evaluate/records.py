@@ -17,6 +17,7 @@ from tools.evaluate.scenes import CLUTTER
 # A lifted object that moved less than this in the hand is held fast.
 SLIP_BAR_M = 0.002
 SUCCESS_BAR = 0.97
+_PICK = "pick"
 RECOVERY_BAR = 0.80
 FALSE_FAILURE_BAR = 0.02
 
@@ -158,8 +159,10 @@ class Summary:
         return sum(bool(record.furniture_contacts) for record in self.records)
 
     @property
-    def others_touched(self) -> int:
-        """Number of episodes in which the robot touched an object that was not the target."""
+    def others_touched(self) -> int | None:
+        """Number of episodes in which another object than the target was touched; only picks tell."""
+        if self.suite != _PICK:
+            return None
         return sum(bool(record.others_touched) for record in self.records)
 
     @property
