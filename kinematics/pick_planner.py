@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from kinematics.curves import Curve
 from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS
-from kinematics.pick_task import Goal, PickTask, Way
+from kinematics.pick_task import Goal, PickTask
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.robot_model import RobotModel
 
@@ -51,15 +51,18 @@ class PickPlanner:
 
     def _best(self, task: PickTask) -> PickPlan | None:
         straight: list[tuple[Goal, Curve]] = []
-        blocked: list[Way] = []
+        blocked: list[Goal] = []
         for candidate in task.candidates():
             way = task.solve(candidate)
             if way is None:
                 continue
             reach = task.straight_reach(way)
+            if (goal := task.completed(way)) is None:
+                continue
             if reach is None:
-                blocked.append(way)
-            elif (goal := task.completed(way)) is not None:
+                if task.lift_is_free(goal):
+                    blocked.append(goal)
+            else:
                 straight.append((goal, reach))
             if len(straight) >= CHOICES:
                 if (plan := _cheapest(task, straight)) is not None:
@@ -69,8 +72,7 @@ class PickPlanner:
                 break
         if (plan := _cheapest(task, straight)) is not None:
             return plan
-        goals = [goal for way in blocked if (goal := task.completed(way)) is not None]
-        for goal in sorted(goals, key=lambda item: item.cost):
+        for goal in sorted(blocked, key=lambda item: item.cost):
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
@@ -80,6 +82,6 @@ class PickPlanner:
 def _cheapest(task: PickTask, ways: Sequence[tuple[Goal, Curve]]) -> PickPlan | None:
     """The plan of the best goal that has one."""
     for goal, reach in sorted(ways, key=lambda item: item[0].cost):
-        if (plan := task.timed(goal, reach)) is not None:
+        if task.lift_is_free(goal) and (plan := task.timed(goal, reach)) is not None:
             return plan
     return None

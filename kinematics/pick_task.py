@@ -199,13 +199,18 @@ class PickTask:
             self.reasons["no path to the pre-grasp"] += 1
         return curve
 
+    def lift_is_free(self, goal: Goal) -> bool:
+        """Whether hand and target come up without touching anything; a failure is counted."""
+        lift_scene = self._lift_scene(goal.grasp, self._grasp_planner(goal.grasp.hand)[0])
+        free = self._planner(lift_scene, 0.0).curve_is_free(goal.lift)
+        if not free:
+            self.reasons["lift collides"] += 1
+        return free
+
     def timed(self, goal: Goal, reach: Curve) -> PickPlan | None:
-        """Give all three motions their time, once the lift is known to be free."""
+        """Give all three motions their time; the lift is known to be free."""
         grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
         lift_scene = self._lift_scene(goal.grasp, grasp_scene)
-        if not self._planner(lift_scene, 0.0).curve_is_free(goal.lift):
-            self.reasons["lift collides"] += 1
-            return None
         steps = [
             self._step("reach", reach, REACH_PACE, self._reach_scene),
             self._step("approach", goal.approach, CARTESIAN_PACE, grasp_scene),

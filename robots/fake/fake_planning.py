@@ -231,6 +231,7 @@ class FakePlanning:
         goal = request.q_start.copy() if request.keep_others else self._model.q_home.copy()
         for joint, angle in request.joints.items():
             goal[7 + self._model.joint_index(joint)] = angle
+        goal[:3] += request.pelvis_m
         return goal
 
     def _step(
