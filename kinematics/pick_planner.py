@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from kinematics.curves import Curve
 from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS
-from kinematics.pick_task import Goal, PickTask
+from kinematics.pick_task import Goal, PickTask, Way
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.robot_model import RobotModel
 
@@ -51,32 +51,39 @@ class PickPlanner:
 
     def _best(self, task: PickTask) -> PickPlan | None:
         straight: list[tuple[Goal, Curve]] = []
-        blocked: list[Goal] = []
+        blocked: list[Way] = []
+        liftable: list[Goal] = []
         for candidate in task.candidates():
             way = task.solve(candidate)
             if way is None:
                 continue
             reach = task.straight_reach(way)
-            if (goal := task.completed(way)) is None:
-                continue
             if reach is None:
-                if task.lift_is_free(goal):
-                    blocked.append(goal)
-            else:
+                blocked.append(way)
+            elif (goal := task.completed(way)) is not None:
                 straight.append((goal, reach))
             if len(straight) >= CHOICES:
                 if (plan := _cheapest(task, straight)) is not None:
                     return plan
                 straight.clear()
-            elif len(blocked) >= MOST_BLOCKED and not straight:
-                break
+            elif len(liftable) + len(blocked) >= MOST_BLOCKED and not straight:
+                liftable += _liftable(task, blocked)
+                blocked.clear()
+                if len(liftable) >= MOST_BLOCKED:
+                    break
         if (plan := _cheapest(task, straight)) is not None:
             return plan
-        for goal in sorted(blocked, key=lambda item: item.cost):
+        for goal in sorted([*liftable, *_liftable(task, blocked)], key=lambda item: item.cost):
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
         return None
+
+
+def _liftable(task: PickTask, ways: Sequence[Way]) -> list[Goal]:
+    """Those of some grasps from which hand and target come up free."""
+    goals = [goal for way in ways if (goal := task.completed(way)) is not None]
+    return [goal for goal in goals if task.lift_is_free(goal)]
 
 
 def _cheapest(task: PickTask, ways: Sequence[tuple[Goal, Curve]]) -> PickPlan | None:
