@@ -41,6 +41,9 @@ PULL = 0.03
 COM_RESERVE_M = 0.01
 # Where it can be had, so much more: who stands at the edge cannot brake quickly.
 STEADY_RESERVE_M = 0.045
+# Who follows a line keeps his joints so much farther from their limits where that can be had: between the
+# points that are solved, the curve through them swings beyond them.
+LINE_RESERVE_RAD = 0.015
 # Soles are where they stand when no entry of their pose differs by more than this.
 _SAME = 1e-9
 _COM_ROUNDING_M = 1e-4
@@ -105,6 +108,7 @@ class ReachIk:
         for joint in description.groups[f"{hand}_arm"]:
             self._freedom[self._space.index(joint)] = 1.0
         self._moving = self._freedom > 0.0
+        self._is_joint = np.arange(self._space.size) >= 6
         self._home = home
         column = np.full(len(self._tree.parent), -1, np.int64)
         column[[model.pin.getJointId(joint) for joint in self._space.joints]] = 6 + np.arange(len(columns))
@@ -185,8 +189,21 @@ class ReachIk:
         Returns:
             Answers as far as they are within the tolerance.
         """
+        answers = self._follow(world_T_tcp, q_seed, tolerance, iterations, LINE_RESERVE_RAD)
+        if len(answers) < len(world_T_tcp):
+            answers = self._follow(world_T_tcp, q_seed, tolerance, iterations, 0.0)
+        return answers
+
+    def _follow(
+        self,
+        world_T_tcp: Sequence[Transform],
+        q_seed: Array,
+        tolerance: IkTolerance,
+        iterations: int,
+        reserve_rad: float,
+    ) -> list[IkResult]:
         x = self._space.from_q(q_seed)
-        where = self._search(x, x)
+        where = self._search(x, x, reserve_rad)
         x = np.clip(x, where.lower, where.upper)
         found = np.empty((len(world_T_tcp), self._model.nq))
         targets = np.array(world_T_tcp, dtype=np.float64)
@@ -212,11 +229,12 @@ class ReachIk:
             answers.append(answer)
         return answers
 
-    def _search(self, seed: Array, preferred: Array) -> ReachSpace:
+    def _search(self, seed: Array, preferred: Array, reserve_rad: float = 0.0) -> ReachSpace:
         """Where it is searched: what does not move stays at the seed."""
+        reserve = np.where(self._is_joint, reserve_rad, 0.0)
         return self._problem.ReachSpace(
-            lower=np.where(self._moving, self._lower, seed),
-            upper=np.where(self._moving, self._upper, seed),
+            lower=np.where(self._moving, self._lower + reserve, seed),
+            upper=np.where(self._moving, self._upper - reserve, seed),
             freedom=self._freedom,
             reference=np.where(self._moving, preferred, seed),
             column=self._column,
