@@ -22,7 +22,7 @@ from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
-from kinematics.ik import DEFAULT_TOLERANCE, along_line, inverse_kinematics
+from kinematics.ik import DEFAULT_TOLERANCE, LINE_RESERVE_RAD, along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import LEAST_RESERVE_M
@@ -110,8 +110,8 @@ class _PlaceTask:
         model: The robot.
         request: What is to be put down, and where it may go.
         reserve_m: Kept in reserve against the checker.
-        other_seeds: Postures, besides home, from which the inverse kinematics are tried too: the present
-            one, if there are any, and so many random ones.
+        other_seeds: Of a thorough search: the inverse kinematics are tried from the present posture, too,
+            and from so many random ones.
 
     Attributes:
         reasons: How many poses failed for which reason so far.
@@ -119,7 +119,7 @@ class _PlaceTask:
     """
 
     def __init__(
-        self, model: RobotModel, request: PlaceRequest, reserve_m: float, other_seeds: int = 0
+        self, model: RobotModel, request: PlaceRequest, reserve_m: float, other_seeds: int | None = None
     ) -> None:
         self._model, self._request, self._reserve_m = model, request, reserve_m
         self._body = request.scene.attached[request.held]
@@ -133,7 +133,8 @@ class _PlaceTask:
         self._seed = self._seed_posture()
         self._rng = np.random.default_rng(request.seed)
         self._seeds = [self._seed]
-        if other_seeds:
+        self._thorough = other_seeds is not None
+        if other_seeds is not None:
             self._seeds += [request.q_start, *(self._random_posture() for _ in range(other_seeds))]
         self._hand_alone = HandCollision(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
         self._object_T_tcp = poses.inverse(self._body.frame_T_object)
@@ -216,10 +217,10 @@ class _PlaceTask:
         if not near.is_free(self._space.from_q(first.q)):
             return "collision at the spot"
         hover = poses.translation(0.0, 0.0, spot.hover_m) @ placed
-        up = along_line(self._ik, first.q, placed, hover, CARTESIAN_POINTS)
+        up = self._line(first.q, placed, hover)
         if up is None:
             return "no straight way down"
-        down = along_line(self._ik, up[-1], hover, lowest, CARTESIAN_POINTS)
+        down = self._line(up[-1], hover, lowest)
         if down is None:
             return "no straight way down"
         gaze = gaze_joints(self._model, down[0], world_T_object[:3, 3])
@@ -233,11 +234,19 @@ class _PlaceTask:
             return "no free way back for the hand"
         return _Goal(index, world_T_object, lower, points[0], touching)
 
+    def _line(self, q: Array, start: Transform, end: Transform) -> Array | None:
+        """Configurations along a line; a thorough search keeps off joint limits where it can."""
+        if self._thorough:
+            found = along_line(self._ik, q, start, end, CARTESIAN_POINTS, LINE_RESERVE_RAD)
+            if found is not None:
+                return found
+        return along_line(self._ik, q, start, end, CARTESIAN_POINTS)
+
     def _retreat_is_free(
         self, q: Array, placed: Transform, world_T_object: Transform, gaze: dict[str, float]
     ) -> bool:
         back = placed @ poses.translation(-self._request.retreat_m, 0.0, 0.0)
-        away = along_line(self._ik, q, placed, back, CARTESIAN_POINTS)
+        away = self._line(q, placed, back)
         if away is None:
             return False
         released = self._scene.with_detached(self._request.held, world_T_object)

@@ -41,9 +41,6 @@ PULL = 0.03
 COM_RESERVE_M = 0.01
 # Where it can be had, so much more: who stands at the edge cannot brake quickly.
 STEADY_RESERVE_M = 0.045
-# Who follows a line keeps his joints so much farther from their limits where that can be had: between the
-# points that are solved, the curve through them swings beyond them.
-LINE_RESERVE_RAD = 0.015
 # Soles are where they stand when no entry of their pose differs by more than this.
 _SAME = 1e-9
 _COM_ROUNDING_M = 1e-4
@@ -175,6 +172,7 @@ class ReachIk:
         q_seed: Array,
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
+        reserve_rad: float = 0.0,
     ) -> list[IkResult]:
         """Bring the TCP to one pose after another, staying near to the posture at the one before.
 
@@ -185,23 +183,11 @@ class ReachIk:
             q_seed: Where it begins, shape (nq,).
             tolerance: As for ``solve``.
             iterations: Most steps from one start, for each of them.
+            reserve_rad: Joints stay so much farther from their limits.
 
         Returns:
             Answers as far as they are within the tolerance.
         """
-        answers = self._follow(world_T_tcp, q_seed, tolerance, iterations, LINE_RESERVE_RAD)
-        if len(answers) < len(world_T_tcp):
-            answers = self._follow(world_T_tcp, q_seed, tolerance, iterations, 0.0)
-        return answers
-
-    def _follow(
-        self,
-        world_T_tcp: Sequence[Transform],
-        q_seed: Array,
-        tolerance: IkTolerance,
-        iterations: int,
-        reserve_rad: float,
-    ) -> list[IkResult]:
         x = self._space.from_q(q_seed)
         where = self._search(x, x, reserve_rad)
         x = np.clip(x, where.lower, where.upper)

@@ -3,7 +3,7 @@ import itertools
 import numpy as np
 import pytest
 
-from kinematics import poses
+from kinematics import pick_task, poses
 from kinematics.collision import CollisionWorld
 from kinematics.pick_planner import PLANNING_RESERVE_M, PickPlanner
 from kinematics.requests import NoPlan, PickPlan, PickRequest
@@ -125,3 +125,14 @@ def test_the_same_seed_gives_the_same_plan(talos, stance, tabletop):
 
     assert np.array_equal(first.reach.trajectory.q, second.reach.trajectory.q)
     assert np.array_equal(first.lift.trajectory.q, second.lift.trajectory.q)
+
+
+@pytest.mark.requirement("M1")
+def test_a_lift_that_would_swing_beyond_joint_limits_keeps_off_them(talos, stance, make, monkeypatch):
+    cup = make.cup(x=0.43, y=0.0, top_m=0.88, radius_m=0.0275, height_m=0.0963)
+    scene = PlanningScene().with_objects([make.table(top_m=0.88, edge_m=0.3325), cup])
+    considered = plan(talos, stance, scene).considered
+
+    monkeypatch.setattr(pick_task, "LINE_RESERVE_RAD", 0.0)
+
+    assert considered < 10 < plan(talos, stance, scene).considered

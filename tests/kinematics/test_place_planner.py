@@ -56,7 +56,7 @@ def test_what_has_no_way_down_with_room_to_spare_goes_down_with_less(talos, stan
 
 @pytest.mark.requirement("M3")
 def test_where_the_forearm_meets_the_edge_the_elbow_goes_elsewhere(talos, stance, make, monkeypatch):
-    asked = request(talos, stance, make, 0.995, (0.50, -0.20))
+    asked = request(talos, stance, make, 0.995, (0.52, -0.25))
     assert isinstance(PlacePlanner(talos).plan(asked), PlacePlan)
 
     monkeypatch.setattr(place_planner, "OTHER_SEEDS", 0)
