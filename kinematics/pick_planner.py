@@ -83,12 +83,13 @@ class PickPlanner:
 def _liftable(task: PickTask, ways: Sequence[Way]) -> list[Goal]:
     """Those of some grasps from which hand and target come up free."""
     goals = [goal for way in ways if (goal := task.completed(way)) is not None]
-    return [goal for goal in goals if task.lift_is_free(goal)]
+    return [free for goal in goals if (free := task.liftable(goal)) is not None]
 
 
 def _cheapest(task: PickTask, ways: Sequence[tuple[Goal, Curve]]) -> PickPlan | None:
     """The plan of the best goal that has one."""
     for goal, reach in sorted(ways, key=lambda item: item[0].cost):
-        if task.lift_is_free(goal) and (plan := task.timed(goal, reach)) is not None:
+        free = task.liftable(goal)
+        if free is not None and (plan := task.timed(free, reach)) is not None:
             return plan
     return None

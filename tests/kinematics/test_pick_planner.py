@@ -4,7 +4,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from kinematics import poses
+from kinematics import pick_task, poses
 from kinematics.collision import CollisionWorld
 from kinematics.pick_planner import MOST_BLOCKED, PLANNING_RESERVE_M, PickPlanner
 from kinematics.requests import NoPlan, PickPlan, PickRequest
@@ -147,8 +147,8 @@ class ScriptedTask:
     def completed(self, way):
         return SimpleNamespace(cost=way, way=way)
 
-    def lift_is_free(self, goal):
-        return self.lifts[goal.way]
+    def liftable(self, goal):
+        return goal if self.lifts[goal.way] else None
 
     def detour(self, goal):
         self.tried.append(goal.way)
@@ -171,3 +171,14 @@ def test_so_many_detours_are_enough(talos):
 
     assert PickPlanner(talos)._best(task) is None
     assert len(task.tried) == MOST_BLOCKED
+
+
+@pytest.mark.requirement("M1")
+def test_a_lift_that_would_swing_beyond_joint_limits_keeps_off_them(talos, stance, make, monkeypatch):
+    cup = make.cup(x=0.43, y=0.0, top_m=0.88, radius_m=0.0275, height_m=0.0963)
+    scene = PlanningScene().with_objects([make.table(top_m=0.88, edge_m=0.3325), cup])
+    considered = plan(talos, stance, scene).considered
+
+    monkeypatch.setattr(pick_task, "LINE_RESERVE_RAD", 0.0)
+
+    assert considered < 10 < plan(talos, stance, scene).considered
