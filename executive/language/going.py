@@ -165,8 +165,9 @@ def _move(parts: Parts) -> Clause:
 
 
 def _move_on(parts: Parts) -> Clause:
-    """Terse: "forward 2 m", "backwards"; a mere "left" is no turn yet, and "back" may be to where it was."""
-    said = words(parts, "FORWARD", "BACKWARD")
+    """Terse: "forward 2 m", "left 90 degrees"; a mere "left" is no turn, "back" may be to where it was."""
+    turned = any(isinstance(one, Measure) and one.of == "angle" for one in parts)
+    said = words(parts, "FORWARD", "BACKWARD", *(("TURN_SIDE",) if turned else ()))
     if not said:
         raise unfit()
     if said[0].said == "back" and len(parts) == 1:
@@ -183,7 +184,7 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
         for one in words(parts, "FORWARD", "BACKWARD", "BRIDGE", "BACK_UP", "TURN_SIDE", "LEFT_RIGHT")
     ]
     turns = bool(words(parts, "TURN", "A_TURN")) or said[:1] in (["left"], ["right"])
-    if turns and not words(parts, "TURN", "A_TURN", "BRIDGE"):
+    if turns and not words(parts, "TURN", "A_TURN", "BRIDGE") and "angle" not in measures:
         raise trouble(f"moving sideways ({said[0]!r}) is no skill of this robot", said[0])
     wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
     if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):

@@ -12,7 +12,7 @@ pytestmark = pytest.mark.requirement("L2", "L5")
     [
         ("pick up the cup, never mind", "never mind"),
         ("pick up the cup, abort", "abort"),
-        ("open the drawer, actually the fridge", "actually"),
+        ("open the drawer, actually close it", "actually"),
         ("pick up the cup, er, the bottle", "er"),
         ("walk to the table, hmm, to the counter", "hmm"),
         ("pick up the red cup, sorry, pick up the blue cup", "sorry"),

@@ -20,7 +20,7 @@ HONOURED = {
     "turn left, no, right": "turn right",
     "walk forward two meters, make that three": "walk forward three meters",
     "use your left hand, no, your right hand, to pick up the cup": "use your right hand to pick up the cup",
-    "pick up the knife - wait, no, the fork - and put it on the plate": "pick up the fork and put it on the plate",
+    "take the knife - wait, no, the fork - and put it on the plate": "take the fork and put it on the plate",
     "go to the kitchen and pick up the cup, no, the bottle": "go to the kitchen and pick up the bottle",
     "pick up the cup next to the bottle, no, next to the bowl": "pick up the cup next to the bowl",
 }
