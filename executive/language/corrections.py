@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from functools import cached_property
 
 from executive.language.lattice import Lattice
 from executive.language.replaced_slots import CONTRASTS, LOSES, change
@@ -107,6 +108,11 @@ class _Repair:
         self._commands, self._understood = commands, understood
         self._end = len(lattice.pieces)
 
+    @cached_property
+    def _breaks_off(self) -> bool:
+        """Whether what was said before is no sentence yet: "grab the big, no, the small spoon"."""
+        return self._understood(" ".join(self._texts(0, self._marker.span.start))) is None
+
     def commands(self) -> tuple[Command, ...] | None:
         """The one meaning, or None."""
         if not self._replaces():
@@ -180,6 +186,8 @@ class _Repair:
         """Whether a mark or a word that joins stands there; "next" in "next to" is none."""
         words = self._lattice.phrase(position)
         longest = max((one.end for one in words), default=position)
+        if any(one.word_class == "ORDINAL" for one in words):
+            return False  # "the second box"
         return is_mark(self._lattice, position) or any(
             one.word_class in ("SEP", "AND", "BEFORE", "AFTER") and one.end == longest for one in words
         )
@@ -190,7 +198,7 @@ class _Repair:
         for end in range(start + 1, last + 1):
             if self._separates(end - 1):
                 return
-            alone = bool(shared & _SAID_ALONE) and end == start + 1
+            alone = bool(shared & {*_SAID_ALONE, "person"}) and end == start + 1
             same_clause = not any(map(self._separates, range(end, last)))
             before_more = same_clause and bool(self._beginnings(end) & {"where", "from", "with"})
             if end == last or alone or before_more:
@@ -201,9 +209,9 @@ class _Repair:
         first = self._marker.span.end
         for end in range(first + 1, self._end + 1):
             same = end - first == old.end - old.start
-            if end == self._end or self._separates(end) or same:
-                if old.end < self._marker.span.start and end != self._end and not self._separates(end):
-                    continue
+            ended = end == self._end or self._separates(end)
+            goes_on = same and old.end == self._marker.span.start and self._breaks_off
+            if ended or goes_on:
                 yield Span(first, end)
 
     def _candidate(self, old: Span, new: Span, shared: set[str]) -> _Candidate | None:
@@ -224,6 +232,8 @@ class _Repair:
             if any(word.word_class in _ONE for word in self._lattice.phrase(index))
         ]
         elliptic = bool(ones) or (single and bool(shared & _SAID_ALONE))
+        if ones and not sorts and not self._has_one(old):
+            return None  # "the left, no, the third one": the third what?
         if ones and sorts:
             if len(ones) > 1 or len(sorts) > 1 or new_sorts:
                 return None
@@ -232,11 +242,25 @@ class _Repair:
             return None
         before = self._texts(0, old.start)
         kept = self._texts(old.end, self._marker.span.start)
-        rest = self._texts(new.end, self._end)
+        rest = self._texts(self._resumed(new.end), self._end)
         was = self._texts(old.start, old.end)
         without, replaced = ([*before, *one, *kept, *rest] for one in (was, words))
         whole = any(one.startswith("do ") for one in shared)
         return _Candidate(" ".join(without), " ".join(replaced), alone, elliptic, whole)
+
+    def _resumed(self, position: int) -> int:
+        """Where the sentence goes on: a comma before a place or a number only ends the correction."""
+        following = self._beginnings(position + 1)
+        is_comma = position < self._end and self._lattice.pieces[position].text in (",", "-")
+        return position + 1 if is_comma and following & {"where", "from", "with", "number"} else position
+
+    def _has_one(self, span: Span) -> bool:
+        """Whether it says "one" too, or a hand, which may be called so."""
+        return any(
+            word.word_class in ("HAND", *_ONE)
+            for index in range(span.start, span.end)
+            for word in self._lattice.phrase(index)
+        )
 
     def _nouns(self, span: Span) -> tuple[list[str], list[str]]:
         """The nouns of a span, as they were said, and their sorts."""

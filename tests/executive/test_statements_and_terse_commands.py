@@ -190,3 +190,8 @@ def test_again_closes_what_was_opened_before_and_nothing_else():
     }
     assert tasks("close the door again") == []
     assert tasks("open the fridge and close the drawer again") == []
+
+
+@pytest.mark.parametrize("sentence", ["take a third apple", "walk by the table", "go by the sofa"])
+def test_one_more_or_past_it_is_asked(sentence):
+    assert parse(sentence).outcome == "question"

@@ -22,6 +22,9 @@ HONOURED = {
     "use your left hand, no, your right hand, to pick up the cup": "use your right hand to pick up the cup",
     "take the knife - wait, no, the fork - and put it on the plate": "take the fork and put it on the plate",
     "go to the kitchen and pick up the cup, no, the bottle": "go to the kitchen and pick up the bottle",
+    "put the small box, no, the big one, on the shelf": "put the big box on the shelf",
+    "hand Lisa the apple, I mean Tom": "hand Tom the apple",
+    "take the second box from the left, no, the third one": "take the third box from the left",
     "pick up the cup next to the bottle, no, next to the bowl": "pick up the cup next to the bowl",
 }
 OPEN = (
@@ -30,6 +33,7 @@ OPEN = (
     "put the cup on the plate, actually the bowl",  # which of them is it?
     "pick up the big red cup, no, the green one",  # is it big too?
     "put the red cup on the blue plate, no, green",
+    "take the second box from the right, no, the third one",  # counted from where?
     "pick up the cup and the bottle, no, the bowl",  # one of them, or both?
     "put the cup on the table. Sorry, put the bowl on the shelf.",
     "pick up the red cup, no, the blue one, no, the green one",
