@@ -150,7 +150,7 @@ class TreePolicy:
     unseen_hold_factor: float = 2.0
     fastest_m_s: float = 0.5
     fastest_rad_s: float = 1.0
-    stand_m: float = 0.012
+    stand_m: float = 0.008
     stand_rad: float = 0.02
     walk_attempts: int = 4
     move_s: float = 3.0
