@@ -147,6 +147,16 @@ def test_a_cup_is_picked_up_and_put_down_beside_another(stage_with):
     assert stage.fake.world.carried_by("red cup") is None
 
 
+def test_where_there_is_no_room_beside_a_thing_is_said(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.38, 0.1)))
+    before = ObjectDescription(relation=Relation("in_front_of", BLUE_CUP))
+
+    tree = run(stage, PlaceTask("put the red cup in front of the blue cup", RED_CUP, to=before))
+
+    assert tree.status == "failure"
+    assert "no spot in front of the blue cup for the red cup" in tree.failure.message
+
+
 @pytest.mark.requirement("M4")
 def test_what_shifts_in_the_hand_on_its_way_still_comes_to_stand_where_it_was_meant_to(stage):
     def shift():
