@@ -11,6 +11,7 @@ from typing import Any
 
 from executive.config import cache_directory, config_files
 from executive.language.chart import Chart, TooTangledError
+from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
 from executive.language.lattice import Lattice
 from executive.language.phrases import Trouble
@@ -112,6 +113,10 @@ class CommandParser:
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
+        if all(isinstance(one, Trouble) for one in outcomes):
+            commands = corrected(lattice, self._rules["command"].first, self._only_commands)
+            if commands is not None:
+                return Parsed(text, commands=commands, manners=lattice.manners())
         if not outcomes:
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
         return self._answer(text, outcomes, lattice.manners())
@@ -139,6 +144,15 @@ class CommandParser:
         except (MalformedTextError, TooTangledError):
             return False
         return sum(not isinstance(one, Trouble) for one in outcomes) == 1
+
+    def _only_commands(self, text: str) -> tuple[Command, ...] | None:
+        """The commands of a sentence that means one thing; it explains nothing."""
+        try:
+            outcomes = _outcomes(self._chart(self._lattice(text)).meanings(), self._is_valid)
+        except (MalformedTextError, TooTangledError):
+            return None
+        understood = [one for one in outcomes if not isinstance(one, Trouble)]
+        return understood[0] if len(understood) == 1 else None
 
     def _answer(self, text: str, outcomes: Sequence[Outcome], manners: tuple[str, ...]) -> Parsed:
         understood = [one for one in outcomes if not isinstance(one, Trouble)]

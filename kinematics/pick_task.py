@@ -202,18 +202,26 @@ class PickTask:
             self.reasons["no path to the pre-grasp"] += 1
         return curve
 
+    def liftable(self, goal: Goal) -> Goal | None:
+        """The goal with a lift that is free, farther from joint limits if need be; a failure is counted."""
+        lift_scene = self._lift_scene(goal.grasp, self._grasp_planner(goal.grasp.hand)[0])
+        planner = self._planner(lift_scene, 0.0)
+        if planner.curve_is_free(goal.lift):
+            return goal
+        again = self._lift(goal.way, LINE_RESERVE_RAD)
+        if again is not None and planner.curve_is_free(again):
+            return dataclasses.replace(goal, lift=again)
+        self.reasons["lift collides"] += 1
+        return None
+
     def timed(self, goal: Goal, reach: Curve) -> PickPlan | None:
-        """Give all three motions their time, once the lift is known to be free."""
+        """Give all three motions of a liftable goal their time."""
         grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
         lift_scene = self._lift_scene(goal.grasp, grasp_scene)
-        lift = self._free_lift(goal, self._planner(lift_scene, 0.0))
-        if lift is None:
-            self.reasons["lift collides"] += 1
-            return None
         steps = [
             self._step("reach", reach, REACH_PACE, self._reach_scene),
             self._step("approach", goal.way.approach, CARTESIAN_PACE, grasp_scene),
-            self._step("lift", lift, CARTESIAN_PACE, lift_scene),
+            self._step("lift", goal.lift, CARTESIAN_PACE, lift_scene),
         ]
         if any(step is None for step in steps):
             self.reasons["legs cannot follow"] += 1
@@ -229,13 +237,6 @@ class PickTask:
         ik = self._ik_of(grasp.hand)
         up = along_line(ik, way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS, reserve_rad)
         return None if up is None else PolynomialCurve(self._gazing(up, way.gaze))
-
-    def _free_lift(self, goal: Goal, planner: PathPlanner) -> Curve | None:
-        """The lift, or the one farther from joint limits."""
-        if planner.curve_is_free(goal.lift):
-            return goal.lift
-        again = self._lift(goal.way, LINE_RESERVE_RAD)
-        return again if again is not None and planner.curve_is_free(again) else None
 
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp

@@ -20,10 +20,14 @@ from executive.language.phrases import (
     Items,
     Meaning,
     Nominal,
+    Relative,
     Trouble,
     draft,
+    relation_kind,
 )
 from executive.vocabulary.inflection import plural
+
+_BESIDE = ("RELATION", "NEXT_TO")
 
 
 def _side(parts: Parts) -> str | None:
@@ -156,6 +160,22 @@ def _search(parts: Parts) -> Clause:
     return clause(parts, _asked(tuple(part for part in parts if isinstance(part, Items)), "find", nominal))
 
 
+def _search_beside(parts: Parts) -> Clause:
+    """Look behind the sofa for the ball: a ball that is behind it."""
+    of = next(part for part in parts if isinstance(part, Nominal))
+    said = next(part for part in parts if isinstance(part, Word) and part.word_class in _BESIDE)
+    kind = relation_kind(said.meaning)
+    if kind is None:
+        raise unfit()
+    found = []
+    for (one,) in _asked(tuple(part for part in parts if isinstance(part, Items)), "find"):
+        thing = one.get("object")
+        if thing is None or one.get("source") is not None or thing.relation is not None:
+            raise unfit()
+        found.append((draft("find", object=replace(thing, relation=Relative(kind, of))),))
+    return clause(parts, found)
+
+
 def _count(parts: Parts) -> Clause:
     bundles = _asked(parts, "count")
     for (one,) in bundles:
@@ -214,8 +234,8 @@ def _everything(one: Draft) -> Draft:
 
 
 def _describe_superlative(parts: Parts) -> Clause:
-    item = parts[-1]
-    if not isinstance(item, Item) or (item.of.size not in SUPERLATIVES and not item.of.ordinal):
+    item = next((part for part in parts if isinstance(part, Item)), None)
+    if item is None or (item.of.size not in SUPERLATIVES and not item.of.ordinal):
         raise unfit()
     return _describe(parts)
 
@@ -231,6 +251,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "is_it": _is_it,
     "whether_at": _whether_at,
     "search": _search,
+    "search_beside": _search_beside,
     "count": _count,
     "describe_scene": _describe_scene,
     "describe": _describe,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
@@ -74,18 +74,29 @@ def target(item: Item) -> Nominal:
     return nominal
 
 
+_STANDING = frozenset({"stand", "standing", "position", "positioning", "come", "coming"})
+"""Verbs with which "by" is where to stop."""
+
 _INSIDE = frozenset({"in", "inside", "into"})
 
 
-def _toward(parts: Parts) -> Nominal:
+@dataclass(frozen=True, slots=True)
+class _By:
+    """A place to go by: "go by the sofa" may be to it, or past it."""
+
+    of: Nominal
+
+
+def _toward(parts: Parts) -> Nominal | _By:
     """Where to; into something that is no room would be a collision."""
     goal = target(parts[-1])
     links = words(parts, "TO_ALSO", "IN")
-    if any(link.said == "by" for link in words(parts, "NEXT_TO")) and not goal.is_place:
+    by = any(link.said == "by" for link in words(parts, "NEXT_TO"))
+    if by and not goal.is_place:
         raise unfit()
     if links and _INSIDE & set(links[0].said.split()) and goal.sort not in ("room", "any"):
         raise trouble(f"walking {links[0].said} the {goal.kind} is no skill of this robot", links[0].said)
-    return goal
+    return _By(goal) if by else goal
 
 
 def _toward_relation(parts: Parts) -> Relative:
@@ -98,7 +109,12 @@ def _toward_relation(parts: Parts) -> Relative:
 
 
 def _walk(parts: Parts) -> Clause:
-    goals = [part for part in parts if isinstance(part, (Nominal, Relative))]
+    verb = words(parts, "WALK")[0].said
+    passed = next((part.of for part in parts if isinstance(part, _By)), None)
+    if passed is not None and not _STANDING & set(verb.split()):
+        raise trouble(f"to the {passed.kind}, or past it?", asks=True)
+    reached = [part.of if isinstance(part, _By) else part for part in parts]
+    goals = [part for part in reached if isinstance(part, (Nominal, Relative))]
     for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
         again = said_again(before, after, parts)
         if again is not None:
@@ -165,8 +181,9 @@ def _move(parts: Parts) -> Clause:
 
 
 def _move_on(parts: Parts) -> Clause:
-    """Terse: "forward 2 m", "backwards"; a mere "left" is no turn yet, and "back" may be to where it was."""
-    said = words(parts, "FORWARD", "BACKWARD")
+    """Terse: "forward 2 m", "left 90 degrees"; a mere "left" is no turn, "back" may be to where it was."""
+    turned = any(isinstance(one, Measure) and one.of == "angle" for one in parts)
+    said = words(parts, "FORWARD", "BACKWARD", *(("TURN_SIDE",) if turned else ()))
     if not said:
         raise unfit()
     if said[0].said == "back" and len(parts) == 1:
@@ -183,7 +200,7 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
         for one in words(parts, "FORWARD", "BACKWARD", "BRIDGE", "BACK_UP", "TURN_SIDE", "LEFT_RIGHT")
     ]
     turns = bool(words(parts, "TURN", "A_TURN")) or said[:1] in (["left"], ["right"])
-    if turns and not words(parts, "TURN", "A_TURN", "BRIDGE"):
+    if turns and not words(parts, "TURN", "A_TURN", "BRIDGE") and "angle" not in measures:
         raise trouble(f"moving sideways ({said[0]!r}) is no skill of this robot", said[0])
     wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
     if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):
@@ -223,19 +240,8 @@ def _bounded(measure: Measure) -> float:
 
 
 def _turn_around(parts: Parts) -> Clause:
-    return clause(
-        parts,
-        [
-            (
-                draft(
-                    "move",
-                    linear_m_s=0.0,
-                    angular_rad_s=TURN_RAD_S,
-                    duration_s=round(math.pi / TURN_RAD_S, 3),
-                ),
-            )
-        ],
-    )
+    duration_s = round(math.pi / TURN_RAD_S, 3)
+    return clause(parts, [(draft("move", linear_m_s=0.0, angular_rad_s=TURN_RAD_S, duration_s=duration_s),)])
 
 
 def _wait(parts: Parts) -> Clause:

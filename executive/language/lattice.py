@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
@@ -25,6 +25,7 @@ _COMPLETE = frozenset(
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
+_PLACES = frozenset({"ON", "IN", "AT", "RELATION", "NEXT_TO"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
@@ -52,6 +53,24 @@ class Word:
     said: str = ""
 
 
+def _uncontracted(pieces: Sequence[Piece], vocabulary: Vocabulary) -> Iterator[Piece]:
+    """The pieces, with "the cup's on the table" as "the cup is on the table"."""
+    texts = [piece.text for piece in pieces]
+    for index, piece in enumerate(pieces):
+        stem = piece.text.removesuffix("'s")
+        if stem == piece.text or piece.quoted or index + 1 == len(pieces):
+            yield piece
+            continue
+        begins = {reading.word_class for _, reading in vocabulary.matches(texts, index + 1)}
+        nouns = {reading.word_class for _, reading in vocabulary.matches([stem], 0)}
+        if begins.isdisjoint(_PLACES) or nouns.isdisjoint(_NOUNS):
+            yield piece
+            continue
+        middle = piece.end - len("'s")
+        yield Piece(stem, piece.start, middle)
+        yield Piece("is", middle, piece.end)
+
+
 class Lattice:
     """The readings of all pieces, with courtesies that may stand anywhere passed over.
 
@@ -62,7 +81,8 @@ class Lattice:
     """
 
     def __init__(self, plain: str, pieces: Sequence[Piece], vocabulary: Vocabulary) -> None:
-        self.plain, self.pieces = plain, pieces
+        self.plain = plain
+        self.pieces = pieces = list(_uncontracted(pieces, vocabulary))
         size = len(pieces)
         texts = [piece.text if not piece.quoted else "" for piece in pieces]
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]

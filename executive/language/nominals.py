@@ -151,6 +151,8 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
+    if nominal.ordinal in _COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
+        return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
     return replace(nominal, determined=bool(words(parts, "DET", "ANOTHER")))
 
 

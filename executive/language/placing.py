@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -126,7 +127,11 @@ def _drop(parts: Parts) -> Clause:
 
 
 def _put_it(parts: Parts) -> Clause:
-    if words(parts, "PUT")[0].said not in _PLACING:
+    """Put what was named before; "put on" something that nobody can wear says where, as "place on" does."""
+    goals = [part.of for part in parts if isinstance(part, Where)]
+    verb = words(parts, "PUT")[0].said
+    worn = not goals or any(not one.is_place for one in goals)
+    if verb not in _PLACING and (verb not in ("put", "putting") or worn):
         raise unfit()
     return _put(with_it(parts))
 
@@ -161,6 +166,13 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
     return meaning
 
 
+def _close_again(parts: Parts) -> Clause:
+    """Close what was opened before, which the references tell."""
+    closed: Clause = _opened("close")(parts)
+    bundles = tuple(tuple(one.with_slot("again", True) for one in bundle) for bundle in closed.bundles)
+    return replace(closed, bundles=bundles)
+
+
 def _push(parts: Parts) -> Clause:
     arranged(parts)
     verb = words(parts, "PULL", "PUSH")[0].said
@@ -175,6 +187,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "drop": _drop,
     "open": _opened("open"),
     "close": _opened("close"),
+    "close_again": _close_again,
     "push": _push,
 }
 

@@ -74,6 +74,17 @@ class Resolver(Antecedents):
         of = stated.of
         pronoun = "it" if of.is_single else "them"
         takes_place = first.action in _AT_A_PLACE or stated.source is None
+        if (
+            isinstance(thing, Nominal)
+            and thing.anaphoric
+            and thing.count == 1
+            and not of.is_single
+            and takes_place
+        ):
+            if of.kind is None or not of.is_plain or self._commands or first.get("source") is not None:
+                raise ask("what has the statement to do with the task?")
+            first = _replaced(first, "object", replace(thing, kind=of.kind, sort=of.sort, anaphoric=False))
+            return (first.with_slot("source", stated.source), *rest)
         if not isinstance(thing, Nominal) or thing.reference != pronoun or not takes_place:
             raise ask("what has the statement to do with the task?")
         if self._commands or first.get("source") is not None:
@@ -140,8 +151,10 @@ class Resolver(Antecedents):
         slots: dict[str, Any] = {}
         if one.get("there_are") and one.get("source") is None and self._places:
             raise ask("only there, or in all that is in view?", [f"the {self._places[-1].kind}"])
+        if one.get("again") and not self._was_opened(resolved):
+            raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
         for name, value in one.slots:
-            if name == "there_are":
+            if name in ("there_are", "again"):
                 continue
             if name == "object":
                 slots["object"] = resolved
@@ -196,6 +209,13 @@ class Resolver(Antecedents):
         if action == "hand_over":
             self._given.add(root)
         return ObjectOf(root)
+
+    def _was_opened(self, what: Any) -> bool:
+        """Whether a task before opens it, so that to close it "again" is to close it."""
+        opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
+        if isinstance(what, ObjectOf):
+            return what.task in opened
+        return any(isinstance(one, tasks.OpenTask) and one.object == what for one in self._commands)
 
 
 def _replaced(one: Draft, name: str, value: Any) -> Draft:

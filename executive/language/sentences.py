@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -170,10 +171,19 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
         return Sentence(tuple(clauses[:1]))
     if revoked is not None and len(clauses) > 1:
         return Trouble(f"{revoked!r} takes back what was said; nothing is done", revoked)
+    if any(after.terse and _is_endless(before) for before, after in itertools.pairwise(clauses)):
+        return None  # "turn left, then right 90 degrees": how far to the left?
     forms = {clause.form for clause in clauses}
     if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
         return None
     return Sentence(tuple(clauses), unseparated)
+
+
+def _is_endless(clause: Clause) -> bool:
+    """Whether it ends with a motion of which nobody says how long it takes."""
+    last = clause.bundles[-1][-1] if clause.bundles else None
+    measured = last is not None and (last.get("duration_s") or last.get("distance_m"))
+    return last is not None and last.action == "move" and not measured
 
 
 def _stops(clause: Clause) -> bool:

@@ -17,6 +17,9 @@ def tasks(sentence):
         ("there is a cup on the table. bring it to me", "bring me the cup on the table"),
         ("my keys are on the shelf, please bring them to Ana", "bring my keys on the shelf to Ana"),
         ("there's a ball under the table, pick it up", "pick up the ball under the table"),
+        ("the cup's on the table, bring it to me", "bring me the cup on the table"),
+        ("I left my phone on the sofa, bring it to me", "bring me my phone on the sofa"),
+        ("there are two cups on the table. take the red one", "take the red cup from the table"),
     ],
 )
 def test_it_is_what_a_statement_named(sentence, plain):
@@ -44,13 +47,27 @@ def test_a_statement_that_no_task_takes_up_makes_none(sentence):
         ("forward 2 m", "move forward 2 m"),
         ("go kitchen", "go to the kitchen"),
         ("wave left hand", "wave with your left hand"),
+        ("left 90 degrees", "turn left 90 degrees"),
+        ("take the cup, put on the shelf", "take the cup, place it on the shelf"),
+        ("look behind the box for the ball", "find the ball behind the box"),
     ],
 )
 def test_a_terse_command_means_what_the_whole_one_does(sentence, plain):
     assert tasks(sentence) == tasks(plain) != []
 
 
-@pytest.mark.parametrize("sentence", ["put on the hat", "place on the shelf", "walk to the table backwards"])
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "put on the hat",
+        "take the hat, put on the hat",
+        "place on the shelf",
+        "walk to the table backwards",
+        "turn left, then right 90 degrees",
+        "left",
+        "there is a red cup on the table. take the blue one",
+    ],
+)
 def test_a_terse_command_is_not_read_into_other_sentences(sentence):
     assert tasks(sentence) == []
 
@@ -164,3 +181,17 @@ def test_what_stands_before_something_else_belongs_to_what_was_said_before_it():
 
     assert [task["action"] for task in done] == ["walk_to", "pick", "place"]
     assert parse("go to the table before you take the fork, bring me the can, hand it to Tom").commands == ()
+
+
+def test_again_closes_what_was_opened_before_and_nothing_else():
+    assert tasks("open the fridge, take the milk and close it again")[-1] == {
+        "action": "close",
+        "object": {"ref": 0},
+    }
+    assert tasks("close the door again") == []
+    assert tasks("open the fridge and close the drawer again") == []
+
+
+@pytest.mark.parametrize("sentence", ["take a third apple", "walk by the table", "go by the sofa"])
+def test_one_more_or_past_it_is_asked(sentence):
+    assert parse(sentence).outcome == "question"

@@ -1,0 +1,88 @@
+"""The words of a sentence that take back what was said before them: "no wait", "I mean", "scratch that"."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from executive.language.lattice import Lattice, Word
+
+CORRECTION = "CORRECTION"
+
+REPLACES, DISCARDS, DENIES, BESIDE = "replaces", "discards", "denies", "beside"
+"""Meanings in the vocabulary: "I mean", "scratch that", "no", and what only stands beside these: "wait"."""
+
+_STRENGTHS = (BESIDE, DENIES, REPLACES, DISCARDS)
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Some pieces; ``end`` is after the last."""
+
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """The words that take something back."""
+
+    span: Span
+    meaning: str
+    marked: bool
+    """Whether a mark stands right after them."""
+
+
+def marker_of(lattice: Lattice) -> Marker | None:
+    """The only correction of a sentence; None when there is none, or several."""
+    found: Marker | None = None
+    position = 1
+    while position < len(lattice.pieces):
+        word = _correction(lattice, position)
+        start = _before(lattice, position)
+        if word is None or word.meaning == BESIDE or (word.meaning == DENIES and start == position):
+            position += 1
+            continue
+        if found is not None:
+            return None
+        end, meaning = word.end, word.meaning
+        marked = False
+        while (after := _passed(lattice, end)) is not None:
+            end, more = after
+            marked = marked or more is None
+            meaning = max(meaning, more or meaning, key=_STRENGTHS.index)
+        found = Marker(Span(start, end), meaning, marked)
+        position = end
+    return found if found is not None and found.span.start > 0 else None
+
+
+def _correction(lattice: Lattice, position: int) -> Word | None:
+    words = [one for one in lattice.phrase(position) if one.word_class == CORRECTION]
+    return max(words, key=lambda one: one.end, default=None)
+
+
+def is_mark(lattice: Lattice, position: int) -> bool:
+    """Whether a punctuation mark or a dash stands at a place."""
+    return lattice.pieces[position].is_mark or lattice.pieces[position].text == "-"
+
+
+def _passed(lattice: Lattice, position: int) -> tuple[int, str | None] | None:
+    """The end of one more word of a correction, or of a mark, at a place, and its meaning."""
+    if position >= len(lattice.pieces):
+        return None
+    if is_mark(lattice, position):
+        return position + 1, None
+    word = _correction(lattice, position)
+    return None if word is None else (word.end, word.meaning)
+
+
+def _before(lattice: Lattice, start: int) -> int:
+    """Where a correction begins, with the marks and the "wait" that stand before it."""
+    while start > 0:
+        if is_mark(lattice, start - 1):
+            start -= 1
+            continue
+        word = _correction(lattice, start - 1)
+        if word is None or word.end != start or start < 2 or not is_mark(lattice, start - 2):
+            break
+        start -= 1
+    return start
