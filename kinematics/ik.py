@@ -97,8 +97,16 @@ class InverseKinematics(Protocol):
 class FollowingKinematics(Protocol):
     """A solver that takes many poses at once."""
 
-    def follow(self, world_T_tcp: Sequence[Transform], q_seed: Array) -> list[IkResult]:
-        """Bring the TCP to one pose after another; the answers as far as they are within the tolerance."""
+    def follow(
+        self, world_T_tcp: Sequence[Transform], q_seed: Array, *, reserve_rad: float = 0.0
+    ) -> list[IkResult]:
+        """Bring the TCP to one pose after another; the answers as far as they are within the tolerance.
+
+        Args:
+            world_T_tcp: Targets, shape (4, 4) each.
+            q_seed: Where it begins, shape (nq,).
+            reserve_rad: Joints stay so much farther from their limits.
+        """
         ...
 
 
@@ -116,8 +124,18 @@ inverse_kinematics = StanceTable(_make_solver)
 """The solver of a hand: compiled where the legs have a closed form, else PlaCo's."""
 
 
+LINE_RESERVE_RAD = 0.015
+"""Where joints are at their limits, a curve through a few solved points swings beyond them in between, by up
+to 13 mrad: what is no way then may be one with this in reserve."""
+
+
 def along_line(
-    ik: InverseKinematics, q: Array, start: Transform, end: Transform, points: int
+    ik: InverseKinematics,
+    q: Array,
+    start: Transform,
+    end: Transform,
+    points: int,
+    reserve_rad: float = 0.0,
 ) -> Array | None:
     """Configurations along a straight line of the TCP.
 
@@ -126,13 +144,14 @@ def along_line(
         q: Configuration at the start of the line, shape (nq,); the first of the answer.
         start, end: Poses of the TCP, shape (4, 4).
         points: How many configurations, both ends included.
+        reserve_rad: Joints stay so much farther from their limits, where the solver can do that.
 
     Returns:
         Shape (points, nq), or None when one of them is not reached within the tolerance.
     """
     targets = [poses.interpolate(start, end, k / (points - 1)) for k in range(1, points)]
     if isinstance(ik, FollowingKinematics):
-        answers = ik.follow(targets, q)
+        answers = ik.follow(targets, q, reserve_rad=reserve_rad)
         return np.array([q, *(answer.q for answer in answers)]) if len(answers) == len(targets) else None
     found = [q]
     for target in targets:

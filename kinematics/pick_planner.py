@@ -52,6 +52,7 @@ class PickPlanner:
     def _best(self, task: PickTask) -> PickPlan | None:
         straight: list[tuple[Goal, Curve]] = []
         blocked: list[Way] = []
+        liftable: list[Goal] = []
         for candidate in task.candidates():
             way = task.solve(candidate)
             if way is None:
@@ -65,21 +66,30 @@ class PickPlanner:
                 if (plan := _cheapest(task, straight)) is not None:
                     return plan
                 straight.clear()
-            elif len(blocked) >= MOST_BLOCKED and not straight:
-                break
+            elif len(liftable) + len(blocked) >= MOST_BLOCKED and not straight:
+                liftable += _liftable(task, blocked)
+                blocked.clear()
+                if len(liftable) >= MOST_BLOCKED:
+                    break
         if (plan := _cheapest(task, straight)) is not None:
             return plan
-        goals = [goal for way in blocked if (goal := task.completed(way)) is not None]
-        for goal in sorted(goals, key=lambda item: item.cost):
+        for goal in sorted([*liftable, *_liftable(task, blocked)], key=lambda item: item.cost):
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
         return None
 
 
+def _liftable(task: PickTask, ways: Sequence[Way]) -> list[Goal]:
+    """Those of some grasps from which hand and target come up free."""
+    goals = [goal for way in ways if (goal := task.completed(way)) is not None]
+    return [free for goal in goals if (free := task.liftable(goal)) is not None]
+
+
 def _cheapest(task: PickTask, ways: Sequence[tuple[Goal, Curve]]) -> PickPlan | None:
     """The plan of the best goal that has one."""
     for goal, reach in sorted(ways, key=lambda item: item[0].cost):
-        if (plan := task.timed(goal, reach)) is not None:
+        free = task.liftable(goal)
+        if free is not None and (plan := task.timed(free, reach)) is not None:
             return plan
     return None

@@ -21,7 +21,13 @@ from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
 from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
-from kinematics.ik import DEFAULT_TOLERANCE, InverseKinematics, along_line, inverse_kinematics
+from kinematics.ik import (
+    DEFAULT_TOLERANCE,
+    LINE_RESERVE_RAD,
+    InverseKinematics,
+    along_line,
+    inverse_kinematics,
+)
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.requests import Grasp, PickPlan, PickRequest, PlannedStep
@@ -73,13 +79,12 @@ class Way:
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """A grasp with the curves that carry it out; ``cost`` ranks it, smaller first."""
+    """A grasp with the curves that carry it out; ``cost`` ranks it, smaller first, ``way`` comes to it."""
 
+    way: Way
     grasp: Grasp
     cost: float
-    approach: Curve
     lift: Curve
-    x_pregrasp: Array
 
 
 class PickTask:
@@ -174,9 +179,8 @@ class PickTask:
     def completed(self, way: Way) -> Goal | None:
         """The same with its lift and what it costs; a failure is counted."""
         grasp = way.candidate.grasp
-        lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
-        up = along_line(self._ik_of(grasp.hand), way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS)
-        if up is None:
+        lift = self._lift(way)
+        if lift is None:
             self.reasons["no straight lift"] += 1
             return None
         clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
@@ -186,29 +190,37 @@ class PickTask:
             + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
             + BALANCE_COST * max(0.0, 1.0 - balance_m / ENOUGH_BALANCE_M)
         )
-        lift = PolynomialCurve(self._gazing(up, way.gaze))
-        return Goal(grasp, cost, way.approach, lift, way.x_pregrasp)
+        return Goal(way, grasp, cost, lift)
 
     def detour(self, goal: Goal) -> Curve | None:
         """A way around what is between here and the pre-grasp."""
         groups = self._model.description.groups
         joints = (*groups[f"{goal.grasp.hand}_arm"], *groups["torso"])
         moving = [self._space.index(joint) for joint in joints]
-        curve = self._reach_planner.plan(self._x_start, goal.x_pregrasp, moving, self._rng)
+        curve = self._reach_planner.plan(self._x_start, goal.way.x_pregrasp, moving, self._rng)
         if curve is None:
             self.reasons["no path to the pre-grasp"] += 1
         return curve
 
+    def liftable(self, goal: Goal) -> Goal | None:
+        """The goal with a lift that is free, farther from joint limits if need be; a failure is counted."""
+        lift_scene = self._lift_scene(goal.grasp, self._grasp_planner(goal.grasp.hand)[0])
+        planner = self._planner(lift_scene, 0.0)
+        if planner.curve_is_free(goal.lift):
+            return goal
+        again = self._lift(goal.way, LINE_RESERVE_RAD)
+        if again is not None and planner.curve_is_free(again):
+            return dataclasses.replace(goal, lift=again)
+        self.reasons["lift collides"] += 1
+        return None
+
     def timed(self, goal: Goal, reach: Curve) -> PickPlan | None:
-        """Give all three motions their time, once the lift is known to be free."""
+        """Give all three motions of a liftable goal their time."""
         grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
         lift_scene = self._lift_scene(goal.grasp, grasp_scene)
-        if not self._planner(lift_scene, 0.0).curve_is_free(goal.lift):
-            self.reasons["lift collides"] += 1
-            return None
         steps = [
             self._step("reach", reach, REACH_PACE, self._reach_scene),
-            self._step("approach", goal.approach, CARTESIAN_PACE, grasp_scene),
+            self._step("approach", goal.way.approach, CARTESIAN_PACE, grasp_scene),
             self._step("lift", goal.lift, CARTESIAN_PACE, lift_scene),
         ]
         if any(step is None for step in steps):
@@ -218,6 +230,13 @@ class PickTask:
         start = lead_in(first.trajectory, self._request.q_start, self._model.acceleration)
         first = dataclasses.replace(first, trajectory=start)
         return PickPlan(goal.grasp, first, second, third, self.considered)
+
+    def _lift(self, way: Way, reserve_rad: float = 0.0) -> Curve | None:
+        grasp = way.candidate.grasp
+        lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
+        ik = self._ik_of(grasp.hand)
+        up = along_line(ik, way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS, reserve_rad)
+        return None if up is None else PolynomialCurve(self._gazing(up, way.gaze))
 
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp

@@ -2,6 +2,8 @@
 
 As with picks, it is the goals that fail: each spot is tried with several turns about the vertical, the
 most natural for the arm first, and only those whose way down and whose retreat are free are reached for.
+Where none is, all are tried again with less room and with the elbow elsewhere: over a high table it is
+the forearm that meets the edge.
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
-from kinematics.ik import DEFAULT_TOLERANCE, along_line, inverse_kinematics
+from kinematics.ik import DEFAULT_TOLERANCE, LINE_RESERVE_RAD, along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import LEAST_RESERVE_M
@@ -45,6 +47,10 @@ LOWER_PACE = Pace(velocity=0.03, acceleration=0.06)
 TURNS_RAD = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60, 80, -80, 100, -100))
 # So many goals that only a detour may come to are kept.
 MOST_BLOCKED = 5
+# Postures from which a thorough search begins, besides home and the present one; and how far the joints of
+# the arm are from home there, at most.
+OTHER_SEEDS = 3
+OTHER_SEED_RAD = 0.8
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +70,21 @@ class PlacePlanner:
 
     def plan(self, request: PlaceRequest) -> PlacePlan | NoPlan:
         """Plan transfer and lowering, or say honestly why there is no plan."""
-        task = _PlaceTask(self._model, request)
+        usual = _PlaceTask(self._model, request, RESERVE_M)
+        if (plan := self._first(usual, request)) is not None:
+            return plan
+        thorough = _PlaceTask(self._model, request, LEAST_RESERVE_M, OTHER_SEEDS)
+        if (plan := self._first(thorough, request)) is not None:
+            return plan
+        considered = usual.considered + thorough.considered
+        return NoPlan(
+            f"no way to put the {request.held} down was found",
+            dict(thorough.reasons) or {"no free spot": 1},
+            {"spots": float(len(request.spots)), "considered": float(considered)},
+        )
+
+    def _first(self, task: _PlaceTask, request: PlaceRequest) -> PlacePlan | None:
+        """The first spot and turn that a way leads to; straight ways before detours."""
         blocked: list[_Goal] = []
         for index, spot in enumerate(request.spots):
             for world_T_object in task.turned(spot):
@@ -80,33 +100,42 @@ class PlacePlanner:
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
-        return NoPlan(
-            f"no way to put the {request.held} down was found",
-            dict(task.reasons) or {"no free spot": 1},
-            {"spots": float(len(request.spots)), "considered": float(task.considered)},
-        )
+        return None
 
 
 class _PlaceTask:
     """The state of one planning problem.
+
+    Args:
+        model: The robot.
+        request: What is to be put down, and where it may go.
+        reserve_m: Kept in reserve against the checker.
+        other_seeds: Of a thorough search: the inverse kinematics are tried from the present posture, too,
+            and from so many random ones.
 
     Attributes:
         reasons: How many poses failed for which reason so far.
         considered: How many poses were looked at so far.
     """
 
-    def __init__(self, model: RobotModel, request: PlaceRequest) -> None:
-        self._model, self._request = model, request
+    def __init__(
+        self, model: RobotModel, request: PlaceRequest, reserve_m: float, other_seeds: int | None = None
+    ) -> None:
+        self._model, self._request, self._reserve_m = model, request, reserve_m
         self._body = request.scene.attached[request.held]
         frames = model.description.tcp_frames
         self.hand: Hand = next(hand for hand, frame in frames.items() if frame == self._body.frame)
         self._space = free_coordinates(model, request.stance)
-        self._scene = relaxed_at(model, request.scene, request.q_start, RESERVE_M)
+        self._scene = relaxed_at(model, request.scene, request.q_start, reserve_m)
         self._planner = self._planner_in(self._scene)
         self._x_start = self._space.from_q(request.q_start)
         self._ik = inverse_kinematics(model, request.stance, self.hand)
         self._seed = self._seed_posture()
         self._rng = np.random.default_rng(request.seed)
+        self._seeds = [self._seed]
+        self._thorough = other_seeds is not None
+        if other_seeds is not None:
+            self._seeds += [request.q_start, *(self._random_posture() for _ in range(other_seeds))]
         self._hand_alone = HandCollision(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
         self._object_T_tcp = poses.inverse(self._body.frame_T_object)
         self.reasons: Counter[str] = Counter()
@@ -131,11 +160,15 @@ class _PlaceTask:
     def solve(self, index: int, spot: Spot, world_T_object: Transform) -> _Goal | None:
         """Find the way down to a pose; a failure is counted with its reason."""
         self.considered += 1
-        goal = self._solve(index, spot, world_T_object)
-        if isinstance(goal, str):
-            self.reasons[goal] += 1
-            return None
-        return goal
+        why = "hand collides at the spot"
+        if self._hand_has_room(spot, world_T_object):
+            for seed in self._seeds:
+                goal = self._solve(index, spot, world_T_object, seed)
+                if isinstance(goal, _Goal):
+                    return goal
+                why = goal
+        self.reasons[why] += 1
+        return None
 
     def straight(self, goal: _Goal) -> Curve | None:
         """The straight way to the hover pose, if it is free."""
@@ -168,13 +201,15 @@ class _PlaceTask:
             considered=self.considered,
         )
 
-    def _solve(self, index: int, spot: Spot, world_T_object: Transform) -> _Goal | str:
+    def _hand_has_room(self, spot: Spot, world_T_object: Transform) -> bool:
+        lowest = poses.translation(0.0, 0.0, -spot.below_m) @ world_T_object @ self._object_T_tcp
+        return not self._hand_alone.collides(lowest)
+
+    def _solve(self, index: int, spot: Spot, world_T_object: Transform, seed: Array) -> _Goal | str:
         request = self._request
         placed = world_T_object @ self._object_T_tcp
         lowest = poses.translation(0.0, 0.0, -spot.below_m) @ placed
-        if self._hand_alone.collides(lowest):
-            return "hand collides at the spot"
-        first = self._ik.solve(placed, self._seed)
+        first = self._ik.solve(placed, seed)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the spot"
         touching = self._scene.allowing((request.held, name) for name in spot.touches)
@@ -182,10 +217,10 @@ class _PlaceTask:
         if not near.is_free(self._space.from_q(first.q)):
             return "collision at the spot"
         hover = poses.translation(0.0, 0.0, spot.hover_m) @ placed
-        up = along_line(self._ik, first.q, placed, hover, CARTESIAN_POINTS)
+        up = self._line(first.q, placed, hover)
         if up is None:
             return "no straight way down"
-        down = along_line(self._ik, up[-1], hover, lowest, CARTESIAN_POINTS)
+        down = self._line(up[-1], hover, lowest)
         if down is None:
             return "no straight way down"
         gaze = gaze_joints(self._model, down[0], world_T_object[:3, 3])
@@ -199,11 +234,19 @@ class _PlaceTask:
             return "no free way back for the hand"
         return _Goal(index, world_T_object, lower, points[0], touching)
 
+    def _line(self, q: Array, start: Transform, end: Transform) -> Array | None:
+        """Configurations along a line; a thorough search keeps off joint limits where it can."""
+        if self._thorough:
+            found = along_line(self._ik, q, start, end, CARTESIAN_POINTS, LINE_RESERVE_RAD)
+            if found is not None:
+                return found
+        return along_line(self._ik, q, start, end, CARTESIAN_POINTS)
+
     def _retreat_is_free(
         self, q: Array, placed: Transform, world_T_object: Transform, gaze: dict[str, float]
     ) -> bool:
         back = placed @ poses.translation(-self._request.retreat_m, 0.0, 0.0)
-        away = along_line(self._ik, q, placed, back, CARTESIAN_POINTS)
+        away = self._line(q, placed, back)
         if away is None:
             return False
         released = self._scene.with_detached(self._request.held, world_T_object)
@@ -217,7 +260,7 @@ class _PlaceTask:
         return x
 
     def _planner_in(self, scene: PlanningScene) -> PathPlanner:
-        judge = validity(self._model, self._request.stance, scene, RESERVE_M, SELF_MARGIN_M)
+        judge = validity(self._model, self._request.stance, scene, self._reserve_m, SELF_MARGIN_M)
         return PathPlanner(self._model, self._space, judge)
 
     def _seed_posture(self) -> Array:
@@ -226,6 +269,14 @@ class _PlaceTask:
         q = model.home_over(request.stance)
         other = 7 + model.group("left_arm" if self.hand == "right" else "right_arm")
         q[other] = request.q_start[other]
+        return q
+
+    def _random_posture(self) -> Array:
+        """Home with the arm that moves elsewhere."""
+        model, q = self._model, self._seed.copy()
+        arm = 7 + model.group(f"{self.hand}_arm")
+        q[arm] += self._rng.uniform(-OTHER_SEED_RAD, OTHER_SEED_RAD, len(arm))
+        q[arm] = np.clip(q[arm], model.lower_rad[arm - 7], model.upper_rad[arm - 7])
         return q
 
     def _shoulder_link(self) -> str:

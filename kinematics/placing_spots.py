@@ -25,9 +25,10 @@ ROOM_COST = 1.0
 GRID_M = 0.03
 # Two spots nearer than this are one choice.
 APART_M = 0.05
-# Beside something: the gaps that are tried, and the directions off the named one.
+# Beside something: the gaps that are tried, and the directions off the named one. Within 45 degrees it is
+# more in the named direction than in any other, and 5 are left for what perception errs.
 BESIDE_GAPS_M = (0.06, 0.09, 0.13, 0.17)
-BESIDE_TURNS_RAD = tuple(math.radians(a) for a in (0.0, 15.0, -15.0, 30.0, -30.0))
+BESIDE_TURNS_RAD = tuple(math.radians(a) for a in (0.0, 15.0, -15.0, 30.0, -30.0, 40.0, -40.0))
 MOST = 12
 _ON_TOP_M = 0.04
 

@@ -105,6 +105,7 @@ class ReachIk:
         for joint in description.groups[f"{hand}_arm"]:
             self._freedom[self._space.index(joint)] = 1.0
         self._moving = self._freedom > 0.0
+        self._is_joint = np.arange(self._space.size) >= 6
         self._home = home
         column = np.full(len(self._tree.parent), -1, np.int64)
         column[[model.pin.getJointId(joint) for joint in self._space.joints]] = 6 + np.arange(len(columns))
@@ -171,6 +172,7 @@ class ReachIk:
         q_seed: Array,
         tolerance: IkTolerance = DEFAULT_TOLERANCE,
         iterations: int = 60,
+        reserve_rad: float = 0.0,
     ) -> list[IkResult]:
         """Bring the TCP to one pose after another, staying near to the posture at the one before.
 
@@ -181,12 +183,13 @@ class ReachIk:
             q_seed: Where it begins, shape (nq,).
             tolerance: As for ``solve``.
             iterations: Most steps from one start, for each of them.
+            reserve_rad: Joints stay so much farther from their limits.
 
         Returns:
             Answers as far as they are within the tolerance.
         """
         x = self._space.from_q(q_seed)
-        where = self._search(x, x)
+        where = self._search(x, x, reserve_rad)
         x = np.clip(x, where.lower, where.upper)
         found = np.empty((len(world_T_tcp), self._model.nq))
         targets = np.array(world_T_tcp, dtype=np.float64)
@@ -212,11 +215,12 @@ class ReachIk:
             answers.append(answer)
         return answers
 
-    def _search(self, seed: Array, preferred: Array) -> ReachSpace:
+    def _search(self, seed: Array, preferred: Array, reserve_rad: float = 0.0) -> ReachSpace:
         """Where it is searched: what does not move stays at the seed."""
+        reserve = np.where(self._is_joint, reserve_rad, 0.0)
         return self._problem.ReachSpace(
-            lower=np.where(self._moving, self._lower, seed),
-            upper=np.where(self._moving, self._upper, seed),
+            lower=np.where(self._moving, self._lower + reserve, seed),
+            upper=np.where(self._moving, self._upper - reserve, seed),
             freedom=self._freedom,
             reference=np.where(self._moving, preferred, seed),
             column=self._column,

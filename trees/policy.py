@@ -15,6 +15,8 @@ class Gaze:
         pan_rad: Of the head, to the left.
         lean_rad: Of the trunk, forward; left out by a robot that cannot lean.
         turn_rad: Of the trunk, to the left; left out by a robot that cannot turn it.
+        back_m: The pelvis goes so far behind where it is at home; left out by a robot on a mount. With 0 it
+            stays where it is.
     """
 
     name: str
@@ -22,6 +24,7 @@ class Gaze:
     pan_rad: float = 0.0
     lean_rad: float = 0.0
     turn_rad: float = 0.0
+    back_m: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +44,8 @@ class TreePolicy:
         search_gazes: The order in which a search looks: a table ahead, then, leaning over it, what is
             too near for the head alone (on a high table with less of a lean: nothing is seen nearer to the
             camera than 0.3 m), then what is far to the sides.
+        last_gaze: The one that is left for what no other shows: eyes that lean over a high table are straight
+            above what stands at its near edge; from farther behind they see it.
         first_lean_rad: Of the trunk, in the first look for what is to be picked up: what stands at the near
             edge of a low table is below the picture of who stands upright, and in the way of the hand.
         looks_for_twins: Whether a part of a table that is out of view is looked at before the only thing in
@@ -122,6 +127,7 @@ class TreePolicy:
         Gaze("far left", tilt_rad=0.5, pan_rad=0.7),
         Gaze("far right", tilt_rad=0.5, pan_rad=-0.7),
     )
+    last_gaze: Gaze = Gaze("before the body", tilt_rad=0.77, lean_rad=0.45, back_m=0.09)
     first_lean_rad: float = 0.2
     looks_for_twins: bool = True
     survey_gazes: tuple[Gaze, ...] = (
@@ -144,7 +150,7 @@ class TreePolicy:
     unseen_hold_factor: float = 2.0
     fastest_m_s: float = 0.5
     fastest_rad_s: float = 1.0
-    stand_m: float = 0.012
+    stand_m: float = 0.008
     stand_rad: float = 0.02
     walk_attempts: int = 4
     move_s: float = 3.0

@@ -58,6 +58,14 @@ class FootstepPlanner:
         """Where a foot rests beside the other one."""
         return foot @ PlanarPose(0.0, _LEFTWARDS[side] * self._rest_m)
 
+    def within_stride(self, side: Hand, standing: PlanarPose, landing: PlanarPose) -> PlanarPose:
+        """The landing, moved to where the foot can still go when it has to catch the body."""
+        s = self._settings
+        seen = standing.to(landing)
+        x = min(max(seen.x_m, -s.stride_backward_m), s.stride_forward_m)
+        across = min(max(_LEFTWARDS[side] * seen.y_m, s.narrowest_m), s.stride_widest_m)
+        return standing @ PlanarPose(x, _LEFTWARDS[side] * across, seen.yaw_rad)
+
     def first_side(self, steering: Steering, feet: Feet, odom_T_plan: PlanarPose) -> Hand:
         """Which foot steps first: the one on the side of the turn."""
         body = odom_T_plan @ PlanarPose.between(feet["left"], feet["right"])

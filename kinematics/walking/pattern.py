@@ -7,6 +7,7 @@ arrives where the landings that follow need it, beginning where it is: nothing j
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
@@ -18,6 +19,7 @@ from kinematics.walking.footsteps import OTHER, Footstep, FootstepPlanner
 from kinematics.walking.planar import PlanarPose, wrapped
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import Halt, SlippingTurn, Steering, VelocitySteering
+from kinematics.walking.step_adjustment import farthest_m, legs_reach, missed_by
 from kinematics.walking.swing import Swing
 
 _HORIZON = 4
@@ -30,6 +32,15 @@ _REDIRECT_S = 0.25
 _QUICK_STOP_INSET_M = 0.045
 """A landing is brought nearer only if the ZMP stays this far inside the sole: what is left is needed to
 correct errors. With 0.01 a quick stop from 0.45 m/s backwards rocked the robot onto its edges."""
+
+_CATCH_S = 0.2
+"""A foot that lands sooner than this goes where it was going, whatever pushes."""
+_CAUGHT_M = 0.03
+"""A DCM that ends so near to where it is wanted needs no other landing."""
+_CATCH_SHARES = (1.0, 0.75, 0.5, 0.25)
+"""Of the distance that a landing would have to move: the first one within reach."""
+_CATCH_M_S2 = 10.0
+"""More acceleration of the swinging foot than this is not asked for."""
 
 
 class Phase(Enum):
@@ -113,6 +124,7 @@ class WalkingPattern:
         self._since_s = 0.0
         self._swing_s = 0.0
         self._last_landing = False
+        self._steps: list[Footstep] = []
         self._now = ComSample(com, com, com, com)
         self._motion: ComMotion = SettlingCom(self._now, com, 1.0, omega)
 
@@ -135,6 +147,28 @@ class WalkingPattern:
             self._close()
         elif self.phase is Phase.SWING:
             self._land_beside()
+
+    def catch(self, error: Point) -> bool:
+        """Land where the DCM is going to be, if the sole that stands cannot bring it to the landing.
+
+        Args:
+            error: The DCM as measured, less the plan's, m.
+
+        Returns:
+            Whether the landing was moved.
+        """
+        swing, left_s = self._swing, self._settings.single_support_s - self._swing_s
+        if self.phase is not Phase.SWING or swing is None or left_s < _CATCH_S:
+            return False
+        dcm = self._now.dcm[0] + error[0], self._now.dcm[1] + error[1]
+        wanted = dcm_before(self._after_swing(self._steps), self._end(self._steps), self._omega)
+        inset_m = self._settings.zmp_inset_m
+        x, y = missed_by(self._on_one_now, lambda zmp: self._on_sole(zmp, inset_m), dcm, wanted, self._omega)
+        far_m = math.hypot(x, y)
+        if far_m < _CAUGHT_M:
+            return False
+        most = min(1.0, farthest_m(left_s, _CATCH_M_S2) / far_m)
+        return any(self._land_elsewhere(swing, (most * k * x, most * k * y)) for k in _CATCH_SHARES)
 
     @property
     def goal(self) -> PlanarPose | None:
@@ -205,6 +239,7 @@ class WalkingPattern:
             self._close()
             return
         side = OTHER[self._standing]
+        self._steps = steps
         self._advance, self._next_body = steps[0].advance, steps[0].body
         swing_s = self._settings.single_support_s
         self._swing = Swing(self.feet[side], steps[0].pose, self._settings.lift_m, swing_s)
@@ -242,9 +277,38 @@ class WalkingPattern:
         if self._on_sole(zmp, _QUICK_STOP_INSET_M) != zmp:
             swing.redirect(before, self._swing_s)
             return
+        self._steps = after
         self._advance, self._next_body = PlanarPose(), body
         self._last_landing = True
         self._balance_on_one(after)
+
+    def _land_elsewhere(self, swing: Swing, by: Point) -> bool:
+        """Move the landing, if the legs reach so far; the plan's DCM goes there with it."""
+        first, standing = self._steps[0], self.feet[self._standing]
+        before = swing.goal
+        moved = PlanarPose(before.x_m + by[0], before.y_m + by[1], before.yaw_rad)
+        landing = self._planner.within_stride(first.side, standing, moved)
+        if landing.distance_m(before) < 0.5 * _CAUGHT_M:
+            return False
+        body = landing @ first.pose.inverse() @ first.body
+        feet = {**self.feet, first.side: landing}
+        later = self._planner.plan(
+            first.side, feet, body, self._steering, first.advance, self.odom_T_plan, _HORIZON - 1
+        )
+        steps = [Footstep(first.side, landing, first.advance, body), *later]
+        swing.redirect(landing, self._swing_s)
+        stretches = self._on_one_now(self._steering_zmp(steps))
+        left_s = sum(stretch.duration_s for stretch in stretches)
+        reach_m = self._settings.stride_reach_m
+        on = [*stretches, *self._after_swing(steps)[:1]]
+        com, dcm = self._now.com, self._now.dcm
+        if not legs_reach(on, com, dcm, self._omega, [standing], landing, left_s, reach_m):
+            swing.redirect(before, self._swing_s)
+            return False
+        self._steps, self._next_body = steps, body
+        self._last_landing = len(steps) == 1
+        self._go(*stretches)
+        return True
 
     # ---------------------------------------------------------------- the DCM's way
 

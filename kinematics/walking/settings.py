@@ -19,6 +19,9 @@ class WalkingSettings:
         spacing_m: Between the feet's centres while walking.
         forward_m, backward_m, sideways_m, turn_rad: Most that the body advances in one step.
         narrowest_m, widest_m: Between the feet's centres, across.
+        stride_forward_m, stride_backward_m, stride_widest_m: From the foot that stands to a landing that
+            catches the body after a push.
+        stride_reach_m: Of a sole from the CoM, over the floor, at the height that the robot walks with.
         front_m, back_m, half_width_m: Room that the robot takes ahead of its base, behind it, and to
             each side.
         hands_from_m, hands_half_width_m: From this height up, where the hands are, it takes so much room to
@@ -46,6 +49,10 @@ class WalkingSettings:
     turn_rad: float
     narrowest_m: float
     widest_m: float
+    stride_forward_m: float
+    stride_backward_m: float
+    stride_widest_m: float
+    stride_reach_m: float
     front_m: float
     back_m: float
     half_width_m: float

@@ -38,6 +38,7 @@ from robots.control.refusal import Refusal
 from robots.control.resting_start import resting_start
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
+from robots.control.sway_damping import SwayDamping
 from robots.control.walking.walker import Walker
 from robots.control.yielding import YieldingControl
 from robots.interface import JointSetpoint, Robot, RobotState
@@ -96,6 +97,7 @@ class ControlLoop:
         }
         actuated = np.concatenate([q[7:], list(fingers.values())])
         self._balance = Balance(model, stance)
+        self._sway = SwayDamping(model.description, period_s)
         self._estimator = BaseEstimator(model, stance)
         self._contact = ContactWatch(model.description)
         self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
@@ -288,6 +290,7 @@ class ControlLoop:
             return
         for keeper in self._keepers:
             keeper.sense(state)
+        self._sway.sense(state.v, self._gate.last.v)
         self._look_after_health()
         self._forgiven = max(0, self._forgiven - 1)
         watched = self._streamer.carrying_out and self._forgiven == 0
@@ -320,6 +323,7 @@ class ControlLoop:
     def _command_walk(self, state: RobotState) -> None:
         """The same while the feet move: standing still on one leg is no way out, so the walk goes on."""
         self._gate.expect_steps(True)
+        self._sway.forget()
         proposal = self._walker.propose(self._streamer.propose(state))
         refusal = self._submit(proposal)
         if refusal is None:
@@ -389,6 +393,8 @@ class ControlLoop:
         tau = self._tau.copy()
         efforts = proposal.efforts
         tau[: self._bodies] = self._balance.efforts(proposal.body) if efforts is None else efforts
+        if efforts is None:
+            self._sway.add_to(tau)
         sequence = self._gate.last.sequence + 1
         now_s = self._clock.now_s()
         return self._gate.submit(JointSetpoint(now_s, sequence, proposal.owner, proposal.q, proposal.v, tau))

@@ -16,6 +16,9 @@ _EFFORT_TIME_S = 0.02
 _DEADBAND_RAD = 0.004
 """The grip follows the fingers only beyond this: 0.08 Nm at TALOS's stiffness, far above what
 encoder noise would stir and far below what a grasp feels."""
+_MET_RAD = 2e-4
+"""On its way it brakes once it will rest this near: 0.004 Nm, and ten times what noise stirs, which must not
+keep it moving."""
 
 
 class GripKeeper:
@@ -82,11 +85,11 @@ class GripKeeper:
             wanted = self._fingers_rad + self._inwards * self._squeeze_rad
             most = self._gripper.closed_rad
             target = max(wanted, most) if self._inwards < 0.0 else min(wanted, most)
-            moving = self._tracker.v_rad_s != 0.0
-            if moving or abs(target - self._tracker.q_rad) > _DEADBAND_RAD:
+            near = _MET_RAD if self._tracker.moving else _DEADBAND_RAD
+            if abs(target - self._tracker.rest_rad) > near:
                 self._tracker.step_towards(target)
-        else:
-            self._tracker.step_to_rest()
+                return self.setpoint
+        self._tracker.step_to_rest()
         return self.setpoint
 
     def follow(self, q_rad: float, v_rad_s: float) -> None:

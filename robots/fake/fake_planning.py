@@ -88,6 +88,7 @@ class FakePlanning:
         unsafe: Asked with each check; what it returns is answered instead of a checked trajectory.
         requests: Everything that was asked.
         jobs: The jobs of those requests.
+        gestures: The planner of gestures, which is the true one.
     """
 
     def __init__(
@@ -108,6 +109,7 @@ class FakePlanning:
         self.unsafe: Callable[[CheckRequest], Unsafe | None] = lambda _request: None
         self.requests: list[PlanRequest] = []
         self.jobs: list[FakeJob] = []
+        self.gestures = GesturePlanner(model)
         self._model, self._clock, self._check = model, clock, check
 
     def submit(self, request: PlanRequest) -> FakeJob:
@@ -135,7 +137,7 @@ class FakePlanning:
         if isinstance(request, OfferRequest):
             return self._offer(request)
         if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest | CarryRequest):
-            return self._quick(GesturePlanner(self._model).plan(replace(request, scene=_bare(request.scene))))
+            return self._quick(self.gestures.plan(replace(request, scene=_bare(request.scene))))
         if isinstance(request, PlaceRequest):
             return self._place(request)
         if isinstance(request, RetreatRequest):
@@ -229,6 +231,7 @@ class FakePlanning:
         goal = request.q_start.copy() if request.keep_others else self._model.q_home.copy()
         for joint, angle in request.joints.items():
             goal[7 + self._model.joint_index(joint)] = angle
+        goal[:3] += request.pelvis_m
         return goal
 
     def _step(

@@ -1,11 +1,12 @@
 import itertools
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from kinematics import poses
+from kinematics import pick_task, poses
 from kinematics.collision import CollisionWorld
-from kinematics.pick_planner import PLANNING_RESERVE_M, PickPlanner
+from kinematics.pick_planner import MOST_BLOCKED, PLANNING_RESERVE_M, PickPlanner
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
@@ -125,3 +126,59 @@ def test_the_same_seed_gives_the_same_plan(talos, stance, tabletop):
 
     assert np.array_equal(first.reach.trajectory.q, second.reach.trajectory.q)
     assert np.array_equal(first.lift.trajectory.q, second.lift.trajectory.q)
+
+
+class ScriptedTask:
+    """Grasps of which a straight reach comes to none, and some of which cannot be lifted from."""
+
+    def __init__(self, lifts):
+        self.lifts, self.tried = lifts, []
+        self.reasons, self.considered = {}, len(lifts)
+
+    def candidates(self):
+        return range(len(self.lifts))
+
+    def solve(self, candidate):
+        return candidate
+
+    def straight_reach(self, _way):
+        return None
+
+    def completed(self, way):
+        return SimpleNamespace(cost=way, way=way)
+
+    def liftable(self, goal):
+        return goal if self.lifts[goal.way] else None
+
+    def detour(self, goal):
+        self.tried.append(goal.way)
+        return goal.way
+
+    def timed(self, goal, _reach):
+        return goal.way
+
+
+def test_grasps_that_cannot_be_lifted_from_do_not_use_up_the_detours(talos):
+    task = ScriptedTask([False] * (2 * MOST_BLOCKED) + [True])
+
+    assert PickPlanner(talos)._best(task) == 2 * MOST_BLOCKED
+    assert task.tried == [2 * MOST_BLOCKED]
+
+
+def test_so_many_detours_are_enough(talos):
+    task = ScriptedTask([True] * (2 * MOST_BLOCKED))
+    task.timed = lambda _goal, _reach: None
+
+    assert PickPlanner(talos)._best(task) is None
+    assert len(task.tried) == MOST_BLOCKED
+
+
+@pytest.mark.requirement("M1")
+def test_a_lift_that_would_swing_beyond_joint_limits_keeps_off_them(talos, stance, make, monkeypatch):
+    cup = make.cup(x=0.43, y=0.0, top_m=0.88, radius_m=0.0275, height_m=0.0963)
+    scene = PlanningScene().with_objects([make.table(top_m=0.88, edge_m=0.3325), cup])
+    considered = plan(talos, stance, scene).considered
+
+    monkeypatch.setattr(pick_task, "LINE_RESERVE_RAD", 0.0)
+
+    assert considered < 10 < plan(talos, stance, scene).considered

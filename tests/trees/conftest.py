@@ -1,5 +1,6 @@
 """A fake robot on a stage: any leaf or tree is ticked in milliseconds, without physics."""
 
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -8,6 +9,7 @@ from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
 from kinematics.dynamics import StandingDynamics
+from kinematics.gesture_planner import GesturePlanner
 from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
 from kinematics.trajectory import CheckedTrajectory
@@ -49,6 +51,20 @@ def believed(request):
     for name, value in found.items():
         object.__setattr__(checked, name, value)
     return checked
+
+
+class RememberedGestures(GesturePlanner):
+    """The planner of gestures, which answers what it was asked before at once: its answers are exact."""
+
+    def __init__(self, model):
+        super().__init__(model)
+        self._answers = {}
+
+    def plan(self, request):
+        asked = pickle.dumps(request)
+        if asked not in self._answers:
+            self._answers[asked] = super().plan(request)
+        return self._answers[asked]
 
 
 class Stage:
@@ -147,7 +163,14 @@ def model():
 def new_stage(model):
     """Makes stages; whoever takes it clears the blackboard himself."""
     dynamics = StandingDynamics(model, stance_at(model, model.q_home))
-    return lambda *objects, **options: Stage(model, list(objects) or None, dynamics=dynamics, **options)
+    gestures = RememberedGestures(model)
+
+    def made(*objects, **options):
+        stage = Stage(model, list(objects) or None, dynamics=dynamics, **options)
+        stage.fake.planning.gestures = gestures
+        return stage
+
+    return made
 
 
 @pytest.fixture
@@ -157,14 +180,14 @@ def quick():
 
 
 @pytest.fixture
-def stage(model):
-    yield Stage(model)
+def stage(new_stage):
+    yield new_stage()
     Blackboard.clear()
 
 
 @pytest.fixture
-def stage_with(model):
-    yield lambda *objects, **options: Stage(model, list(objects), **options)
+def stage_with(new_stage):
+    yield new_stage
     Blackboard.clear()
 
 

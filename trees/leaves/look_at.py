@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from kinematics.body_gaze import pelvis_offset
 from kinematics.gaze import gaze_joints
 from kinematics.requests import Grasp, MoveRequest
 from kinematics.robot_description import RobotDescription
@@ -16,6 +17,9 @@ from trees.policy import Gaze
 from trees.ports import ports
 from trees.steps import Step, Target
 from trees.toolbox import Toolbox
+
+_BEHIND_M = 0.02
+"""A pelvis that is nearer than this to where it is at home is left where it is."""
 
 
 class LookAt(PlannedMotionLeaf):
@@ -57,7 +61,8 @@ class LookAt(PlannedMotionLeaf):
         reference, joints = toolbox.motion.reference(), self.joints()
         index = 7 + toolbox.model.indices(tuple(joints))
         off = np.abs(reference[index] - list(joints.values()))
-        if float(off.max()) <= toolbox.policy.gaze_tolerance_rad:
+        pelvis_m = self._pelvis_m()
+        if float(off.max()) <= toolbox.policy.gaze_tolerance_rad and not any(pelvis_m):
             return None
         return MoveRequest(
             q_start=reference,
@@ -65,8 +70,22 @@ class LookAt(PlannedMotionLeaf):
             scene=toolbox.world.scene,
             joints=joints,
             keep_others=True,
+            pelvis_m=pelvis_m,
             seed=int(toolbox.rng.integers(2**31)),
         )
+
+    def _pelvis_m(self) -> tuple[float, float, float]:
+        """How far the pelvis goes for it, in the world; it does not stay behind without a lean."""
+        model, motion = self.toolbox.model, self.toolbox.motion
+        if model.description.welded:
+            return (0.0, 0.0, 0.0)
+        home, now = model.home_over(motion.stance()), motion.reference()
+        ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
+        behind_m = float(ahead @ (home[:3] - now[:3]))
+        if not self.gaze.back_m and behind_m <= _BEHIND_M:
+            return (0.0, 0.0, 0.0)
+        x, y, z = (float(value) for value in (behind_m - self.gaze.back_m) * ahead)
+        return (x, y, z)
 
 
 def turning_joint(description: RobotDescription) -> str | None:

@@ -29,7 +29,8 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
-    gazes = [replace(upright, lean_rad=policy.first_lean_rad), *others, replace(upright, name="far ahead")]
+    first, upright = replace(upright, lean_rad=policy.first_lean_rad), replace(upright, name="far ahead")
+    gazes = [first, *others, upright, policy.last_gaze]
     looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
     looks += [_look(gaze, toolbox, surveyed=False, more_to_come=True) for gaze in survey[:-1]]
     looks.append(_look(survey[-1], toolbox, surveyed=True))

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from kinematics.poses import vector_from_rotation
 from kinematics.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Finding
-from robots.interface import RobotState
 from robots.sensed_state import SensedState
 
 Array = NDArray[np.float64]
@@ -28,7 +27,7 @@ class BodyHealth:
     def __init__(self, model: RobotModel, period_s: float) -> None:
         description = model.description
         self._limits = description.health
-        self._soles = [sole.link for sole in description.soles]
+        self._soles = description.soles
         self._model, self._imu = model, description.imu
         self._period_s = period_s
         self._step = round(_GYRO_STEP_S / period_s)
@@ -67,7 +66,7 @@ class BodyHealth:
         elif self._imu is not None:
             found += self._gyro(sensed, self._imu)
         if self._soles:
-            found += self._feet(state, standing)
+            found += self._feet(sensed, standing)
         if state.battery < limits.battery_low:
             found.append(Finding(Ailment.BATTERY_LOW, "battery", state.battery, limits.battery_low))
         if self._late_share > limits.late_share:
@@ -92,12 +91,25 @@ class BodyHealth:
             return [Finding(Ailment.GYRO_BIAS, "gyro", self._gyro_bias, bound)]
         return []
 
-    def _feet(self, state: RobotState, standing: bool) -> list[Finding]:
+    def _feet(self, sensed: SensedState, standing: bool) -> list[Finding]:
         found, bound = [], self._limits.foot_force_n
         for i, sole in enumerate(self._soles):
-            force = float(state.foot_wrench[i, 2])
-            unloaded = standing and force < bound
+            force = float(sensed.readings.foot_wrench[i, 2])
+            unloaded = standing and force < bound and not self._stands_on_the_other(sensed.q, i)
             self._unloaded_s[i] = self._unloaded_s[i] + self._period_s if unloaded else 0.0
             if self._unloaded_s[i] > _FOOT_TIME_S:
-                found.append(Finding(Ailment.FOOT_CONTACT_LOST, sole, force, bound))
+                found.append(Finding(Ailment.FOOT_CONTACT_LOST, sole.link, force, bound))
         return found
+
+    def _stands_on_the_other(self, q: Array, lifted: int) -> bool:
+        """Whether another sole has the whole weight well above it, so that this one need not carry."""
+        com = self._model.com(q)
+        for i, sole in enumerate(self._soles):
+            if i == lifted:
+                continue
+            world_T_sole = self._model.frame_pose(q, sole.frame)
+            x, y, _ = world_T_sole[:3, :3].T @ (com - world_T_sole[:3, 3])
+            inside_m = min(x - sole.x_m[0], sole.x_m[1] - x, y - sole.y_m[0], sole.y_m[1] - y)
+            if inside_m >= self._model.description.com_margin_m:
+                return True
+        return False

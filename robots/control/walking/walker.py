@@ -21,6 +21,7 @@ from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
 from robots.control.walking.hand_scales import HandScales
+from robots.control.walking.push_watch import PushWatch
 from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
@@ -287,6 +288,7 @@ class _Walk:
         anchors = {side: placed[sole.frame] for side, sole in soles.items()}
         self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
         self._soft_ankles = SoftAnkles(model, settings)
+        self._push_watch = PushWatch()
         self._most = settings.effort_share * model.effort
         self._read: tuple[Array, Array] | None = None
         self._sensed = False
@@ -318,6 +320,10 @@ class _Walk:
 
     def next(self) -> tuple[MotionSample, Array]:
         """The next instant and its efforts."""
+        error, loads_n = self._stabiliser.error, self._estimator.loads_n
+        push = self._push_watch.felt(error, loads_n, self._sample, self._period_s)
+        if push is not None:
+            self.pattern.catch(push)
         sample = self.pattern.advance(self._period_s)
         motion = self._body.follow(sample)
         if sample.phase is Phase.SWING and self._phase is not Phase.SWING:

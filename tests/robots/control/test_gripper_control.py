@@ -147,3 +147,49 @@ def test_a_refused_motion_of_arm_and_gripper_leaves_the_grip_its_joint(rig, left
     assert "arm_left_1_joint is held by" in refused.reason
     assert left.reading().opening_m < 0.01
     assert rig.loop.statistics.refused == 0
+
+
+def require_limits_kept(rig):
+    """Speed, acceleration and jerk of all that reached the robot, as differences of the setpoints."""
+    limits = rig.description.limits[LEFT]
+    v = np.concatenate([[0.0, 0.0], rig.commanded(LEFT)[:, 1]])
+    a = np.diff(v) / 0.002
+    assert np.abs(v).max() > 0.5
+    assert np.abs(a).max() <= limits.acceleration
+    assert np.abs(np.diff(a)).max() / 0.002 <= limits.jerk
+
+
+@pytest.mark.requirement("S1")
+def test_a_grip_that_forms_gives_way_and_opens_keeps_acceleration_and_jerk_limits(rig, left):
+    close_on(rig, left, -0.233)
+    rig.robot.obstacle_rad[LEFT] = -0.4  # it slips, and is met again
+    rig.run(0.5)
+    del rig.robot.obstacle_rad[LEFT]
+    rig.run(0.5)
+    left.open()
+    rig.run(0.3)
+    left.close()
+    rig.run(1.0)
+
+    require_limits_kept(rig)
+    assert rig.loop.statistics.refused == 0
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("after_s", [0.004, 0.03, 0.3, 0.43, 0.45, 0.47, 0.49, 0.51])
+def test_a_stop_at_any_instant_of_a_closing_keeps_acceleration_and_jerk_limits(rig, left, after_s):
+    rig.robot.obstacle_rad[LEFT] = -0.233
+    handle = left.close()
+    rig.run(after_s)
+    rig.loop.emergency_stop("by the test", 2)
+    rig.run(0.1)
+    del rig.robot.obstacle_rad[LEFT]  # what was about to be held is gone
+    rig.run(1.0)
+
+    i = rig.description.actuated.index(LEFT)
+    v = np.array([0.0, 0.0, *(command.v[i] for command in rig.robot.commands)])
+    a = np.diff(v) / 0.002
+    assert handle.finished
+    assert v[-1] == 0.0
+    assert np.abs(a).max() <= rig.description.limits[LEFT].acceleration
+    assert np.abs(np.diff(a)).max() / 0.002 <= rig.description.limits[LEFT].jerk

@@ -46,6 +46,44 @@ def test_a_head_that_looks_there_already_does_not_move(stage):
     assert len(stage.fake.motion.started) == started
 
 
+DRAWN_BACK = Gaze("drawn back", tilt_rad=0.77, lean_rad=0.45, back_m=0.09)
+
+
+def asked_pelvis_m(stage):
+    moves = [request for request in stage.fake.planning.requests if isinstance(request, MoveRequest)]
+    return moves[-1].pelvis_m
+
+
+def test_eyes_that_are_drawn_back_take_the_pelvis_along_and_the_next_gaze_brings_it_home(stage):
+    stage.run(LookAt("look", stage.toolbox, DRAWN_BACK))
+    assert asked_pelvis_m(stage) == pytest.approx((-0.09, 0.0, 0.0))
+
+    stage.run(LookAt("look", stage.toolbox, DOWN_LEFT))
+    assert asked_pelvis_m(stage) == pytest.approx((0.09, 0.0, 0.0))
+
+
+def test_a_pelvis_that_is_back_already_stays_there(stage):
+    stage.run(LookAt("look", stage.toolbox, DRAWN_BACK))
+    started = len(stage.fake.motion.started)
+
+    stage.run(LookAt("look", stage.toolbox, DRAWN_BACK))
+
+    assert len(stage.fake.motion.started) == started
+
+
+def test_the_last_gaze_shows_what_stands_before_the_body(stage):
+    model, edge = stage.toolbox.model, np.array([0.30, 0.0, 1.05])
+    half_rad = 0.5 * model.description.camera.vertical_fov_rad
+    policy = stage.toolbox.policy
+
+    def seen_from(gaze):
+        stage.run(LookAt("look", stage.toolbox, gaze))
+        return abs(off_axis_rad(stage.fake.world.world_T_camera(), edge)[1]) < half_rad
+
+    assert not any(seen_from(gaze) for gaze in policy.search_gazes)
+    assert seen_from(policy.last_gaze)
+
+
 def test_the_target_comes_to_the_middle_of_the_picture(stage, target):
     assert stage.run(LookAtTarget("look", stage.toolbox), target=target) is Status.SUCCESS
 

@@ -11,8 +11,9 @@ from executive.assembly import Assembly
 from executive.task_result import TaskResult
 from kinematics import poses
 from kinematics.shapes import Box
-from robots.scene_description import SceneItem
+from robots.scene_description import Furniture, SceneItem
 from tools.evaluate.skills import rooms
+from tools.evaluate.skills.room_beside import has_room
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders
 from trees.events import Measured
@@ -98,13 +99,15 @@ class PlaceJudge:
 
 
 def place_trial(rng: np.random.Generator) -> Trial:
-    """A table with two to four things; one of them is put somewhere else."""
+    """A table with two to four things; one of them is put where there is room by the truth."""
     table = rooms.table(rng)
     objects = rooms.things(rng, table, int(rng.integers(2, 5)))
     item = objects[0]
     meant = _meant(item)
+    kind = None
     if len(objects) > 1 and rng.random() < _BESIDE_CHANCE:
-        kind = RELATIONS[int(rng.integers(len(RELATIONS)))]
+        kind = _with_room(int(rng.integers(len(RELATIONS))), objects, table)
+    if kind is not None:
         to = ObjectDescription(relation=Relation(kind, _meant(objects[1])))
         words = f"{kind.replace('_', ' ')} the {objects[1].name}"
         place = PlaceTask(f"put the {item.name} {words}", meant, to=to)
@@ -114,6 +117,15 @@ def place_trial(rng: np.random.Generator) -> Trial:
     if rng.random() < _HELD_CHANCE:
         tasks = (PickTask(f"pick up the {item.name}", meant), place)
     return Trial(rooms.room("place", rng, [table], objects), tasks, item.name)
+
+
+def _with_room(drawn: int, objects: Sequence[SceneItem], table: Furniture) -> RelationKind | None:
+    """The relation that was drawn, or else the next in turn for which there is room; None without any."""
+    for kind in RELATIONS[drawn:] + RELATIONS[:drawn]:
+        headings = [_AHEAD[kind]] if kind in _AHEAD else list(_AHEAD.values())
+        if has_room(objects[0], objects[1], objects, table, headings, DIRECTION_RAD, BESIDE_M):
+            return kind
+    return None
 
 
 def _meant(item: SceneItem) -> ObjectDescription:

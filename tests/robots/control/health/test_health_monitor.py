@@ -13,6 +13,7 @@ from robots.description import load_description
 from robots.interface import JointSetpoint, RobotState
 
 PERIOD_S = 0.002
+LEFT_LEAN_RAD = -0.11
 ELBOW = "arm_left_4_joint"
 WRIST = "arm_left_6_joint"
 ANKLE = "leg_left_6_joint"
@@ -38,6 +39,7 @@ class Body:
         self.periods, self.new, self.over = 0, [], []
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
         self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
+        self.lean_rad = 0.0
         self.touch, self.slower_rad_s = np.zeros(len(self.q)), np.zeros(len(self.q))
 
     def index(self, joint):
@@ -71,6 +73,9 @@ class Body:
             setpoint = JointSetpoint(0.0, 1, "hold", wanted + self.offset, v, self.tau)
             estimate = self.model.q_home.copy()
             estimate[7:] = (q + self.offset)[: len(self.model.joints)]
+            for side in ("left", "right"):  # both legs lean, the feet stay flat
+                estimate[7 + self.index(f"leg_{side}_2_joint")] += self.lean_rad
+                estimate[7 + self.index(f"leg_{side}_6_joint")] -= self.lean_rad
             new, over = self.monitor.judge(SimpleNamespace(readings=state, q=estimate), setpoint, True)
             self.new += new
             self.over += over
@@ -234,6 +239,22 @@ def test_a_foot_that_loses_the_floor_is_noticed_and_over_when_it_carries_again(b
 
     assert body.over == body.new
     assert not body.monitor.findings
+
+
+def test_a_foot_need_not_carry_while_the_weight_is_above_the_other(body):
+    body.lean_rad = LEFT_LEAN_RAD
+    body.load[:] = 895.0, 5.0
+    body.run(0.3)
+
+    assert not body.new
+
+
+def test_weight_that_is_beside_the_other_foot_too_is_no_excuse(body):
+    body.lean_rad = 3.0 * LEFT_LEAN_RAD
+    body.load[:] = 895.0, 5.0
+    body.run(0.2)
+
+    assert body.ailments() == [(Ailment.FOOT_CONTACT_LOST, "leg_right_6_link")]
 
 
 @pytest.mark.requirement("F7")

@@ -175,3 +175,25 @@ def test_a_paused_walk_that_is_to_end_ends_where_it_stands(order):
     assert handle.status is MotionStatus.DONE
     assert not floor.loop.walking.active
     assert floor.loop.still
+
+
+@pytest.mark.requirement("S4")
+def test_a_push_that_the_sole_cannot_hold_is_caught_with_the_next_steps():
+    floor = Floor()
+    handle = floor.walk(0.12)
+    floor.run(2.6)
+    pattern = floor.loop.walking._walk.pattern
+    pelvis = floor.world.physics.data.xfrc_applied[floor.world.physics.body_id("base_link")]
+
+    pelvis[:2] = -350.0, -100.0
+    floor.run(0.1)
+    pelvis[:2] = 0.0
+    catches, ways = pattern.catch, []
+    pattern.catch = lambda error: ways.append(catches(error))
+    floor.run(2.0)
+    floor.loop.walking.finish(handle)
+    floor.until_it_stands()
+    floor.run(0.3)
+
+    assert any(ways)
+    assert not floor.world.truth.fallen()

@@ -1,0 +1,58 @@
+"""Takes the swing out of a robot that stands: torques of the legs against speeds that nobody commands.
+
+Body and servos are a mass on springs that hardly damp: pushed by 80 N for 0.1 s, or when a bar slips out of
+the hand that pulls on it, TALOS swings at 1.3 to 3 Hz, and its legs still move by 0.03 rad/s half a second
+later. With four times the servos' own damping, 0.007 rad/s (sixteen times is stable too, and a torque that is
+held for 40 ms because the period came late). The servos' own gains cannot be raised from here, and their
+damping acts on the noise of a single period; this one is smoothed.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_description import RobotDescription
+
+Array = NDArray[np.float64]
+
+_SHARE = 4.0
+"""Of the servo's damping; standing still, its torque is noise of 0.2 Nm."""
+_SMOOTH_S = 0.02
+"""Speeds are averaged over this: a tenth of the swing's phase, a tenth of the encoders' noise."""
+_MOST = 0.2
+"""Of the effort limit."""
+
+
+class SwayDamping:
+    """The torques of one robot that stands."""
+
+    def __init__(self, description: RobotDescription, period_s: float) -> None:
+        """Prepare; a robot without legs gets none."""
+        joints = description.actuated
+        legs = {
+            name for group, names in description.groups.items() if group.endswith("_leg") for name in names
+        }
+        self._legs = np.array([k for k, name in enumerate(joints) if name in legs], dtype=np.intp)
+        named = [joints[k] for k in self._legs]
+        self._damping = _SHARE * np.array([description.gains[name].damping for name in named])
+        self._limit = np.array([description.limits[name].effort for name in named])
+        self._share = min(1.0, period_s / _SMOOTH_S)
+        self._stray = np.zeros(len(named))
+
+    def sense(self, measured_rad_s: Array, commanded_rad_s: Array) -> None:
+        """Take in, once a control period, how the joints move and how they were told to, shape (n,)."""
+        stray = (measured_rad_s - commanded_rad_s)[self._legs]
+        self._stray += self._share * (stray - self._stray)
+
+    def forget(self) -> None:
+        """The feet move, and somebody else balances: begin anew when the robot stands."""
+        self._stray[:] = 0.0
+
+    def add_to(self, efforts: Array) -> None:
+        """Add the torques to the feed-forward of the actuated joints, Nm, shape (n,), within the limits."""
+        legs, limit = self._legs, self._limit
+        torque = np.clip(-self._damping * self._stray, -_MOST * limit, _MOST * limit)
+        wanted = efforts[legs]
+        room = np.maximum(limit, np.abs(wanted))  # what is too much already is for the gate to say
+        efforts[legs] = np.clip(wanted + torque, -room, room)

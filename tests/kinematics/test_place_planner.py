@@ -1,0 +1,74 @@
+"""Putting down: ways down that are free, and what is tried when none is found at first."""
+
+import numpy as np
+import pytest
+
+from kinematics import place_planner, poses
+from kinematics.collision import CollisionWorld
+from kinematics.place_planner import PlacePlanner
+from kinematics.place_requests import PlaceRequest, Spot
+from kinematics.requests import NoPlan, PlacePlan
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
+
+BOX = Box((0.066, 0.050, 0.117))
+# The hand is level, and the fingers close 14 mm above the box's middle.
+TCP_T_BOX = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.014))
+
+
+def request(talos, stance, make, top_m, place):
+    """A box in the right hand at home, and one spot for it on a table."""
+    gripper = talos.description.grippers["right"]
+    pose = talos.frame_pose(talos.q_home, gripper.tcp_frame) @ TCP_T_BOX
+    scene = PlanningScene().with_objects([make.table(top_m), SceneObject("box", BOX, pose, margin_m=0.01)])
+    held = scene.with_attached("box", gripper.tcp_frame, TCP_T_BOX, gripper.touch_links)
+    spot = Spot(poses.translation(*place, top_m + 0.5 * BOX.height_m), ("table",))
+    return PlaceRequest(talos.q_home, stance, held, "box", (spot,), seed=3)
+
+
+@pytest.mark.requirement("M3")
+@pytest.mark.parametrize("top_m", [0.85, 0.995])
+def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, top_m):
+    asked = request(talos, stance, make, top_m, (0.42, -0.34))
+
+    answer = PlacePlanner(talos).plan(asked)
+
+    assert isinstance(answer, PlacePlan)
+    frame = talos.description.tcp_frames["right"]
+    ways = answer.lower.trajectory.q
+    above, below = (talos.frame_pose(q, frame) @ TCP_T_BOX for q in (ways[0], ways[-1]))
+    assert below[:2, 3] == pytest.approx((0.42, -0.34), abs=2e-3)
+    assert below[2, 3] == pytest.approx(top_m + 0.5 * BOX.height_m - 0.005, abs=2e-3)
+    assert above[2, 3] - below[2, 3] == pytest.approx(0.065, abs=3e-3)
+    world = CollisionWorld(talos, answer.lower.scene)
+    assert not any(world.collides(q) for q in ways[:: max(1, len(ways) // 40)])
+
+
+@pytest.mark.requirement("M3")
+def test_what_has_no_way_down_with_room_to_spare_goes_down_with_less(talos, stance, make, monkeypatch):
+    asked = request(talos, stance, make, 0.995, (0.42, -0.34))
+    assert isinstance(PlacePlanner(talos).plan(asked), PlacePlan)
+
+    monkeypatch.setattr(place_planner, "LEAST_RESERVE_M", place_planner.RESERVE_M)
+
+    assert isinstance(PlacePlanner(talos).plan(asked), NoPlan)
+
+
+@pytest.mark.requirement("M3")
+def test_where_the_forearm_meets_the_edge_the_elbow_goes_elsewhere(talos, stance, make, monkeypatch):
+    asked = request(talos, stance, make, 0.995, (0.52, -0.25))
+    assert isinstance(PlacePlanner(talos).plan(asked), PlacePlan)
+
+    monkeypatch.setattr(place_planner, "OTHER_SEEDS", 0)
+
+    assert isinstance(PlacePlanner(talos).plan(asked), NoPlan)
+
+
+def test_out_of_reach_there_is_no_plan_and_the_reasons_are_counted(talos, stance, make):
+    asked = request(talos, stance, make, 0.85, (0.86, 0.5))
+
+    answer = PlacePlanner(talos).plan(asked)
+
+    assert isinstance(answer, NoPlan)
+    assert answer.reasons["no inverse kinematics at the spot"] > 0
+    assert answer.numbers["spots"] == 1.0

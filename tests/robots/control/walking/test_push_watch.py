@@ -1,0 +1,41 @@
+"""Pushes are told from knocks."""
+
+import math
+
+import pytest
+
+from kinematics.walking.com_motion import ComSample
+from kinematics.walking.pattern import PatternSample, Phase
+from kinematics.walking.planar import PlanarPose
+from robots.control.walking.push_watch import PushWatch
+
+PERIOD_S = 0.002
+ZERO = (0.0, 0.0)
+ON_ONE = {"left": 900.0, "right": 0.0}
+
+
+def plan(*carrying):
+    feet = {"left": PlanarPose(), "right": PlanarPose()}
+    com = ComSample(ZERO, ZERO, ZERO, ZERO)
+    return PatternSample(com, feet, {"left": 0.0, "right": 0.0}, carrying, Phase.SWING)
+
+
+def test_a_knock_of_a_moment_hardly_counts_and_a_push_does():
+    watch = PushWatch()
+
+    for _ in range(2):
+        knocked = watch.felt((0.3, 0.0), ON_ONE, plan("left"), PERIOD_S)
+    for _ in range(100):
+        pushed = watch.felt((0.1, -0.05), ON_ONE, plan("left"), PERIOD_S)
+
+    assert math.hypot(*knocked) < 0.04
+    assert pushed == pytest.approx((0.1, -0.05), abs=1e-3)
+
+
+def test_nothing_is_felt_while_both_feet_touch_the_floor_or_nobody_walks():
+    watch = PushWatch()
+
+    assert watch.felt((0.2, 0.0), ON_ONE, None, PERIOD_S) is None
+    assert watch.felt((0.2, 0.0), ON_ONE, plan("left", "right"), PERIOD_S) is None
+    assert watch.felt((0.2, 0.0), {"left": 500.0, "right": 60.0}, plan("left"), PERIOD_S) is None
+    assert watch.felt((0.2, 0.0), ON_ONE, plan("left"), PERIOD_S) is not None
