@@ -42,7 +42,7 @@ _AHEAD = 33
 """Instants of the path ahead that stand for it in a coarse look."""
 _LATEST_S = 0.5
 _TRIED = 4
-_MORE_GENTLE = 1.15
+_MORE_GENTLE, _LESS_STEEP = 1.15, 1.1
 """So many brakes are computed at most, each gentler by this than one that tips: a stop has to begin
 within a control period."""
 
@@ -79,7 +79,7 @@ def brake_along(
     tried, tipping_s, stepping_s, spare = 0, 0.0, 0.0, None
     for limits in _within(sorted(fitting, key=_preference), sampler, t_s, acceleration, jerk):
         time_s = _brake_time_s(limits)
-        if time_s < _MORE_GENTLE * max(tipping_s, stepping_s):
+        if time_s < max(_MORE_GENTLE * tipping_s, _LESS_STEEP * stepping_s):
             continue  # hardly gentler than one that tips, or jerks where the path's acceleration steps
         if spare is not None and time_s > _LATEST_S:
             break  # to be at rest in time is worth more than a step of the path's own
