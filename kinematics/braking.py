@@ -41,10 +41,11 @@ _LOOKS: Array = np.linspace(0.0, 1.0, 17)[1:].astype(np.float64)
 _AHEAD = 33
 """Instants of the path ahead that stand for it in a coarse look."""
 _LATEST_S = 0.5
+"""A robot that stops has to be at rest by then."""
 _TRIED = 4
 _MORE_GENTLE, _LESS_STEEP = 1.15, 1.1
-"""So many brakes are computed at most, each gentler by this than one that tips: a stop has to begin
-within a control period."""
+"""So many brakes are computed at most, each gentler by this than one that tips, or that steps: a stop has to
+begin within a control period."""
 
 
 def brake_along(
