@@ -70,6 +70,8 @@ class JointHealth:
         self._stuck_rad = np.maximum(self._limits.stuck_rad, load_rad)
         legs = {joint for group in _LEGS for joint in description.groups.get(group, ())}
         self._legs = np.array([name in legs for name in names])
+        ankles = {joint for group in _LEGS for joint in description.groups.get(group, ())[-2:]}
+        self._ankles = np.array([name in ankles for name in names])
         self._period_s = period_s
         self._share = min(1.0, _EVERY * period_s / _MOTOR_TIME_S)
         n = len(names)
@@ -174,6 +176,10 @@ class JointHealth:
             self._stuck,
         ):
             return []
+        if room > 1.0:  # ankles give way in steps: only those that are farther off than any of them are stuck
+            near = self._ankles & (self.off_rad <= room * self._limits.tracking_rad)
+            self._stuck[near] = False
+            self._behind_s[near] = 0.0
         return [
             Finding(Ailment.STUCK, self._names[i], float(self.off_rad[i]), float(self._stuck_rad[i]))
             for i in np.flatnonzero(self._stuck).tolist()

@@ -39,7 +39,7 @@ class Body:
         self.periods, self.new, self.over = 0, [], []
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
         self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
-        self.lean_rad = 0.0
+        self.lean_rad, self.stepping = 0.0, False
         self.touch, self.slower_rad_s = np.zeros(len(self.q)), np.zeros(len(self.q))
 
     def index(self, joint):
@@ -76,7 +76,8 @@ class Body:
             for side in ("left", "right"):  # both legs lean, the feet stay flat
                 estimate[7 + self.index(f"leg_{side}_2_joint")] += self.lean_rad
                 estimate[7 + self.index(f"leg_{side}_6_joint")] -= self.lean_rad
-            new, over = self.monitor.judge(SimpleNamespace(readings=state, q=estimate), setpoint, True)
+            sensed = SimpleNamespace(readings=state, q=estimate)
+            new, over = self.monitor.judge(sensed, setpoint, True, stepping=self.stepping)
             self.new += new
             self.over += over
 
@@ -173,6 +174,30 @@ def test_a_jammed_joint_that_its_motor_makes_creep_is_noticed_too(body):
         body.run(PERIOD_S, speed_rad_s, ANKLE)
     body.slower_rad_s[ankle] = 0.0
     body.run(0.6)
+
+    assert body.ailments() == [(Ailment.STUCK, ANKLE)]
+
+
+def test_an_ankle_that_gives_way_to_the_floor_in_a_step_is_not_stuck(body):
+    body.stepping = True
+    body.stuck.add(ANKLE)
+
+    body.run(0.2, 0.5, ANKLE)
+    body.run(0.6)
+    body.run(0.2, -0.5, ANKLE)
+    body.stuck.clear()
+    body.stepping = False
+    body.run(0.6)
+
+    assert not body.new
+
+
+@pytest.mark.requirement("F5")
+def test_an_ankle_that_is_far_off_is_stuck_in_a_step_too(body):
+    body.stepping = True
+    body.stuck.add(ANKLE)
+
+    body.run(0.6, 0.5, ANKLE)
 
     assert body.ailments() == [(Ailment.STUCK, ANKLE)]
 
