@@ -44,7 +44,7 @@ ADVICE: Mapping[FailureKind, str] = MappingProxyType(
 )
 """What a person can do after each kind."""
 
-_HIDDEN = frozenset({"objects", "attempts", "survey", "exception", "raised_at"})
+_HIDDEN = frozenset({"choices", "objects", "attempts", "survey", "exception", "raised_at"})
 _IN_THE_MESSAGE = frozenset({"step", "finding", "findings", "subject", "value", "limit", "t_s"})
 """What the message of an unsafe trajectory says already."""
 
@@ -66,12 +66,18 @@ def explained(failure: Failure) -> Iterator[str]:
     if numbers:
         yield f"numbers: {numbers}"
     yield f"{root.kind.value} means: {MEANINGS[root.kind]}"
-    yield f"what helps: {ADVICE[root.kind]}"
+    yield f"what helps: {_advice(root)}"
     between = list(
         dict.fromkeys(link.message for link in reversed(links[1:-1]) if link.message != root.message)
     )
     for message in between:
         yield f"then: {message}"
+
+
+def _advice(failure: Failure) -> str:
+    if failure.choices:
+        return f"say which one is meant: {' or '.join(failure.choices)}"
+    return ADVICE[failure.kind]
 
 
 def leaf_of(failure: Failure) -> str:
@@ -99,6 +105,8 @@ def _plainly(failure: Failure) -> str | None:
 
 def _numbers(failure: Failure) -> str:
     hidden = _HIDDEN | _IN_THE_MESSAGE if failure.kind is FailureKind.UNSAFE else _HIDDEN
+    if failure.choices:
+        hidden = hidden | {"count"}  # the message says it
     return "; ".join(
         f"{value} tries failed: {key}" if _is_count(failure, value) else quantity(key, value)
         for key, value in failure.numbers.items()

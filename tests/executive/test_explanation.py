@@ -7,7 +7,7 @@ import pytest
 from executive.explanation import ADVICE, MEANINGS, explained, in_a_sentence, leaf_of
 from kinematics.requests import CheckRequest, NoPlan
 from kinematics.trajectory import Finding, FindingKind, Unsafe
-from trees.failures import FailureKind
+from trees.failures import Failure, FailureKind
 
 GUIDE = Path(__file__).parents[2] / "docs" / "why.md"
 
@@ -112,3 +112,12 @@ def test_every_kind_has_a_meaning_in_the_guide():
     assert set(MEANINGS) == set(ADVICE) == set(FailureKind)
     for kind, meaning in MEANINGS.items():
         assert f"| {kind.value} | {meaning} | {ADVICE[kind]} |" in text
+
+
+def test_a_question_that_nobody_answered_tells_what_to_choose_from():
+    failure = Failure.infeasible("which cup? there are 2", choices="blue cup | red cup", count=2)
+
+    lines = list(explained(failure))
+
+    assert lines[-1] == "what helps: say which one is meant: blue cup or red cup"
+    assert not any(line.startswith("numbers: ") for line in lines)
