@@ -27,7 +27,7 @@ MEANINGS: Mapping[FailureKind, str] = MappingProxyType(
 ADVICE: Mapping[FailureKind, str] = MappingProxyType(
     {
         FailureKind.INFEASIBLE: (
-            "put it nearer, clear what stands close to it, or name the other hand or another thing"
+            "put it nearer, clear what stands close to it, put down what is held, or name another thing"
         ),
         FailureKind.UNSAFE: "clear what would be touched, or name the other hand or another place",
         FailureKind.REFUSED: (
