@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from executive.feedback import quantity
+from executive.plain_finding import plain_finding
 from executive.task_result import chain
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Number
 
 MEANINGS: Mapping[FailureKind, str] = MappingProxyType(
     {
@@ -37,6 +38,8 @@ def explained(failure: Failure) -> Iterator[str]:
     root = links[-1]
     yield f"what happened: {failure.message}"
     yield f"why: {root.message}"
+    if (plainly := _plainly(root)) is not None:
+        yield f"that is: {plainly}"
     if root.where:
         yield f"where: the step {leaf_of(root)!r} of {root.where}"
     numbers = _numbers(root)
@@ -60,9 +63,29 @@ def in_a_sentence(failure: Failure) -> str:
     root = failure.root
     told = f" ({numbers})" if (numbers := _numbers(root)) else ""
     step = f"in the step {leaf_of(root)!r}: " if root.where else ""
-    return f"{step}{root.message}{told}"
+    plainly = f"; that is, {said}" if (said := _plainly(root)) is not None else ""
+    return f"{step}{root.message}{told}{plainly}"
+
+
+def _plainly(failure: Failure) -> str | None:
+    """What cannot be understood without knowing the program, in other words."""
+    if failure.kind is FailureKind.UNSAFE:
+        return plain_finding(failure.numbers)
+    if failure.kind is FailureKind.ERROR:
+        return "the program itself has a defect; the sentence and the scene are not to blame"
+    return None
 
 
 def _numbers(failure: Failure) -> str:
     hidden = _HIDDEN | _IN_THE_MESSAGE if failure.kind is FailureKind.UNSAFE else _HIDDEN
-    return "; ".join(quantity(key, value) for key, value in failure.numbers.items() if key not in hidden)
+    return "; ".join(
+        f"{value} tries failed: {key}" if _is_count(failure, value) else quantity(key, value)
+        for key, value in failure.numbers.items()
+        if key not in hidden
+    )
+
+
+def _is_count(failure: Failure, value: Number) -> bool:
+    """Whether a number of a failed plan says how many of its tries failed for a reason."""
+    counts = isinstance(value, int) and not isinstance(value, bool)
+    return counts and failure.kind is FailureKind.INFEASIBLE and leaf_of(failure).startswith("plan")

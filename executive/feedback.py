@@ -109,9 +109,15 @@ def quantity(key: str, value: Number) -> str:
             name = key.removesuffix(suffix).replace("_", " ")
             if unit == "m" and abs(value) < 0.1:
                 return f"{name} {value * 1000.0:.1f} mm"
-            return f"{name} {value:.3g} {unit}"
+            return f"{name} {_plain(value)} {unit}"
     name = key.replace("_", " ")
     return f"{name} {value:.4g}" if isinstance(value, float) else f"{name} {value}"
+
+
+def _plain(value: float) -> str:
+    """Three digits, and nothing is never less than nothing."""
+    text = f"{value:.3g}"
+    return "0" if text == "-0" else text
 
 
 def failure_lines(failure: Failure | None) -> list[str]:

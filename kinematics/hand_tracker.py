@@ -2,7 +2,8 @@
 
 The hand follows a goal that moves; the pelvis shifts so that the CoM stays where it is wanted, trunk and
 arm do the rest, the feet stay where they are. Each tick solves one damped least-squares problem for the
-rates of the pelvis's position, trunk and arm, in the box that limits leave. Legs follow in closed form.
+rates of the pelvis's position, trunk and arm, in the box that limits leave. What is told is the mean over the
+last instants, so that accelerations change gradually. Legs follow in closed form.
 """
 
 from __future__ import annotations
@@ -29,8 +30,12 @@ TARGET_STEP_M, TARGET_STEP_RAD = 0.005, 0.015
 """The goal that is followed moves no more than this a tick, wherever it is asked to be: jumps have tipped
 the robot over."""
 _SPEED = {"base": 0.12, "torso": 0.5, "arm": 0.95}
-_ACCELERATION = {"base": 0.5, "torso": 1.5, "arm": 5.0}
+_ACCELERATION = {"base": 0.35, "torso": 1.5, "arm": 4.0}
 """m/s and m/s^2 of the pelvis, rad/s and rad/s^2 of the joints: below the limits, so that a stop has room."""
+_AVERAGED_S = 0.072
+"""What is told is the mean over this long. Accelerations of the ticks jump, from one end of their range to
+the other at most: spread over it, 111 rad/s^3 of an arm, and 10 m/s^3 of the pelvis, of which knees make
+116 rad/s^3."""
 _PULL_S = 0.04
 """Errors of the hand are closed with this time constant."""
 _COM_PULL_S = 0.25
@@ -120,6 +125,7 @@ class HandTracker:
         self._upper = np.concatenate([start + _BASE_ROOM, model.upper_rad[at] - room])
         self._preferred = self._x[self._columns].copy()
         self._rate = np.zeros(len(self._columns))
+        self._recent = np.stack([self._preferred, self._rate, self._rate])[None]
         home_m = float(self._space.from_q(model.home_over(stance))[2])
         self._lower[2] = min(start[2], max(self._lower[2], _LOWEST_SHARE * home_m))
         highest = home_m + _ABOVE_HOME_M
@@ -131,8 +137,8 @@ class HandTracker:
 
     @property
     def at_rest(self) -> bool:
-        """Whether nothing moves."""
-        return not self._rate.any()
+        """Whether nothing moves, what is told included."""
+        return not self._rate.any() and not self._recent[:, 1:].any()
 
     @property
     def speed(self) -> float:
@@ -144,8 +150,8 @@ class HandTracker:
 
         Args:
             goal: Where to; None to come to rest.
-            times_s: Instants, each after the tick's beginning, no later than its end, shape (k,); none when
-                only the end matters.
+            times_s: Instants at equal distances, the last at the tick's end, shape (k,), as many each tick;
+                none when only the end matters.
 
         Returns:
             The motion at those instants.
@@ -212,21 +218,32 @@ class HandTracker:
         return boxed_least_squares(normal, right, low, high)
 
     def _between(self, rate: Array, times_s: Array) -> list[MotionSample]:
-        """The motion within the tick: rates change linearly; legs by their closed form."""
+        """The motion within the tick: rates change linearly; all is averaged; legs by their closed form."""
+        count, t = len(times_s), times_s[:, None]
         bend = (rate - self._rate) / self._tick_s
-        around = np.stack([times_s - _PROBE_S, times_s, times_s + _PROBE_S], axis=1).ravel()
-        rows = np.repeat(self._x[None, :], len(around), axis=0)
-        rows[:, self._columns] += around[:, None] * self._rate + 0.5 * around[:, None] ** 2 * bend
+        made = np.empty((count, 3, len(rate)))
+        made[:, 0] = self._x[self._columns] + t * self._rate + 0.5 * t**2 * bend
+        made[:, 1] = self._rate + t * bend
+        made[:, 2] = bend
+        averaged = round(_AVERAGED_S * count / self._tick_s)
+        earlier = np.repeat(self._recent[:1], max(0, averaged - len(self._recent)), axis=0)  # it was at rest
+        recent = np.concatenate([earlier, self._recent, made])
+        self._recent = recent[-averaged:]
+        x, rates, bends = np.stack(
+            [recent[k : k + averaged].mean(axis=0) for k in range(1, count + 1)], axis=1
+        )
+        rows = np.repeat(self._x[None, :], 3 * count, axis=0)
+        for k, probe_s in enumerate((-_PROBE_S, 0.0, _PROBE_S)):
+            rows[k::3, self._columns] = x + probe_s * rates + 0.5 * probe_s**2 * bends
         q, _ = self._space.to_q(rows)
         before, here, after = q[0::3], q[1::3], q[2::3]
-        v = np.zeros((len(times_s), self._model.nv))
+        v = np.zeros((count, self._model.nv))
         a = np.zeros_like(v)
         v[:, 6:] = (after[:, 7:] - before[:, 7:]) / (2.0 * _PROBE_S)
         a[:, 6:] = (after[:, 7:] - 2.0 * here[:, 7:] + before[:, 7:]) / _PROBE_S**2
         base = pin.Quaternion(here[0, 3:7]).toRotationMatrix()
-        v[:, :3] = (self._rate[:3] + times_s[:, None] * bend[:3]) @ base
-        a[:, :3] = bend[:3] @ base
-        return [MotionSample(here[i], v[i], a[i]) for i in range(len(times_s))]
+        v[:, :3], a[:, :3] = rates[:, :3] @ base, bends[:, :3] @ base
+        return [MotionSample(here[i], v[i], a[i]) for i in range(count)]
 
     def _locate(self, q: Array) -> None:
         model, data = self._model.pin, self._data

@@ -73,8 +73,9 @@ def spots_for(
         known = sight.about(surface, radius, odom_T_base)
         top, spots = surface, spots_on(surface, scene, radius, wish, known)
     if not spots:
+        where = f"on the {top.name}" if relation is None else str(relation)
         return Failure.infeasible(
-            f"there is no spot on the {top.name} for the {held.name} that is free as far as was seen"
+            f"there is no spot {where} for the {held.name} that is free as far as was seen"
         )
     return tuple(_resting(held, spot, top) for spot in spots)
 

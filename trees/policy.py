@@ -96,6 +96,8 @@ class TreePolicy:
         retreat_m: How far an opened hand is drawn back.
         undisturbed_m: What stands about is seen again this near to where it stood; the perception's bias of
             one thing stays the same from look to look, and the mean of a look's noise is 1 mm.
+        shifted_m: What is seen so far from where the hand should have it has shifted in the hand; a bias
+            of 5 mm that turns with the hand looks like 7 mm.
         placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
         offer_rest_s: An offering hand is felt at rest for so long first.
         pull_n: A change of the force on an offering hand that is a pull; a touch of 2 N is none.
@@ -184,7 +186,8 @@ class TreePolicy:
     further_m: float = 0.008
     retreat_m: float = 0.10
     undisturbed_m: float = 0.010
-    placed_tolerance_m: float = 0.03
+    shifted_m: float = 0.008
+    placed_tolerance_m: float = 0.02
     offer_rest_s: float = 0.5
     pull_n: float = 3.0
     pull_s: float = 0.15

@@ -7,7 +7,16 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import Parts, arranged, clause, found_there, guarded, trouble, unfit
+from executive.language.arranging import (
+    Parts,
+    TroubleError,
+    arranged,
+    clause,
+    found_there,
+    guarded,
+    trouble,
+    unfit,
+)
 from executive.language.going import target
 from executive.language.lattice import Word
 from executive.language.nominals import SUPERLATIVES, words
@@ -24,6 +33,7 @@ from executive.language.phrases import (
     Trouble,
     draft,
     relation_kind,
+    wears,
 )
 from executive.vocabulary.inflection import plural
 
@@ -104,6 +114,8 @@ def _asked(
             raise unfit()
         if source is not None and one.source is not None:
             raise unfit()
+        if nominal.sort == "person" and one.source is not None and one.source.sort == "thing":
+            raise TroubleError(wears(nominal, one.source))
         whole = action == "describe" and nominal.sort == "any" and nominal.kind is None and nominal.is_plain
         if nominal.sort in ("me", "you") and action != "find":
             raise unfit()

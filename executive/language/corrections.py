@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from executive.language.lattice import Lattice
-from executive.language.replaced_slots import CONTRASTS, LOSES, change
+from executive.language.replaced_slots import ADDS, LOSES, SAME, change
 from executive.language.taking_back import DENIES, DISCARDS, Marker, Span, is_mark, marker_of
 from executive.meaning import Command, command_json
 
@@ -55,6 +55,8 @@ _SORTS = {
 _ONE = frozenset({"ONE", "ONES"})
 _SAID_ALONE = frozenset({"number", "side", "color", "size", "material", "ordinal", "heading"})
 """Beginnings of one word that may stand for one word anywhere before: "three", "right"."""
+
+_DESCRIBES = frozenset({"color", "size", "material", "ordinal", "side", "number", "heading"})
 
 _AFTER_NO = frozenset({"article", "where", "from", "number"})
 """How what follows a bare "no" begins, so that it is no "no sugar"."""
@@ -120,20 +122,33 @@ class _Repair:
         candidates = list(dict.fromkeys(self._candidates()))
         if len(candidates) > MAX_CANDIDATES:
             return None
-        fitting: dict[str, tuple[tuple[Command, ...], bool]] = {}
+        fitting: dict[str, tuple[Command, ...]] = {}
         for one in candidates:
             before, after = self._understood(one.without), self._understood(one.replaced)
             if before is None or after is None:
                 continue
             done = change(before, after, earlier=one.alone and not one.elliptic, whole=one.whole)
-            if done == LOSES:
+            if done in (LOSES, SAME):
                 return None
-            if done is not None:
+            if done is not None and not (one.elliptic and self._is_open(done)):
                 key = repr([command_json(command) for command in after])
-                fitting[key] = (after, done == CONTRASTS or not one.elliptic)
-        if len(fitting) > 1:
-            fitting = {key: one for key, one in fitting.items() if one[1]}
-        return next(iter(fitting.values()))[0] if len(fitting) == 1 else None
+                fitting[key] = after
+        return next(iter(fitting.values())) if len(fitting) == 1 else None
+
+    def _is_open(self, done: str) -> bool:
+        """Whether "the red one" may be any of several things: none or several of them have a colour."""
+        before = Span(0, self._marker.span.start)
+        nouns = self._nouns(before)[0]
+        if len(nouns) < 2 or len(set(nouns)) < len(nouns):
+            return len(nouns) > 1
+        anew = self._describing(Span(self._marker.span.end, self._end))
+        return done == ADDS or len(anew) != 1 or self._describing(before).count(anew[0]) != 1
+
+    def _describing(self, span: Span) -> list[str]:
+        """What sorts of words describe things within a span: a colour, a size; "one" is none."""
+        places = (one for one in range(span.start, span.end) if not self._has_one(Span(one, one + 1)))
+        kinds = [self._beginnings(one) & _DESCRIBES for one in places]
+        return [sorted(one)[0] for one in kinds if one]
 
     def _replaces(self) -> bool:
         """Whether nothing that is said anew adds to what was said; "the fork, and put it there" does not."""

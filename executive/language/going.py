@@ -91,6 +91,8 @@ def _toward(parts: Parts) -> Nominal | _By:
     """Where to; into something that is no room would be a collision."""
     goal = target(parts[-1])
     links = words(parts, "TO_ALSO", "IN")
+    if goal.kind == "bed" and not goal.determined and links:
+        raise trouble("to the bed? it is nothing for this robot to sleep in", goal.kind, asks=True)
     by = any(link.said == "by" for link in words(parts, "NEXT_TO"))
     if by and not goal.is_place:
         raise unfit()

@@ -100,6 +100,8 @@ class Nominal:
         """With where it is; being at two places is trouble."""
         if self.sort in ("me", "you", "name"):
             return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
+        if self.sort == "person" and relation.kind == "in" and relation.to.sort == "thing":
+            return wears(self, relation.to)
         if self.relation is not None and self.relation != relation:
             return Trouble("more than one place is named for the same thing", None)
         return replace(self, relation=relation)
@@ -126,6 +128,12 @@ class Nominal:
 
 
 _DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
+
+
+def wears(person: Nominal, clothing: Nominal) -> Trouble:
+    """The refusal of "the man in the red coat": it is no place where he is."""
+    word = clothing.said or clothing.kind
+    return Trouble(f"the {person.kind} in the {word}: people cannot be told apart by what they wear", word)
 
 
 @dataclass(frozen=True, slots=True)

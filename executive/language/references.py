@@ -120,8 +120,9 @@ class Resolver(Antecedents):
             if one.get("fetched"):
                 one = replace(one, slots=tuple(slot for slot in one.slots if slot[0] != "fetched"))
                 thing = one.get("object")
-                if isinstance(thing, ObjectOf) or thing.reference:
-                    last = thing if isinstance(thing, ObjectOf) else self._it(thing, one.action)
+                held = self._held_as(thing, one.get("source"))
+                if isinstance(thing, ObjectOf) or thing.reference or held is not None:
+                    last = held or (thing if isinstance(thing, ObjectOf) else self._it(thing, one.action))
                     if last.task in self._held and one.get("source") is None:
                         continue
                     one = _replaced(one, "object", last)
@@ -148,6 +149,8 @@ class Resolver(Antecedents):
         root = resolved.task if isinstance(resolved, ObjectOf) else index
         if one.action == "pick" and root in self._held:
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
+        if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
+            raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
         slots: dict[str, Any] = {}
         if one.get("there_are") and one.get("source") is None and self._places:
             raise ask("only there, or in all that is in view?", [f"the {self._places[-1].kind}"])
@@ -209,6 +212,19 @@ class Resolver(Antecedents):
         if action == "hand_over":
             self._given.add(root)
         return ObjectOf(root)
+
+    def _held_as(self, thing: Any, source: Nominal | None) -> ObjectOf | None:
+        """What a task before picks up that is described in the very same words, or None."""
+        return next(
+            (
+                ObjectOf(entity.task)
+                for entity in self._entities
+                if entity.task in self._held
+                and entity.of == thing
+                and self._sources.get(entity.task) == source
+            ),
+            None,
+        )
 
     def _was_opened(self, what: Any) -> bool:
         """Whether a task before opens it, so that to close it "again" is to close it."""

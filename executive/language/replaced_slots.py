@@ -1,4 +1,4 @@
-"""What a correction does to the slots of tasks: it contrasts with them, adds to them, or loses some."""
+"""What a correction does to the slots of tasks: it contrasts with them, adds to them, loses some."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from executive.meaning import Command, command_json
 
-CONTRASTS, ADDS, LOSES = "contrasts", "adds", "loses"
+SAME, CONTRASTS, ADDS, LOSES = "same", "contrasts", "adds", "loses"
 
 _PUTS = {"place": ("on", "to"), "put_in": ("to",)}
 
@@ -35,7 +35,9 @@ def change(before: Sequence[Command], after: Sequence[Command], *, earlier: bool
         if relative and earlier:
             return None
         kinds += [_kind_of_change(old[name], new[name]) for name in changed]
-    if not kinds or (whole and len(kinds) > 1):
+    if not kinds:
+        return SAME
+    if whole and len(kinds) > 1:
         return None
     return next((one for one in (LOSES, ADDS) if one in kinds), CONTRASTS)
 
@@ -45,6 +47,10 @@ def _kind_of_change(old: Any, new: Any) -> str:
         old, new = old[0][-1], new[0][-1]  # where something is put
     if not isinstance(old, dict) or not isinstance(new, dict):
         return CONTRASTS if isinstance(old, dict) == isinstance(new, dict) else ADDS
+    if "relation" in old and "relation" in new and old["relation"] != new["relation"]:
+        rest = {key: value for key, value in old.items() if key != "relation"}
+        if rest == {key: value for key, value in new.items() if key != "relation"}:
+            return _kind_of_change(old["relation"]["to"], new["relation"]["to"])
     if old.get("kind") == new.get("kind") and not set(old) <= set(new):
         return LOSES
     return CONTRASTS if set(old) == set(new) else ADDS

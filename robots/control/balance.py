@@ -20,7 +20,8 @@ class Balance:
     efforts (weight and inertia, less what the ground carries) keep the joints from giving way. On
     the simulated TALOS inertia matters: without it a quick wave of both arms is tracked to 4.4 mrad
     instead of 0.8. An ankle torque from the DCM's error does not: it moved the largest push that the
-    robot survives by 4 % at most (240 N forward, 270 back, 380 sideways, 0.1 s), so there is none.
+    robot survives by 4 % at most (240 N forward, 270 back, 380 sideways, 0.1 s), so there is none. What
+    swings on afterwards is for ``SwayDamping``.
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:

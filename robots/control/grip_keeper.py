@@ -57,10 +57,18 @@ class GripKeeper:
         self._period_s = period_s
         self._tracker = JointTracker(start_rad, *self._make_tracker)
         self._committed = (start_rad, 0.0, 0.0)
+        self._load_code()
         self._position_share = min(1.0, period_s / _POSITION_TIME_S)
         self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
         self._fingers_rad = start_rad
         self._effort_nm = 0.0
+
+    def _load_code(self) -> None:
+        """Let compiled code be loaded before the first closing: a control period has no time for it."""
+        loading = self.tracker()
+        for _ in range(2):
+            loading.step_towards(self._gripper.closed_rad)
+            loading.step_to_rest()
 
     @property
     def setpoint(self) -> tuple[float, float]:

@@ -12,9 +12,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.kernel.compiler import compiled
 from kinematics.robot_description import RobotDescription
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 _SHARE = 4.0
 """Of the servo's damping; standing still, its torque is noise of 0.2 Nm."""
@@ -42,8 +44,7 @@ class SwayDamping:
 
     def sense(self, measured_rad_s: Array, commanded_rad_s: Array) -> None:
         """Take in, once a control period, how the joints move and how they were told to, shape (n,)."""
-        stray = (measured_rad_s - commanded_rad_s)[self._legs]
-        self._stray += self._share * (stray - self._stray)
+        _smooth(self._stray, measured_rad_s, commanded_rad_s, self._legs, self._share)
 
     def forget(self) -> None:
         """The feet move, and somebody else balances: begin anew when the robot stands."""
@@ -51,8 +52,22 @@ class SwayDamping:
 
     def add_to(self, efforts: Array) -> None:
         """Add the torques to the feed-forward of the actuated joints, Nm, shape (n,), within the limits."""
-        legs, limit = self._legs, self._limit
-        torque = np.clip(-self._damping * self._stray, -_MOST * limit, _MOST * limit)
-        wanted = efforts[legs]
-        room = np.maximum(limit, np.abs(wanted))  # what is too much already is for the gate to say
-        efforts[legs] = np.clip(wanted + torque, -room, room)
+        _damp(efforts, self._stray, self._legs, self._damping, self._limit)
+
+
+@compiled
+def _smooth(stray: Array, measured: Array, commanded: Array, joints: Indices, share: float) -> None:
+    """Draw averages, shape (k,), nearer to what the joints at these places do beyond what they were told."""
+    for k in range(joints.shape[0]):
+        j = joints[k]
+        stray[k] += share * (measured[j] - commanded[j] - stray[k])
+
+
+@compiled
+def _damp(efforts: Array, stray: Array, joints: Indices, damping: Array, limit: Array) -> None:
+    """Add torques against stray speeds to the efforts at these places; arrays of shape (k,) but the first."""
+    for k in range(joints.shape[0]):
+        j = joints[k]
+        torque = min(max(-damping[k] * stray[k], -_MOST * limit[k]), _MOST * limit[k])
+        room = max(limit[k], abs(efforts[j]))  # what is too much already is for the gate to say
+        efforts[j] = min(max(efforts[j] + torque, -room), room)

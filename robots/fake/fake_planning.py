@@ -178,14 +178,14 @@ class FakePlanning:
         )
 
     def _place(self, request: PlaceRequest) -> PlacePlan | NoPlan:
-        """Over the first spot and down onto it; the hand's orientation is as it comes."""
+        """Over the first spot and down onto it, eyes on it; the hand's orientation is as it comes."""
         if not request.spots:
             return NoPlan("there is no spot left", {"no free spot": 1})
         spot, body = request.spots[0], request.scene.attached[request.held]
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
         place, up = spot.world_T_object[:3, 3], np.array([0.0, 0.0, 1.0])
-        hover = self._carry(request.q_start, hand, place + spot.hover_m * up, body)
+        hover = self._looking_at(self._carry(request.q_start, hand, place + spot.hover_m * up, body), place)
         down = self._carry(hover, hand, place - spot.below_m * up, body)
         touching = request.scene.allowing((request.held, name) for name in spot.touches)
         return PlacePlan(

@@ -172,3 +172,16 @@ def test_manners_that_change_nothing_are_noted_to_be_told(sentence, manners):
 
     assert parsed.commands
     assert parsed.manners == manners
+
+
+@pytest.mark.parametrize(
+    "sentence", ["wave to the man in the blue jacket", "find the person in the red shirt", "go to bed"]
+)
+def test_what_is_no_place_is_none(sentence):
+    assert parse(sentence).commands == ()
+
+
+def test_the_same_thing_is_picked_up_twice_only_when_it_is_asked_about():
+    assert parse("pick up the cup. pick up the cup.").outcome == "question"
+    twice = parse("pick up the cup and take the cup to Ana").to_json()
+    assert twice["tasks"] == parse("take the cup to Ana").to_json()["tasks"]

@@ -36,8 +36,12 @@ def test_the_hand_gets_there_and_the_feet_stay(talos, stance, tracker, offset):
         assert talos.frame_pose(samples[-1].q, frame) == pytest.approx(pose, abs=1e-6)
 
 
-def test_setpoints_keep_speed_and_acceleration_and_fit_together(talos, tracker):
-    samples = followed(tracker, goal_at(tracker, (0.2, 0.1, 0.15)), 60)
+@pytest.mark.requirement("S1")
+@pytest.mark.parametrize("offset", [(0.2, 0.1, 0.15), (0.0, -0.1, 0.04), (0.1, 0.05, -0.1)])
+def test_setpoints_keep_speed_acceleration_and_jerk_and_fit_together(talos, tracker, offset):
+    samples = followed(tracker, goal_at(tracker, offset), 60)
+    samples += followed(tracker, goal_at(tracker, (-0.1, 0.0, 0.0)), 10)
+    samples += followed(tracker, None, 40)
     q = np.array([sample.q[7:] for sample in samples])
     v = np.array([sample.v[6:] for sample in samples])
 
@@ -46,7 +50,9 @@ def test_setpoints_keep_speed_and_acceleration_and_fit_together(talos, tracker):
     assert np.abs(leap).max() < 1e-5
     assert np.abs(v[:, talos.group("left_arm")]).max() <= 1.0
     assert np.abs(v).max() <= 2.0
-    assert (np.abs(np.diff(v, axis=0)) / 0.002 <= talos.acceleration).all()
+    a = np.diff(v, axis=0) / 0.002
+    assert (np.abs(a) <= talos.acceleration).all()
+    assert (np.abs(np.diff(a, axis=0)) / 0.002 <= talos.jerk).all()
 
 
 def test_a_goal_that_jumps_is_followed_step_by_step(tracker):

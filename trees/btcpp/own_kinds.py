@@ -16,6 +16,7 @@ from trees.btcpp.node_kind import NodeKind, Parts, Port
 from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
+from trees.if_shifted import IfShifted
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
 from trees.unless_held import UnlessHeld
@@ -115,6 +116,14 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
             _failure("input"),
         ),
         (1, 1),
+        transparent=True,
+    ),
+    IfShifted: NodeKind(
+        "IfShifted",
+        "Decorator",
+        lambda parts: IfShifted(parts.children[0]),
+        ports=(Port("shifted", "input", "bool", description="whether it has shifted in the hand"),),
+        children=(1, 1),
         transparent=True,
     ),
     UnlessHeld: NodeKind(

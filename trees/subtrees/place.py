@@ -11,6 +11,7 @@ from py_trees.composites import Sequence
 from trees.alternatives import Alternatives, defect
 from trees.best_effort import BestEffort
 from trees.failures import Failure, FailureKind
+from trees.if_shifted import IfShifted
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.draw_back import DrawBack
 from trees.leaves.exclude_spot import ExcludeSpot
@@ -22,6 +23,7 @@ from trees.leaves.lower import Lower, LowerFurther
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.plan_place import PlanPlace
 from trees.leaves.raise_held import RaiseHeld
+from trees.leaves.see_held import SeeHeld
 from trees.leaves.still_held import StillHeld
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_placed import VerifyPlaced
@@ -58,17 +60,23 @@ def place(toolbox: Toolbox) -> Behaviour:
     return tidily("place", children, toolbox)
 
 
-def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Behaviour]:
-    """Over the spot, and down until the object stands. Reads "transfer" and "lower", writes "touched"."""
-    further: list[Behaviour] = [
-        LowerFurther(f"lower further {k}", toolbox, {"touched_now": "touched"})
-        for k in range(1, further_steps + 1)
-    ]
+def over_the_spot(toolbox: Toolbox) -> list[Behaviour]:
+    """Both ways checked, and the first one gone. Reads "transfer" and "lower", writes "checked_lower"."""
     return [
         CheckTrajectory("check transfer", toolbox, {"step": "transfer", "checked": "checked_transfer"}),
         CheckTrajectory("check lower", toolbox, {"step": "lower", "checked": "checked_lower"}),
         StreamMotion("transfer", toolbox, {"checked": "checked_transfer"}),
         StillHeld("still held", toolbox),
+    ]
+
+
+def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Behaviour]:
+    """Down until the object stands. Reads "checked_lower", writes "touched"."""
+    further: list[Behaviour] = [
+        LowerFurther(f"lower further {k}", toolbox, {"touched_now": "touched"})
+        for k in range(1, further_steps + 1)
+    ]
+    return [
         Lower("lower", toolbox, {"checked": "checked_lower"}),
         *further,
     ]
@@ -99,8 +107,12 @@ def _find_room(toolbox: Toolbox) -> Behaviour:
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:
+    again: list[Behaviour] = [PlanPlace("plan place", toolbox), *over_the_spot(toolbox)]
     children: list[Behaviour] = [
         PlanPlace("plan place", toolbox),
+        *over_the_spot(toolbox),
+        SeeHeld("see it in the hand", toolbox, {"held_now": "held"}),
+        IfShifted(Sequence("over the spot again", memory=True, children=again)),
         *set_down(toolbox),
         StillHeld("held to the end", toolbox),
         LetGo("let go", toolbox),

@@ -29,7 +29,7 @@ from trees.retry import Retry
 from trees.subtrees.have_it import have_it
 from trees.subtrees.look_over import look_over
 from trees.subtrees.look_past_hands import look_past_hands
-from trees.subtrees.place import set_down
+from trees.subtrees.place import over_the_spot, set_down
 from trees.subtrees.regrasp import regrasping
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -41,6 +41,7 @@ def put_in(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     attempt: list[Behaviour] = [
         PlanPlace("plan put in", toolbox),
+        *over_the_spot(toolbox),
         *set_down(toolbox, further_steps=0),
         StillHeld("held to the end", toolbox),
         LetGo("let go", toolbox, anyway=True),

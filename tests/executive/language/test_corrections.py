@@ -31,6 +31,11 @@ OPEN = (
     "pick up the cup on the table, no, the bottle",  # is the bottle on the table?
     "pick up the cup on the table, no, the green one",  # the cup, or the table?
     "put the cup on the plate, actually the bowl",  # which of them is it?
+    "take the red box and put it on the counter. Sorry, I meant the blue one",  # a blue counter?
+    "take the red cup and put it on the blue plate, no, the green one",
+    "put the blue ball behind the ball, no, the red one",
+    "take the big cup from the shelf, I mean the big one",
+    "pick up the cup next to the bottle, no, the green one",
     "pick up the big red cup, no, the green one",  # is it big too?
     "put the red cup on the blue plate, no, green",
     "take the second box from the right, no, the third one",  # counted from where?

@@ -5,6 +5,7 @@ import pytest
 
 from kinematics import poses
 from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandRequest
+from kinematics.place_requests import PlaceRequest
 from kinematics.requests import NoPlan, PickRequest
 from kinematics.shapes import Box
 from kinematics.view_request import ViewRequest
@@ -144,6 +145,30 @@ def test_a_cup_is_picked_up_and_put_down_beside_another(stage_with):
     assert place[2, 3] == pytest.approx(0.955, abs=0.01)
     assert -0.35 < place[1, 3] - 0.1 < -0.06
     assert stage.fake.world.carried_by("red cup") is None
+
+
+def test_where_there_is_no_room_beside_a_thing_is_said(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.38, 0.1)))
+    before = ObjectDescription(relation=Relation("in_front_of", BLUE_CUP))
+
+    tree = run(stage, PlaceTask("put the red cup in front of the blue cup", RED_CUP, to=before))
+
+    assert tree.status == "failure"
+    assert "no spot in front of the blue cup for the red cup" in tree.failure.message
+
+
+@pytest.mark.requirement("M4")
+def test_what_shifts_in_the_hand_on_its_way_still_comes_to_stand_where_it_was_meant_to(stage):
+    def shift():
+        stage.fake.world.shift_in_hand("red cup", 0.02)
+
+    stage.when("transfer", shift)
+
+    tree = run(stage, PlaceTask("put the red cup on the table", RED_CUP, on="table"))
+
+    assert tree.status == "success"
+    assert len(asked(stage, PlaceRequest)) == 2
+    assert tree.evidence["off_m"] <= 0.005
 
 
 def test_what_is_held_already_is_not_picked_again(stage):
