@@ -35,8 +35,11 @@ correct errors. With 0.01 a quick stop from 0.45 m/s backwards rocked the robot 
 
 _CATCH_S = 0.2
 """A foot that lands sooner than this goes where it was going, whatever pushes."""
-_CAUGHT_M = 0.03
-"""A DCM that ends so near to where it is wanted needs no other landing."""
+_CAUGHT_M = 0.05
+"""So far beside where it is wanted the DCM may end: two soles bring it back. A landing that moved
+by all of it came too wide after a push from aside, and threw the robot to the other side with each step."""
+_WORTH_M = 0.015
+"""Landings move by no less."""
 _CATCH_SHARES = (1.0, 0.75, 0.5, 0.25)
 """Of the distance that a landing would have to move: the first one within reach."""
 _CATCH_M_S2 = 10.0
@@ -167,7 +170,7 @@ class WalkingPattern:
         far_m = math.hypot(x, y)
         if far_m < _CAUGHT_M:
             return False
-        most = min(1.0, farthest_m(left_s, _CATCH_M_S2) / far_m)
+        most = min(far_m - _CAUGHT_M, farthest_m(left_s, _CATCH_M_S2)) / far_m
         return any(self._land_elsewhere(swing, (most * k * x, most * k * y)) for k in _CATCH_SHARES)
 
     @property
@@ -288,7 +291,7 @@ class WalkingPattern:
         before = swing.goal
         moved = PlanarPose(before.x_m + by[0], before.y_m + by[1], before.yaw_rad)
         landing = self._planner.within_stride(first.side, standing, moved)
-        if landing.distance_m(before) < 0.5 * _CAUGHT_M:
+        if landing.distance_m(before) < _WORTH_M:
             return False
         body = landing @ first.pose.inverse() @ first.body
         feet = {**self.feet, first.side: landing}
