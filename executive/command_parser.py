@@ -50,7 +50,7 @@ def parse(text: str, config: Path | None = None) -> Parsed:
     """
     parsed = parser_with(config_files(config)).parse(text)
     if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
-        from trees.extensions import extensions  # it loads what trees act on: only when it is asked
+        from trees.extensions import extensions  # it looks through all packages: only when it is asked
 
         outside: Any = extensions().for_phrase(text)
         if outside is not None:

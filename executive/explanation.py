@@ -12,11 +12,11 @@ from trees.failures import Failure, FailureKind, Number
 
 MEANINGS: Mapping[FailureKind, str] = MappingProxyType(
     {
-        FailureKind.INFEASIBLE: "no plan was found, or a person has to say which thing is meant",
+        FailureKind.INFEASIBLE: ("no plan was found, or a person has to say which thing is meant"),
         FailureKind.UNSAFE: "the checker found a motion that must not be carried out; it was not begun",
-        FailureKind.REFUSED: "the last gate before the motors, or the robot's state, did not let it pass",
+        FailureKind.REFUSED: ("the last gate before the motors, or the robot's state, did not let it pass"),
         FailureKind.EXECUTION: "a motion was begun and did not end where it should",
-        FailureKind.POSTCONDITION: "what has to be true was measured not to be",
+        FailureKind.POSTCONDITION: ("what has to be true was measured not to be"),
         FailureKind.TIMEOUT: "it took longer than allowed",
         FailureKind.CANCELED: "somebody halted it; it braked and holds",
         FailureKind.ERROR: "a defect of this program; the robot holds, and the log has the details",
@@ -24,7 +24,27 @@ MEANINGS: Mapping[FailureKind, str] = MappingProxyType(
 )
 """What each kind means."""
 
-_HIDDEN = frozenset({"objects", "attempts", "survey", "exception", "raised_at"})
+ADVICE: Mapping[FailureKind, str] = MappingProxyType(
+    {
+        FailureKind.INFEASIBLE: (
+            "put it nearer, clear what stands close to it, put down what is held, or name another thing"
+        ),
+        FailureKind.UNSAFE: "clear what would be touched, or name the other hand or another place",
+        FailureKind.REFUSED: (
+            "`executive status` tells the robot's state; an emergency stop ends with `executive reset`"
+        ),
+        FailureKind.EXECUTION: "look after the joint or thing that is named, then say it again",
+        FailureKind.POSTCONDITION: (
+            "look whether it is as the numbers say, then say it again or describe the thing differently"
+        ),
+        FailureKind.TIMEOUT: "look whether what is waited for is running, then say it again",
+        FailureKind.CANCELED: "say it again to begin anew",
+        FailureKind.ERROR: "give the run's folder to those who mend the program",
+    }
+)
+"""What a person can do after each kind."""
+
+_HIDDEN = frozenset({"choices", "objects", "attempts", "survey", "exception", "raised_at"})
 _IN_THE_MESSAGE = frozenset({"step", "finding", "findings", "subject", "value", "limit", "t_s"})
 """What the message of an unsafe trajectory says already."""
 
@@ -46,11 +66,18 @@ def explained(failure: Failure) -> Iterator[str]:
     if numbers:
         yield f"numbers: {numbers}"
     yield f"{root.kind.value} means: {MEANINGS[root.kind]}"
+    yield f"what helps: {_advice(root)}"
     between = list(
         dict.fromkeys(link.message for link in reversed(links[1:-1]) if link.message != root.message)
     )
     for message in between:
         yield f"then: {message}"
+
+
+def _advice(failure: Failure) -> str:
+    if failure.choices:
+        return f"say which one is meant: {' or '.join(failure.choices)}"
+    return ADVICE[failure.kind]
 
 
 def leaf_of(failure: Failure) -> str:
@@ -78,6 +105,8 @@ def _plainly(failure: Failure) -> str | None:
 
 def _numbers(failure: Failure) -> str:
     hidden = _HIDDEN | _IN_THE_MESSAGE if failure.kind is FailureKind.UNSAFE else _HIDDEN
+    if failure.choices:
+        hidden = hidden | {"count"}  # the message says it
     return "; ".join(
         f"{value} tries failed: {key}" if _is_count(failure, value) else quantity(key, value)
         for key, value in failure.numbers.items()

@@ -40,10 +40,12 @@ _LOOKS: Array = np.linspace(0.0, 1.0, 17)[1:].astype(np.float64)
 """Shares of a brake's time at which the ZMP is computed, and where a brake is looked at coarsely."""
 _AHEAD = 33
 """Instants of the path ahead that stand for it in a coarse look."""
+_LATEST_S = 0.5
+"""A robot that stops has to be at rest by then."""
 _TRIED = 4
-_MORE_GENTLE = 1.15
-"""So many brakes are computed at most, each gentler by this than one that tips: a stop has to begin
-within a control period."""
+_MORE_GENTLE, _LESS_STEEP = 1.15, 1.1
+"""So many brakes are computed at most, each gentler by this than one that tips, or that steps: a stop has to
+begin within a control period."""
 
 
 def brake_along(
@@ -74,11 +76,14 @@ def brake_along(
     pairs = [(a * hardest, j * hardest_jerk) for a in _SHARES for j in _SHARES]
     # A brake takes half its time of the path.
     fitting = [pair for pair in pairs if t_s + 0.5 * _brake_time_s(pair) <= sampler.duration_s]
-    tried, tipping_s = 0, 0.0
+    before = sampler.at(max(t_s - period_s, 0.0)).v[6:]
+    tried, tipping_s, stepping_s, spare = 0, 0.0, 0.0, None
     for limits in _within(sorted(fitting, key=_preference), sampler, t_s, acceleration, jerk):
         time_s = _brake_time_s(limits)
-        if time_s < _MORE_GENTLE * tipping_s:
-            continue  # hardly gentler than one that tips
+        if time_s < max(_MORE_GENTLE * tipping_s, _LESS_STEEP * stepping_s):
+            continue  # hardly gentler than one that tips, or jerks where the path's acceleration steps
+        if spare is not None and time_s > _LATEST_S:
+            break  # to be at rest in time is worth more than a step of the path's own
         tried += 1
         if tried > _TRIED:
             break
@@ -88,9 +93,12 @@ def brake_along(
             continue
         periods = max(1, int(np.ceil(time_s / period_s - 1e-9)))
         motion = _braked(sampler, t_s, limits, period_s * np.arange(1, periods + 1, dtype=np.float64))
-        if keeps_limits(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
+        if not keeps_limits(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
+            continue
+        if _keeps_jerk(np.vstack([before, here.v[6:], motion.v[:, 6:]]), jerk, period_s):
             return motion
-    return None
+        spare, stepping_s = (motion, time_s) if spare is None else (spare, time_s)
+    return spare
 
 
 def _braked(sampler: TrajectorySampler, t_s: float, limits: tuple[float, float], at_s: Array) -> MotionSample:
@@ -143,6 +151,15 @@ def keeps_limits(a: Array, start: Array, acceleration: Array, jerk: Array, perio
         return False
     change = np.diff(np.vstack([start, a]), axis=0) / period_s
     return not np.any(np.abs(change) > jerk * _JERK_ROOM)
+
+
+def _keeps_jerk(v: Array, jerk: Array, period_s: float) -> bool:
+    """Whether speeds, one row a period, keep the jerk limits as differences of the setpoints show them.
+
+    A trajectory's acceleration steps at its samples. Such a step lies between other instants here than in the
+    accelerations, and the jerk on its other side with it.
+    """
+    return not np.any(np.abs(np.diff(v, 2, axis=0)) > jerk * _JERK_ROOM * period_s**2)
 
 
 def _brake_time_s(limits: tuple[float, float]) -> float:

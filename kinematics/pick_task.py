@@ -36,7 +36,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
 from kinematics.start_state import relaxed_at
-from kinematics.support import supports_of
+from kinematics.support import under_foot_of
 from kinematics.timing import Pace
 from kinematics.validity import HandJudge, hand_judge, validity
 
@@ -290,7 +290,7 @@ class PickTask:
         gripper = self._model.description.grippers[grasp.hand]
         tcp_T_object = poses.inverse(grasp.world_T_tcp) @ self._target.world_T_object
         held = scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
-        return held.allowing((self._target.name, name) for name in supports_of(self._target, scene))
+        return held.allowing((self._target.name, name) for name in under_foot_of(self._target, scene))
 
     def _ik_of(self, hand: Hand) -> InverseKinematics:
         return inverse_kinematics(self._model, self._request.stance, hand)

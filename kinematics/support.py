@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinematics.placing_spots import footprint_radius_m
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
 
@@ -55,6 +56,16 @@ def supports_of(
         if abs(bottom - top_m(other)) <= gap_m and _is_over(item, other, beside_m):
             names.append(other.name)
     return names
+
+
+def under_foot_of(item: SceneObject, scene: PlanningScene) -> list[str]:
+    """Names of the furniture under any part of an object's foot: a chest's top, and the wall that carries it.
+
+    Args:
+        item: The object.
+        scene: What is around.
+    """
+    return supports_of(item, scene, beside_m=BESIDE_M + footprint_radius_m(item.shape))
 
 
 def support_of(item: SceneObject, scene: PlanningScene, gap_m: float) -> SceneObject | None:

@@ -16,11 +16,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from py_trees.behaviour import Behaviour
+if TYPE_CHECKING:  # whoever only parses a sentence asks for skills too: what they act on is not loaded for it
+    from py_trees.behaviour import Behaviour
 
-from trees.toolbox import Toolbox
+    from trees.toolbox import Toolbox
 
 GROUP = "humanoid_executive.skills"
 LEAVES = "humanoid_executive.leaves"

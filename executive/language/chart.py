@@ -12,7 +12,7 @@ from typing import Any
 
 from executive.language.grammar import Node, Rule
 from executive.language.lattice import Lattice, Word
-from executive.language.phrases import Clause, Meaning, Trouble
+from executive.language.phrases import Clause, Items, Meaning, Trouble
 
 MAX_STEPS = 2_500
 """Parts looked at before a sentence counts as too tangled; none of 2,800 collected ones needs 370."""
@@ -21,6 +21,10 @@ _REFUSED_COMMANDS = frozenset({"NO_SKILL", "HARM", "THROW", "NEGATION", "ASK", "
 """Word classes that begin a command which is refused: "say hi and jump"."""
 
 Spans = dict[int, dict[Any, None]]
+
+
+def _has_details(part: Any) -> bool:
+    return isinstance(part, Items) and any(item.details for item in part.each)
 
 
 class TooTangledError(Exception):
@@ -36,6 +40,8 @@ class Chart:
         self._steps = 0
         self.furthest = 0
         self.expected: set[str] = set()
+        self.unfit = False
+        """Whether a command reaches the end of the sentence and its parts do not go together."""
 
     def meanings(self, rule: str = "start") -> list[Any]:
         """Every meaning of the whole sentence, troubles among them.
@@ -86,6 +92,8 @@ class Chart:
                 value = parts if rule.repeats else self._value(function, parts)
                 if value is not None:
                     yield position, value
+                elif self._lattice.ends[position] and rule.name in self._rules["command"].root.rules:
+                    self.unfit = self.unfit or len(parts) > 2 or any(map(_has_details, parts))
             self._missed(position, node.terminals)
             classes = self._lattice.classes(position)
             for word_class, following in node.terminals.items():

@@ -13,6 +13,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cached_property
 
+from executive.language.beginnings import ONE, SAID_ALONE, SORTS, beginnings
 from executive.language.lattice import Lattice
 from executive.language.replaced_slots import ADDS, LOSES, SAME, change
 from executive.language.taking_back import DENIES, DISCARDS, Marker, Span, is_mark, marker_of
@@ -22,39 +23,6 @@ MAX_CANDIDATES = 10
 """Wordings that are tried; a sentence with more is too tangled to be sure of."""
 
 MAX_WORDS = 40
-
-_NUMBERS = frozenset({"NUM", "AMOUNT", "TENS", "COUPLE", "HALF", "QUARTER"})
-_SIDES = frozenset({"LEFT_RIGHT", "TURN_SIDE"})
-_WHERE = frozenset(
-    {"ON", "ONTO", "IN", "INTO", "TO", "TO_ALSO", "NEXT_TO", "RELATION", "NEAREST_TO", "AT", "WAVE_TO"}
-)
-_BEGINNINGS = {
-    "DET": "article",
-    "NAME": "person",
-    "ME": "person",
-    "COLOR": "color",
-    "SIZE": "size",
-    "COMPARED": "size",
-    "MATERIAL": "material",
-    "ORDINAL": "ordinal",
-    "FORWARD": "heading",
-    "BACKWARD": "heading",
-    "FROM": "from",
-    "WITH": "with",
-    "USE": "with",
-    **dict.fromkeys(_NUMBERS, "number"),
-    **dict.fromkeys(_SIDES, "side"),
-    **dict.fromkeys(_WHERE, "where"),
-}
-_THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "THING", "THINGS"})
-_SORTS = {
-    **dict.fromkeys(_THINGS, "thing"),
-    **dict.fromkeys(("FURNITURE", "CONTAINER", "DOOR", "ROOM"), "place"),
-    **dict.fromkeys(("PERSON", "NAME", "ME"), "person"),
-}
-_ONE = frozenset({"ONE", "ONES"})
-_SAID_ALONE = frozenset({"number", "side", "color", "size", "material", "ordinal", "heading"})
-"""Beginnings of one word that may stand for one word anywhere before: "three", "right"."""
 
 _DESCRIBES = frozenset({"color", "size", "material", "ordinal", "side", "number", "heading"})
 
@@ -156,7 +124,8 @@ class _Repair:
         for position in range(first, self._end):
             if position > first and self._separates(position):
                 return True
-            if self._lattice.pieces[position].text in _ADDS:
+            halved = any(one.word_class == "AND_A_HALF" for one in self._lattice.phrase(position))
+            if self._lattice.pieces[position].text in _ADDS and not halved:
                 return False
         return first < self._end
 
@@ -182,15 +151,7 @@ class _Repair:
         """As what a phrase that starts at a place can be taken."""
         if position >= self._end:
             return set()
-        found = set()
-        for word in self._lattice.phrase(position):
-            if word.word_class in _BEGINNINGS:
-                found.add(_BEGINNINGS[word.word_class])
-            elif word.word_class in _SORTS:
-                found.add(f"bare {_SORTS[word.word_class]}")
-            if word.word_class in self._commands:
-                found.add(f"do {word.meaning.partition(':')[0]}")
-        return found
+        return beginnings(self._lattice.phrase(position), self._commands)
 
     def _is_listed(self, start: int, shared: set[str]) -> bool:
         """Whether it is one of several things, all of which may be taken back."""
@@ -213,10 +174,11 @@ class _Repair:
         for end in range(start + 1, last + 1):
             if self._separates(end - 1):
                 return
-            alone = bool(shared & {*_SAID_ALONE, "person"}) and end == start + 1
+            alone = bool(shared & {*SAID_ALONE, "person"}) and end == start + 1
             same_clause = not any(map(self._separates, range(end, last)))
             before_more = same_clause and bool(self._beginnings(end) & {"where", "from", "with"})
-            if end == last or alone or before_more:
+            measure = "number" in shared and same_clause and end - start == self._end - self._marker.span.end
+            if end == last or alone or before_more or measure:
                 yield Span(start, end)
 
     def _lengths(self, old: Span) -> Iterator[Span]:
@@ -233,7 +195,7 @@ class _Repair:
         """A reading in which some words stand for others; None where they are no match."""
         single = new.end - new.start == 1 == old.end - old.start
         alone = old.end < self._marker.span.start
-        if alone and not single and shared <= _SAID_ALONE:
+        if alone and shared <= SAID_ALONE and new.end - new.start != old.end - old.start:
             return None
         last = new.end
         if last > new.start + 1 and self._lattice.pieces[last - 1].text == _INSTEAD:
@@ -244,9 +206,9 @@ class _Repair:
         ones = [
             index
             for index in range(new.start, last)
-            if any(word.word_class in _ONE for word in self._lattice.phrase(index))
+            if any(word.word_class in ONE for word in self._lattice.phrase(index))
         ]
-        elliptic = bool(ones) or (single and bool(shared & _SAID_ALONE))
+        elliptic = bool(ones) or (single and bool(shared & SAID_ALONE))
         if ones and not sorts and not self._has_one(old):
             return None  # "the left, no, the third one": the third what?
         if ones and sorts:
@@ -272,7 +234,7 @@ class _Repair:
     def _has_one(self, span: Span) -> bool:
         """Whether it says "one" too, or a hand, which may be called so."""
         return any(
-            word.word_class in ("HAND", *_ONE)
+            word.word_class in ("HAND", *ONE)
             for index in range(span.start, span.end)
             for word in self._lattice.phrase(index)
         )
@@ -285,14 +247,14 @@ class _Repair:
             words = [
                 one
                 for one in self._lattice.phrase(position)
-                if one.word_class in _SORTS and one.end <= span.end and one.word_class not in _ONE
+                if one.word_class in SORTS and one.end <= span.end and one.word_class not in ONE
             ]
             longest = max(words, key=lambda one: one.end, default=None)
             if longest is None:
                 position += 1
                 continue
             said.append(longest.said)
-            sorts.append(_SORTS[longest.word_class])
+            sorts.append(SORTS[longest.word_class])
             position = longest.end
         return said, sorts
 

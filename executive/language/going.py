@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
-from executive.language.lists import said_again
+from executive.language.lists import said_again, spoken
 from executive.language.nominals import words
 from executive.language.phrases import (
     Clause,
@@ -97,7 +97,7 @@ def _toward(parts: Parts) -> Nominal | _By:
     if by and not goal.is_place:
         raise unfit()
     if links and _INSIDE & set(links[0].said.split()) and goal.sort not in ("room", "any"):
-        raise trouble(f"walking {links[0].said} the {goal.kind} is no skill of this robot", links[0].said)
+        raise trouble(f"walking {links[0].said} {spoken(goal)} is no skill of this robot", links[0].said)
     return _By(goal) if by else goal
 
 

@@ -21,7 +21,8 @@ def thing(one: Arranged, doing: str) -> Nominal:
     """The object, if it is something that a hand can take."""
     nominal = one.object
     if nominal.is_person or nominal.sort == "you":
-        raise trouble(f"{doing} a person ({nominal.kind!r}) is nothing that this robot does", nominal.kind)
+        told = f"{doing} a person" + (f" ({nominal.kind!r})" if nominal.kind else "")
+        raise trouble(f"{told} is nothing that this robot does", nominal.kind)
     if nominal.is_place:
         raise trouble(
             f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind

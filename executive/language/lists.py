@@ -115,6 +115,8 @@ def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
 
 def spoken(nominal: Nominal) -> str:
     """A short description for questions."""
+    if nominal.sort in ("name", "me") and nominal.kind is not None:
+        return nominal.kind
     attributes = (nominal.ordinal, nominal.size, nominal.color, nominal.material, nominal.kind or "one")
     return " ".join(["the", *(one for one in attributes if one)])
 

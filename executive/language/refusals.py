@@ -91,7 +91,9 @@ class Explainer:
         if position == 0 and chart.expected >= _VERBS:
             message = f"a command begins with what to do, not with {shown!r}"
         else:
-            message = f"{shown!r} does not fit here"
+            before = lattice.pieces[position - 1] if position else None
+            place = "here" if before is None or before.is_mark else f"after {printable(before.text)!r}"
+            message = f"{shown!r} does not fit {place}"
         return Refusal(message, shown, self.nearest_example(plain))
 
     def _incomplete(self, lattice: Lattice, chart: Chart) -> Refusal:
@@ -100,6 +102,10 @@ class Explainer:
             missing = "what to do"
         last = next((piece.text for piece in reversed(lattice.pieces) if not piece.is_mark), lattice.plain)
         message = f"after {printable(last)!r} {missing} is missing"
+        if chart.unfit and missing != "what to do":
+            message = (
+                "the words are known, but together they are no task of this robot; say it in shorter steps"
+            )
         return Refusal(message, printable(last), self.nearest_example(lattice.plain))
 
     def _unknown(self, lattice: Lattice, position: int) -> tuple[Refusal, bool]:

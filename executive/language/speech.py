@@ -77,7 +77,7 @@ def _speech(parts: Parts) -> str:
     if word.word_class == "QUOTED":
         return text
     if any(mark.meaning == ":" for mark in words(parts, "PAUSE")) and not (
-        word.said or _UNSPOKEN.search(text)
+        word.said or _UNSPOKEN.search(text) or "without" in lowered.split()
     ):
         return text
     that = bool(words(parts, "THAT")) or any(one.said.endswith(" that") for one in words(parts, "SAY"))

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from executive.explanation import MEANINGS, explained, in_a_sentence, leaf_of
+from executive.explanation import ADVICE, MEANINGS, explained, in_a_sentence, leaf_of
 from kinematics.requests import CheckRequest, NoPlan
 from kinematics.trajectory import Finding, FindingKind, Unsafe
-from trees.failures import FailureKind
+from trees.failures import Failure, FailureKind
 
 GUIDE = Path(__file__).parents[2] / "docs" / "why.md"
 
@@ -100,6 +100,7 @@ def test_each_kind_of_failure_names_its_leaf_cause_and_numbers(fake_stage, name)
     assert failure.root.kind is kind, lines
     assert lines[0].startswith("what happened: ")
     assert any(line.startswith("why: ") for line in lines)
+    assert f"what helps: {ADVICE[kind]}" in lines
     if kind is not FailureKind.CANCELED:
         assert leaf_of(failure.root)
     assert row(name, failure) in GUIDE.read_text(), row(name, failure)
@@ -108,6 +109,15 @@ def test_each_kind_of_failure_names_its_leaf_cause_and_numbers(fake_stage, name)
 def test_every_kind_has_a_meaning_in_the_guide():
     text = GUIDE.read_text()
 
-    assert set(MEANINGS) == set(FailureKind)
+    assert set(MEANINGS) == set(ADVICE) == set(FailureKind)
     for kind, meaning in MEANINGS.items():
-        assert f"| {kind.value} | {meaning} |" in text
+        assert f"| {kind.value} | {meaning} | {ADVICE[kind]} |" in text
+
+
+def test_a_question_that_nobody_answered_tells_what_to_choose_from():
+    failure = Failure.infeasible("which cup? there are 2", choices="blue cup | red cup", count=2)
+
+    lines = list(explained(failure))
+
+    assert lines[-1] == "what helps: say which one is meant: blue cup or red cup"
+    assert not any(line.startswith("numbers: ") for line in lines)

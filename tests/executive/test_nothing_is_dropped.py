@@ -185,3 +185,18 @@ def test_the_same_thing_is_picked_up_twice_only_when_it_is_asked_about():
     assert parse("pick up the cup. pick up the cup.").outcome == "question"
     twice = parse("pick up the cup and take the cup to Ana").to_json()
     assert twice["tasks"] == parse("take the cup to Ana").to_json()["tasks"]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "told"),
+    [
+        ("deliver it to Robin in the living room", "together they are no task"),
+        ("open the door to the garden", "together they are no task"),
+        ("put the cup", "after 'cup' something is missing"),
+        ("pick up the", "after 'the' an object such as a cup or a box is missing"),
+        ("find the person pointing to the left in the kitchen", "does not fit after 'left'"),
+        ("go to Olivia and bring her to me", "a person is nothing"),
+    ],
+)
+def test_a_refusal_tells_what_is_missing_from_what_does_not_go_together(sentence, told):
+    assert told in str(parse(sentence).refusal)

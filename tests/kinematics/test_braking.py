@@ -1,3 +1,5 @@
+import dataclasses
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -18,7 +20,11 @@ ACCELERATION, JERK = np.full(3, 8.0), np.full(3, 120.0)
 
 
 def swing(talos, amount, duration_s):
-    t = np.linspace(0.0, duration_s, 101)
+    return TrajectorySampler(swung(talos, amount, duration_s))
+
+
+def swung(talos, amount, duration_s, segments=100):
+    t = np.linspace(0.0, duration_s, segments + 1)
     u = t / duration_s
     s, ds = u**3 * (10 - 15 * u + 6 * u**2), 30 * u**2 * (1 - u) ** 2 / duration_s
     q, v = np.repeat(talos.q_home[None], len(t), axis=0), np.zeros((len(t), talos.nv))
@@ -26,7 +32,7 @@ def swing(talos, amount, duration_s):
         i = talos.joint_index(name)
         q[:, 7 + i] += share * amount * s
         v[:, 6 + i] = share * amount * ds
-    return TrajectorySampler(Trajectory(talos.joints, stance_at(talos, talos.q_home), t, q, v))
+    return Trajectory(talos.joints, stance_at(talos, talos.q_home), t, q, v)
 
 
 @pytest.mark.parametrize("share", [0.05, 0.2, 0.4, 0.5, 0.6, 0.8])
@@ -43,6 +49,24 @@ def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, stance,
     start = talos.q_home[7 + talos.joint_index("arm_left_4_joint")]
     begin = talos.q_home[7 + talos.joint_index("arm_left_2_joint")]
     np.testing.assert_allclose(elbow - start, 0.5 * (shoulder - begin), atol=1e-9)
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("t_s", [0.402, 0.652])
+def test_where_the_acceleration_of_a_path_steps_differences_of_setpoints_keep_the_jerk_limit(
+    talos, stance, t_s
+):
+    smooth = swung(talos, 0.8, 1.2, segments=119)
+    v, rng = smooth.v.copy(), np.random.default_rng(119)
+    for name in ("arm_left_2_joint", "arm_left_4_joint"):
+        v[1:-1, 6 + talos.joint_index(name)] += rng.normal(0.0, 1e-4, 118)
+    stepping = TrajectorySampler(dataclasses.replace(smooth, v=v))
+
+    rows = brake_along(talos, stance, stepping, t_s, PERIOD_S)
+
+    assert rows is not None
+    told = np.vstack([stepping.at(t_s - PERIOD_S).v, stepping.at(t_s).v, rows.v])[:, 6:]
+    assert np.abs(np.diff(told, 2, axis=0)).max() / PERIOD_S**2 <= 120.0 * 1.005
 
 
 def test_a_slow_motion_stops_gently_and_sooner_than_a_fast_one(talos, stance):

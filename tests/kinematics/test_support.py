@@ -3,7 +3,7 @@ import pytest
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
-from kinematics.support import support_of, supports_of
+from kinematics.support import support_of, supports_of, under_foot_of
 
 
 def test_a_cup_on_a_table_is_supported_by_it_and_one_beside_it_is_not(make):
@@ -34,3 +34,14 @@ def test_what_may_be_grasped_carries_nothing(make):
     cup = SceneObject("cup", Cylinder(0.03, 0.1), poses.translation(0.0, 0.0, 0.15))
 
     assert supports_of(cup, PlanningScene().with_objects([box, cup])) == []
+
+
+@pytest.mark.parametrize(("y", "walls"), [(0.0, []), (0.16, ["wall"]), (-0.16, [])])
+def test_a_foot_over_the_wall_of_a_chest_is_on_its_top_and_on_the_wall(y, walls):
+    top = SceneObject("top", Box((0.5, 0.4, 0.02)), poses.translation(0.0, 0.0, 1.07), movable=False)
+    wall = SceneObject("wall", Box((0.5, 0.02, 0.22)), poses.translation(0.0, 0.21, 0.97), movable=False)
+    cup = SceneObject("cup", Cylinder(0.033, 0.13), poses.translation(0.0, y, 1.145))
+
+    found = under_foot_of(cup, PlanningScene().with_objects([top, wall, cup]))
+
+    assert [name for name in found if name == "wall"] == walls

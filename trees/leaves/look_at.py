@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import ClassVar
 
 import numpy as np
 
@@ -23,7 +24,14 @@ _BEHIND_M = 0.02
 
 
 class LookAt(PlannedMotionLeaf):
-    """Turn the head to a gaze, leaning over if it says so; everything else stays where it is."""
+    """Turn the head to a gaze, leaning over if it says so; everything else stays where it is.
+
+    Attributes:
+        HEAD_ALONE: Whether the pelvis stays where it is: the head's angles are reckoned for that, and a hand
+            that has just lifted something stays there.
+    """
+
+    HEAD_ALONE: ClassVar[bool] = False
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
@@ -77,7 +85,7 @@ class LookAt(PlannedMotionLeaf):
     def _pelvis_m(self) -> tuple[float, float, float]:
         """How far the pelvis goes for it, in the world; it does not stay behind without a lean."""
         model, motion = self.toolbox.model, self.toolbox.motion
-        if model.description.welded:
+        if model.description.welded or self.HEAD_ALONE:
             return (0.0, 0.0, 0.0)
         home, now = model.home_over(motion.stance()), motion.reference()
         ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
@@ -97,6 +105,7 @@ def turning_joint(description: RobotDescription) -> str | None:
 class LookAtTarget(LookAt):
     """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
 
+    HEAD_ALONE = True
     INPUT_PORTS = ports(target=Target)
     OUTPUT_PORTS = ports()
 
@@ -116,6 +125,7 @@ class LookAtTarget(LookAt):
 class LookAtWay(LookAt):
     """Turn the head to where a hand is to go and nobody has looked."""
 
+    HEAD_ALONE = True
     INPUT_PORTS = ports(target=Target, grasp=Grasp, reach=Step)
     OUTPUT_PORTS = ports()
 

@@ -23,6 +23,8 @@ HONOURED = {
     "take the knife - wait, no, the fork - and put it on the plate": "take the fork and put it on the plate",
     "go to the kitchen and pick up the cup, no, the bottle": "go to the kitchen and pick up the bottle",
     "put the small box, no, the big one, on the shelf": "put the big box on the shelf",
+    "walk 1 m forward, no, 2 m": "walk 2 m forward",
+    "walk forward one meter. Sorry, one and a half meters.": "walk forward one and a half meters",
     "hand Lisa the apple, I mean Tom": "hand Tom the apple",
     "take the second box from the left, no, the third one": "take the third box from the left",
     "pick up the cup next to the bottle, no, next to the bowl": "pick up the cup next to the bowl",

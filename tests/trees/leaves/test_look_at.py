@@ -62,6 +62,14 @@ def test_eyes_that_are_drawn_back_take_the_pelvis_along_and_the_next_gaze_brings
     assert asked_pelvis_m(stage) == pytest.approx((0.09, 0.0, 0.0))
 
 
+def test_a_look_at_something_turns_the_head_alone_wherever_the_pelvis_is(knowing, target):
+    knowing.run(LookAt("look", knowing.toolbox, DRAWN_BACK))
+
+    knowing.run(LookAtTarget("look", knowing.toolbox), target=target)
+
+    assert asked_pelvis_m(knowing) == (0.0, 0.0, 0.0)
+
+
 def test_a_pelvis_that_is_back_already_stays_there(stage):
     stage.run(LookAt("look", stage.toolbox, DRAWN_BACK))
     started = len(stage.fake.motion.started)
