@@ -148,7 +148,9 @@ class Detect(LookLeaf):
         name, world = names[0], self.toolbox.world
         scene = world.scene
         words = kind_of(name)
-        estimate = world.sightings.get(name) if self._surveyed else seen.get(name)
+        # What an earlier look showed counts only among looks between which nothing was moved.
+        several = self._surveyed and self._looking_around
+        estimate = world.sightings.get(name) if several else seen.get(name)
         if estimate is None:
             return Failure.postcondition(
                 f"the {words} was seen before, but is not in view now", seen=_words(seen)

@@ -70,6 +70,16 @@ def test_a_twin_that_was_seen_before_and_is_out_of_view_now_still_counts(stage_w
     assert leaf.failure.choices == (left, right)
 
 
+@pytest.mark.requirement("M4")
+def test_what_only_an_earlier_look_showed_is_no_target_of_a_look_on_its_own(stage):
+    assert stage.run(looking_down(stage), task=RED_CUP) is Status.SUCCESS
+    leaf = Detect("detect", stage.toolbox)
+    stage.run(LookAt("look", stage.toolbox, Gaze("far left", 0.75, pan_rad=1.2)))
+
+    assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
+    assert leaf.failure.message == "the red cup was seen before, but is not in view now"
+
+
 def test_of_both_objects_the_nearer_is_the_target_and_the_other_is_left_for_later(stage_with):
     stage = stage_with(table(), cup("a", place_m=(0.5, -0.15)), cup("b", place_m=(0.45, 0.15)))
     leaf = looking_down(stage)
