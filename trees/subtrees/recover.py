@@ -11,6 +11,7 @@ from trees.failures import FailureKind
 from trees.leaves.back_out import BackOut
 from trees.leaves.detect import Detect
 from trees.leaves.exclude_grasp import ExcludeGrasp
+from trees.leaves.forget_target import ForgetTarget
 from trees.leaves.go_home import GoHome
 from trees.leaves.look_at import LookAtTarget
 from trees.leaves.put_back import PutBack
@@ -28,7 +29,11 @@ _POSTURE_KINDS = frozenset(
 def recover(toolbox: Toolbox) -> Behaviour:
     """Put back what is held, open the hand, back out, see where the object is now."""
     from_here: list[Behaviour] = [LookAtTarget("look", toolbox), Detect("detect", toolbox)]
-    from_home: list[Behaviour] = [GoHome("go home", toolbox), search("search", toolbox)]
+    from_home: list[Behaviour] = [
+        GoHome("go home", toolbox),
+        ForgetTarget("forget target", toolbox),
+        search("search", toolbox),
+    ]
     children: list[Behaviour] = [
         ExcludeGrasp("exclude grasp", toolbox, {"tried_now": "tried"}),
         BestEffort(PutBack("put back", toolbox)),

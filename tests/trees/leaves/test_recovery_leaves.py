@@ -7,6 +7,7 @@ from trees.failures import Failure
 from trees.leaves.attach import Attach
 from trees.leaves.back_out import BackOut
 from trees.leaves.exclude_grasp import ExcludeGrasp
+from trees.leaves.forget_target import ForgetTarget
 from trees.leaves.go_home import GoHome
 from trees.leaves.put_back import PutBack
 from trees.leaves.release import Release
@@ -141,3 +142,12 @@ def test_when_no_grasp_is_left_all_may_be_tried_again(stage, right_grasp):
     stage.run(leaf, failure=failure, grasp=right_grasp, tried=frozenset({"right side"}))
 
     assert stage.output("tried_now") == frozenset()
+
+
+def test_a_forgotten_target_is_believed_no_longer(knowing, target):
+    assert knowing.run(ForgetTarget("forget", knowing.toolbox), target=target) is Status.SUCCESS
+    assert "red cup" not in knowing.told.scene.objects
+
+
+def test_there_is_nothing_to_forget_before_a_target_was_seen(stage):
+    assert stage.run(ForgetTarget("forget", stage.toolbox)) is Status.SUCCESS

@@ -92,6 +92,17 @@ def test_a_cup_that_moves_during_the_reach_is_picked_up_where_it_is_then(stage):
 
 
 @pytest.mark.requirement("M4")
+def test_a_cup_that_is_seen_elsewhere_while_its_old_place_is_out_of_view_is_not_taken_for_two(stage_with):
+    stage = stage_with(table(), cup(place_m=(0.36, -0.10)))
+    stage.when("stream reach", lambda: stage.fake.world.move("red cup", (0.20, 0.35, 0.0)), 2)
+
+    tree = stage.play(stage.pick())
+
+    assert tree.status == "success"
+    assert lifted(stage)
+
+
+@pytest.mark.requirement("M4")
 def test_a_detection_four_centimetres_wrong_is_corrected_by_the_second_look(stage):
     stage.fake.detector.offset_m["red cup"] = (0.0, 0.04, 0.0)
     stage.when("stream reach", stage.fake.detector.offset_m.clear)
