@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from typing import ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kinematics.body_gaze import pelvis_offset
+from kinematics.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.gaze import gaze_joints
 from kinematics.requests import Grasp, MoveRequest
 from kinematics.robot_description import RobotDescription
@@ -19,6 +20,10 @@ from trees.ports import ports
 from trees.steps import Step, Target
 from trees.toolbox import Toolbox
 
+Array = NDArray[np.float64]
+
+_WELL_IN_VIEW = 0.6
+"""Nearer to the middle of the picture than this share of half of it, a thing is in it with all that it is."""
 _BEHIND_M = 0.02
 """A pelvis that is nearer than this to where it is at home is left where it is."""
 
@@ -102,6 +107,21 @@ def turning_joint(description: RobotDescription) -> str | None:
     return next((joint for joint in torso if joint != lean), None)
 
 
+def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
+    """How the head looks at a point in odom, shape (3,), with the trunk where it takes that, rad."""
+    model, q = toolbox.model, toolbox.motion.reference()
+    camera = model.description.camera
+    head = gaze_joints(model, q, point)
+    looking = q.copy()
+    for joint, angle in head.items():
+        looking[7 + model.joint_index(joint)] = angle
+    seen_rad = _WELL_IN_VIEW * 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
+    if off_axis_rad(model, looking, point) <= seen_rad:
+        return head
+    gaze = body_gaze(model, q, point, turning_joint(model.description), seen_rad)
+    return head if gaze is None else gaze.joints
+
+
 class LookAtTarget(LookAt):
     """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
 
@@ -123,7 +143,7 @@ class LookAtTarget(LookAt):
 
 
 class LookAtWay(LookAt):
-    """Turn the head to where a hand is to go and nobody has looked."""
+    """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
 
     HEAD_ALONE = True
     INPUT_PORTS = ports(target=Target, grasp=Grasp, reach=Step)
@@ -137,4 +157,4 @@ class LookAtWay(LookAt):
         target, hand = self.get_input("target"), self.get_input("grasp").hand
         places = unseen_on_way(self.toolbox, target, self.get_input("reach"), hand)
         point = places.mean(axis=0) if len(places) else target.odom_T_object[:3, 3]
-        return gaze_joints(self.toolbox.model, self.toolbox.motion.reference(), point)
+        return joints_that_show(self.toolbox, point)

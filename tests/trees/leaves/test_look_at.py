@@ -5,7 +5,7 @@ from py_trees.common import Status
 from kinematics.requests import MoveRequest, NoPlan
 from kinematics.trajectory import Finding, FindingKind, Unsafe
 from trees.failures import FailureKind
-from trees.leaves.look_at import LookAt, LookAtTarget
+from trees.leaves.look_at import LookAt, LookAtTarget, joints_that_show
 from trees.policy import Gaze
 from trees.sight import off_axis_rad
 
@@ -90,6 +90,13 @@ def test_the_last_gaze_shows_what_stands_before_the_body(stage):
 
     assert not any(seen_from(gaze) for gaze in policy.search_gazes)
     assert seen_from(policy.last_gaze)
+
+
+def test_the_trunk_leans_only_for_what_the_head_alone_does_not_show(stage):
+    far, at_the_near_edge = np.array([0.8, 0.1, 0.9]), np.array([0.38, -0.24, 0.84])
+
+    assert set(joints_that_show(stage.toolbox, far)) == {"head_1_joint", "head_2_joint"}
+    assert joints_that_show(stage.toolbox, at_the_near_edge)["torso_2_joint"] > 0.1
 
 
 def test_the_target_comes_to_the_middle_of_the_picture(stage, target):
