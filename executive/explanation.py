@@ -12,11 +12,11 @@ from trees.failures import Failure, FailureKind, Number
 
 MEANINGS: Mapping[FailureKind, str] = MappingProxyType(
     {
-        FailureKind.INFEASIBLE: ("no plan was found, or a person has to say which thing is meant"),
+        FailureKind.INFEASIBLE: "no plan was found, or a person has to say which thing is meant",
         FailureKind.UNSAFE: "the checker found a motion that must not be carried out; it was not begun",
-        FailureKind.REFUSED: ("the last gate before the motors, or the robot's state, did not let it pass"),
+        FailureKind.REFUSED: "the last gate before the motors, or the robot's state, did not let it pass",
         FailureKind.EXECUTION: "a motion was begun and did not end where it should",
-        FailureKind.POSTCONDITION: ("what has to be true was measured not to be"),
+        FailureKind.POSTCONDITION: "what has to be true was measured not to be",
         FailureKind.TIMEOUT: "it took longer than allowed",
         FailureKind.CANCELED: "somebody halted it; it braked and holds",
         FailureKind.ERROR: "a defect of this program; the robot holds, and the log has the details",

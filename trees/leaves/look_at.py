@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.gaze import gaze_joints
-from kinematics.requests import Grasp, MoveRequest
+from kinematics.requests import Grasp
 from kinematics.robot_description import RobotDescription
-from trees.contract import Contract
+from trees.aim import Aim
 from trees.hand_ways import unseen_on_way
-from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.policy import Gaze
 from trees.ports import ports
 from trees.steps import Step, Target
@@ -28,69 +26,24 @@ _BEHIND_M = 0.02
 """A pelvis that is nearer than this to where it is at home is left where it is."""
 
 
-class LookAt(PlannedMotionLeaf):
-    """Turn the head to a gaze, leaning over if it says so; everything else stays where it is.
-
-    Attributes:
-        HEAD_ALONE: Whether the pelvis stays where it is: the head's angles are reckoned for that, and a hand
-            that has just lifted something stays there.
-    """
-
-    HEAD_ALONE: ClassVar[bool] = False
+class LookAt(Aim):
+    """Turn the head to a gaze, leaning over or drawing back if it says so."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
-    CONTRACT = Contract(
-        precondition="none",
-        postcondition="the joints that aim the camera are at the gaze, and at rest",
-        deadline_s=30.0,
-        moves="body",
-        on_success="the head holds the gaze",
-    )
 
     def __init__(self, name: str, toolbox: Toolbox, gaze: Gaze) -> None:
         super().__init__(name, toolbox)
         self.gaze = gaze
 
     def joints(self) -> Mapping[str, float]:
-        """Goal positions of the joints that aim the camera, rad, inside their limits."""
-        description = self.toolbox.model.description
-        camera, margin = description.camera, description.planning_margin_rad
-        wanted = {camera.tilt_joint: self.gaze.tilt_rad, camera.pan_joint: self.gaze.pan_rad}
-        if camera.lean_joint is not None:
-            wanted[camera.lean_joint] = self.gaze.lean_rad
-        turning = turning_joint(description)
-        if turning is not None:
-            wanted[turning] = self.gaze.turn_rad
-        inside = {}
-        for joint, angle in wanted.items():
-            lower, upper = description.limits[joint].position
-            inside[joint] = float(np.clip(angle, lower + margin, upper - margin))
-        return inside
+        """The gaze's, inside their limits, rad."""
+        return joints_of(self.gaze, self.toolbox.model.description)
 
-    def goal(self) -> MoveRequest | None:
-        """A motion of head and trunk alone, unless it looks there already."""
-        toolbox = self.toolbox
-        reference, joints = toolbox.motion.reference(), self.joints()
-        index = 7 + toolbox.model.indices(tuple(joints))
-        off = np.abs(reference[index] - list(joints.values()))
-        pelvis_m = self._pelvis_m()
-        if float(off.max()) <= toolbox.policy.gaze_tolerance_rad and not any(pelvis_m):
-            return None
-        return MoveRequest(
-            q_start=reference,
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            joints=joints,
-            keep_others=True,
-            pelvis_m=pelvis_m,
-            seed=int(toolbox.rng.integers(2**31)),
-        )
-
-    def _pelvis_m(self) -> tuple[float, float, float]:
-        """How far the pelvis goes for it, in the world; it does not stay behind without a lean."""
+    def pelvis_m(self) -> tuple[float, float, float]:
+        """To where the gaze has it; it does not stay behind without a lean."""
         model, motion = self.toolbox.model, self.toolbox.motion
-        if model.description.welded or self.HEAD_ALONE:
+        if model.description.welded:
             return (0.0, 0.0, 0.0)
         home, now = model.home_over(motion.stance()), motion.reference()
         ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
@@ -99,6 +52,22 @@ class LookAt(PlannedMotionLeaf):
             return (0.0, 0.0, 0.0)
         x, y, z = (float(value) for value in (behind_m - self.gaze.back_m) * ahead)
         return (x, y, z)
+
+
+def joints_of(gaze: Gaze, description: RobotDescription) -> Mapping[str, float]:
+    """Positions of the joints that aim the camera, inside their limits, rad."""
+    camera, margin = description.camera, description.planning_margin_rad
+    wanted = {camera.tilt_joint: gaze.tilt_rad, camera.pan_joint: gaze.pan_rad}
+    if camera.lean_joint is not None:
+        wanted[camera.lean_joint] = gaze.lean_rad
+    turning = turning_joint(description)
+    if turning is not None:
+        wanted[turning] = gaze.turn_rad
+    inside = {}
+    for joint, angle in wanted.items():
+        lower, upper = description.limits[joint].position
+        inside[joint] = float(np.clip(angle, lower + margin, upper - margin))
+    return inside
 
 
 def turning_joint(description: RobotDescription) -> str | None:
@@ -122,15 +91,11 @@ def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
     return head if gaze is None else gaze.joints
 
 
-class LookAtTarget(LookAt):
+class LookAtTarget(Aim):
     """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
 
-    HEAD_ALONE = True
     INPUT_PORTS = ports(target=Target)
     OUTPUT_PORTS = ports()
-
-    def __init__(self, name: str, toolbox: Toolbox) -> None:
-        super().__init__(name, toolbox, Gaze("target", tilt_rad=0.0))
 
     def joints(self) -> Mapping[str, float]:
         """The head joints' goal, rad."""
@@ -142,15 +107,11 @@ class LookAtTarget(LookAt):
         return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
 
 
-class LookAtWay(LookAt):
+class LookAtWay(Aim):
     """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
 
-    HEAD_ALONE = True
     INPUT_PORTS = ports(target=Target, grasp=Grasp, reach=Step)
     OUTPUT_PORTS = ports()
-
-    def __init__(self, name: str, toolbox: Toolbox) -> None:
-        super().__init__(name, toolbox, Gaze("way", tilt_rad=0.0))
 
     def joints(self) -> Mapping[str, float]:
         """The head joints' goal, rad; at the target when all was seen."""

@@ -7,17 +7,19 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.gaze import gaze_joints
+from trees.aim import Aim
 from trees.handles import DOOR, DRAWER, HANDLE, HandleTarget
-from trees.leaves.look_at import LookAt
+from trees.leaves.look_at import joints_of
 from trees.policy import Gaze
 from trees.ports import optional, ports
 from trees.toolbox import Toolbox
 
+_AHEAD = Gaze("ahead", tilt_rad=0.6)
 _BETWEEN = 0.5
 """Of the way from the handle to the middle of what it opens: both are to be seen."""
 
 
-class LookAtHandle(LookAt):
+class LookAtHandle(Aim):
     """Turn the head so that a handle, and what it opens, are in the picture where they are believed to be."""
 
     INPUT_PORTS = ports(handle=optional(HandleTarget))
@@ -31,7 +33,7 @@ class LookAtHandle(LookAt):
             toolbox: What it may call.
             between: How far from the handle towards the middle of what it opens to look.
         """
-        super().__init__(name, toolbox, Gaze("handle", tilt_rad=0.6))
+        super().__init__(name, toolbox)
         self._between = between
 
     def joints(self) -> Mapping[str, float]:
@@ -44,7 +46,7 @@ class LookAtHandle(LookAt):
         elif target is not None:
             place = target.path.at(target.opening).position_m
         else:
-            return super().joints()
+            return joints_of(_AHEAD, model.description)
         fronts = [name for name in (DOOR, DRAWER) if name in objects] if target is None else [target.part]
         if fronts and fronts[0] in objects:
             middle = objects[fronts[0]].world_T_object[:3, 3].copy()

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from trees.leaves.look_at import LookAt, joints_that_show
-from trees.policy import Gaze
+from trees.aim import Aim
+from trees.leaves.look_at import joints_that_show
 from trees.ports import ports
 from trees.steps import Placement
-from trees.toolbox import Toolbox
 
 
-class LookAtPlacement(LookAt):
+class LookAtPlacement(Aim):
     """Bring the placement to the middle of the picture.
 
     What stands at the near edge of a table is below the picture of who stands upright: trunk and head look
@@ -20,9 +19,6 @@ class LookAtPlacement(LookAt):
 
     INPUT_PORTS = ports(placement=Placement)
     OUTPUT_PORTS = ports()
-
-    def __init__(self, name: str, toolbox: Toolbox) -> None:
-        super().__init__(name, toolbox, Gaze("placement", tilt_rad=0.0))
 
     def joints(self) -> Mapping[str, float]:
         """The goal of the head's joints, and of the trunk's if need be, rad."""

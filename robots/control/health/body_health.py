@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from kinematics.poses import vector_from_rotation
 from kinematics.robot_model import RobotModel
+from kinematics.stance import SupportPolygon, stance_at
 from robots.control.health.finding import Ailment, Finding
 from robots.sensed_state import SensedState
 
@@ -103,13 +104,8 @@ class BodyHealth:
 
     def _stands_on_the_other(self, q: Array, lifted: int) -> bool:
         """Whether another sole has the whole weight well above it, so that this one need not carry."""
-        com = self._model.com(q)
-        for i, sole in enumerate(self._soles):
-            if i == lifted:
-                continue
-            world_T_sole = self._model.frame_pose(q, sole.frame)
-            x, y, _ = world_T_sole[:3, :3].T @ (com - world_T_sole[:3, 3])
-            inside_m = min(x - sole.x_m[0], sole.x_m[1] - x, y - sole.y_m[0], sole.y_m[1] - y)
-            if inside_m >= self._model.description.com_margin_m:
-                return True
-        return False
+        others = [sole.frame for i, sole in enumerate(self._soles) if i != lifted]
+        if not others:
+            return False
+        polygon = SupportPolygon(stance_at(self._model, q, others), self._soles)
+        return polygon.com_margin_m(self._model.com(q)) >= self._model.description.com_margin_m
