@@ -92,7 +92,6 @@ def compile_kernel(tell: Callable[[str], None] = lambda _: None) -> None:
     from kinematics.kernel import cache, readiness
     from kinematics.robot_model import RobotModel
     from robots.description import load_description
-    from robots.live.warming import warm_up
 
     if readiness.ready():
         return
@@ -100,10 +99,7 @@ def compile_kernel(tell: Callable[[str], None] = lambda _: None) -> None:
         tell("the cache folder cannot be written: planning goes on without the compiled kernel, slower")
         return
     tell("compiling the motion kernel, once: a minute or two")
-    description = load_description(DEFAULT_ROBOT)
-    model = RobotModel(description)
-    warming.warm(model, tell)
-    warm_up(description, model)  # what the control loop calls is compiled, too
+    warming.warm(RobotModel(load_description(DEFAULT_ROBOT)), tell)
 
 
 def _python() -> Finding:
