@@ -75,6 +75,8 @@ class Errand:
         results: list[TaskResult] = []
         speaker = ""
         for step in prepared(self._commands, self._walks(), self._known()):
+            if step.unless_open and self._known().is_open:
+                continue
             provenance = None if step.said is None else self._provenance[step.said]
             command = spoken_by(step.command, speaker) if speaker else step.command
             names: list[str] = []

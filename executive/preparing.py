@@ -38,11 +38,13 @@ class Prepared:
         command: What to do.
         said: Index of the command that was said; None for what has to be done before it.
         finds_speaker: Whether it tells who "me" is, for all that follows.
+        unless_open: Whether it is left out when the door turns out to stand open.
     """
 
     command: Command
     said: int | None = None
     finds_speaker: bool = False
+    unless_open: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +123,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
         if away and there is not None and not walked:
             before.append(WalkToTask(f"walk to {_named(there)}", there))
-        yield from (Prepared(task) for task in before)
+        yield from (Prepared(task, unless_open=isinstance(task, OpenTask)) for task in before)
         yield Prepared(command, index)
 
 

@@ -169,6 +169,21 @@ def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():
     assert give.object.name == "green bottle"
 
 
+class OpenErrand(Errand):
+    """The fridge turns out to stand open once the robot has come to it."""
+
+    def _known(self):
+        return Known(is_open=bool(self._session.told))
+
+
+def test_a_door_that_turns_out_to_stand_open_is_not_opened():
+    notes = Notes()
+
+    drive(OpenErrand(notes, parse("put the green can into the fridge").commands).steps(), Nobody(), notes)
+
+    assert [type(command) for command in notes.told] == [WalkToTask, WalkToTask, PutInTask]
+
+
 def test_what_fails_on_the_way_ends_the_errand_with_its_own_reason():
     notes = Notes(fails="open")
 
