@@ -73,7 +73,7 @@ def prepared(
     Nothing is added for a robot that stands where it stands, nor where everything is told to be at hand: only
     what has a door, and is taken from or put into, makes it walk. From then on it has left the place where it
     was, and goes to whom or to where it is told to bring things. A door behind which something goes is opened
-    first, with empty hands.
+    first, with empty hands: what is held is put down for it.
 
     Args:
         commands: What was said, in order.
@@ -106,6 +106,8 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             opened.add(str(command.object))
         inside = _inside(command)
         before: list[Task] = []
+        thing = _to_be_picked(command, commands)
+        held = isinstance(command, PutInTask) and known.in_hand(command)
         if isinstance(command, PickTask) and inside is not None:
             if inside not in opened and not known.in_view(command):
                 before += _opening(inside)
@@ -113,11 +115,13 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             away = True
         elif (door := _door_for(index, commands)) is not None:
             if door not in opened and not known.is_open:
+                if held and thing is not None:
+                    before.append(PlaceTask(f"put the {thing} down until the {door} is open", thing))
+                    held = False
                 before += _opening(door)
                 opened.add(door)
             away = away or door in opened
-        thing = _to_be_picked(command, commands, known)
-        if away and thing is not None:
+        if away and thing is not None and not held:
             before.append(WalkToTask(f"come within reach of the {thing}", thing))
         there = _there(command, commands)
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
@@ -150,9 +154,9 @@ def _behind(put: PutInTask, commands: Sequence[Command]) -> str | None:
     return word if isinstance(word, str) and is_behind_door(word) else None
 
 
-def _to_be_picked(command: Command, commands: Sequence[Command], known: Known) -> ObjectDescription | None:
-    """The object that a command is going to pick up."""
-    if isinstance(command, PutInTask) and (_behind(command, commands) is None or known.in_hand(command)):
+def _to_be_picked(command: Command, commands: Sequence[Command]) -> ObjectDescription | None:
+    """The object that a command is going to pick up, or that was put down for it."""
+    if isinstance(command, PutInTask) and _behind(command, commands) is None:
         return None
     thing = command.object if isinstance(command, PickTask | PutInTask) else None
     return thing if isinstance(thing, ObjectDescription) else None

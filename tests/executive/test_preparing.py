@@ -9,7 +9,16 @@ from executive.errand import Errand, drive
 from executive.preparing import Known, prepared, spoken_by
 from executive.task_result import TaskResult, TaskTimes
 from trees.failures import Failure
-from trees.tasks import FindTask, HandOverTask, ObjectDescription, OpenTask, PickTask, PutInTask, WalkToTask
+from trees.tasks import (
+    FindTask,
+    HandOverTask,
+    ObjectDescription,
+    OpenTask,
+    PickTask,
+    PlaceTask,
+    PutInTask,
+    WalkToTask,
+)
 
 
 def steps(sentence, can_walk=True):
@@ -99,12 +108,21 @@ def test_a_fridge_that_the_sentence_opens_is_not_opened_twice_and_the_can_is_wal
     assert kinds("open the fridge and put the green can in it") == [OpenTask, WalkToTask, PutInTask]
 
 
-def test_what_a_hand_holds_is_brought_to_the_fridge_without_going_elsewhere():
+def test_what_a_hand_holds_is_put_down_while_the_other_things_are_done():
     commands = parse("put the green can into the fridge").commands
 
     steps = prepared(commands, True, Known(in_hand=lambda _put: True))
 
-    assert [type(step.command) for step in steps] == [WalkToTask, OpenTask, PutInTask]
+    assert [type(step.command) for step in steps] == [PlaceTask, WalkToTask, OpenTask, WalkToTask, PutInTask]
+    assert steps[0].command.object == commands[0].object == steps[3].command.to
+
+
+def test_what_a_hand_holds_is_not_looked_for_elsewhere():
+    commands = parse("open the fridge and put the green can in it").commands
+
+    steps = prepared(commands, True, Known(in_hand=lambda _put: True))
+
+    assert [type(step.command) for step in steps] == [OpenTask, PutInTask]
 
 
 def test_into_a_fridge_that_stands_open_things_are_put_from_where_they_are():
