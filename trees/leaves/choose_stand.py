@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import ClassVar
 
 from py_trees.common import Status
 
@@ -19,7 +20,7 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.reachable_standing import Stand, sees, stance_of, stands_free, stands_to_try
+from trees.reachable_standing import TURNED_RAD, Stand, sees, stance_of, stands_free, stands_to_try
 from trees.standing_place import standing_place
 from trees.toolbox import Job
 
@@ -43,6 +44,9 @@ class ChooseStand(Leaf):
         postcondition="a pick has a plan from the chosen place and from beside it; or it is the usual one",
         deadline_s=30.0,
     )
+
+    TURNED_RAD: ClassVar[tuple[float, ...]] = TURNED_RAD
+    """How far out of the usual heading the robot may stand."""
 
     _job: Job | None = None
 
@@ -69,7 +73,9 @@ class ChooseStand(Leaf):
             self._above = above
             self._stands = (
                 stand
-                for stand in self.stands(body, stands_to_try(self._usual, (x, y), about, above, settings))
+                for stand in self.stands(
+                    body, stands_to_try(self._usual, (x, y), about, above, settings, self.TURNED_RAD)
+                )
                 if sees(stand, eye_m, thing, scene)
             )
 

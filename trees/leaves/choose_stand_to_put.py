@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import chain
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +10,7 @@ from py_trees.common import Status
 
 from kinematics import poses
 from kinematics.place_requests import PlaceRequest, Spot
+from kinematics.pointing import link_moved_by
 from kinematics.scene import SceneObject
 from kinematics.trajectory import Stance
 from kinematics.walking.planar import PlanarPose
@@ -22,10 +22,14 @@ from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.leaves.choose_stand import ChooseStand
 from trees.ports import ports
-from trees.reachable_standing import Stand
+from trees.reachable_standing import TURNED_RAD, Stand
 from trees.standing_place import EDGE_M
 
 Array = NDArray[np.float64]
+
+_REACH_M = 1.0
+"""From the shoulder to the spot, on the floor, at most; the trunk turns and leans along."""
+_SPOTS = 2
 
 
 class ChooseStandToPut(ChooseStand):
@@ -33,6 +37,9 @@ class ChooseStandToPut(ChooseStand):
 
     The held object is where the arm has it now. A robot that cannot walk stands where it stands.
     """
+
+    # beside an open door only who turns towards it reaches in with the hand on the other side
+    TURNED_RAD = (*TURNED_RAD, 0.9, -0.9, 1.2, -1.2)
 
     INPUT_PORTS = ports(place=Place, held=HeldObject)
     OUTPUT_PORTS = ports(stand=Stand)
@@ -66,8 +73,12 @@ class ChooseStandToPut(ChooseStand):
         return SceneObject(held.name, held.shape, self._spots[0].world_T_object)
 
     def stands(self, here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
-        """Here first: whoever stands well already does not walk."""
-        return chain((here,), stands)
+        """Here first, for who stands well does not walk; then where the hand's shoulder is nearest."""
+        x, y = (float(value) for value in self._spots[0].world_T_object[:2, 3])
+        spot = PlanarPose(x, y)
+        shoulder = self._shoulder()
+        near = sorted((one for one in stands), key=lambda one: (one @ shoulder).distance_m(spot))
+        return (one for one in (here, *near) if (one @ shoulder).distance_m(spot) <= _REACH_M)
 
     def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
         """The present posture, carried over to the place."""
@@ -79,10 +90,17 @@ class ChooseStandToPut(ChooseStand):
             stance=stance,
             scene=toolbox.world.scene,
             held=self.get_input("held").name,
-            spots=self._spots,
+            spots=tuple(few_of_each(self._spots)),
             retreat_m=toolbox.policy.retreat_m,
             seed=int(toolbox.rng.integers(2**31)),
         )
+
+    def _shoulder(self) -> PlanarPose:
+        """Of the arm that holds it, from the middle between the feet of the home posture."""
+        model, hand = self.toolbox.model, self.get_input("held").hand
+        link = link_moved_by(model, model.description.groups[f"{hand}_arm"][1])
+        x, y = (float(value) for value in model.frame_pose(model.q_home, link)[:2, 3])
+        return PlanarPose(x, y)
 
     def step(self) -> Status | Failure:
         """Nothing to ask without boards, or for a robot that cannot walk."""
@@ -102,6 +120,12 @@ class ChooseStandToPut(ChooseStand):
             f"there is no place to stand from which a board of the {self._place.name} is within reach",
             places=self._asked,
         )
+
+
+def few_of_each(spots: Sequence[Spot]) -> Iterator[Spot]:
+    """The first few spots of each board: asking about all of them from everywhere takes seconds."""
+    for board in dict.fromkeys(spot.touches for spot in spots):
+        yield from [spot for spot in spots if spot.touches == board][:_SPOTS]
 
 
 def _moved(base: Array, here: PlanarPose, there: PlanarPose) -> Array:
