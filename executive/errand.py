@@ -22,7 +22,7 @@ from executive.clarification import (
 )
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
-from executive.preparing import Known, prepared, spoken_by
+from executive.preparing import Known, Prepared, prepared, spoken_by
 from executive.references import references, with_references
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
@@ -75,7 +75,7 @@ class Errand:
         results: list[TaskResult] = []
         speaker = ""
         for step in prepared(self._commands, self._walks(), self._known()):
-            if step.unless_open and self._known().is_open:
+            if self._is_needless(step):
                 continue
             provenance = None if step.said is None else self._provenance[step.said]
             command = spoken_by(step.command, speaker) if speaker else step.command
@@ -84,6 +84,8 @@ class Errand:
             while waiting:
                 result = yield from self._task(waiting.pop(0))
                 results.append(replace(result, provenance=provenance))
+                if result.outcome == "failed" and step.may_fail:
+                    break
                 if result.outcome != "done":
                     return tuple(results)
                 names += [] if result.acted_on is None else [result.acted_on]
@@ -93,6 +95,14 @@ class Errand:
             if step.said is not None:
                 self._acted_on.append(tuple(names))
         return tuple(results)
+
+    def _is_needless(self, step: Prepared) -> bool:
+        """Whether what has been seen and done meanwhile makes a step superfluous."""
+        if not (step.unless_open or step.unless_held):
+            return False
+        known = self._known()
+        held = step.unless_held is not None and known.in_hand(step.unless_held)
+        return held or (step.unless_open and known.is_open)
 
     def _known(self) -> Known:
         toolbox = self._session.toolbox

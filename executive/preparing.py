@@ -23,7 +23,6 @@ from trees.tasks import (
     PickTask,
     PlaceTask,
     PutInTask,
-    Task,
     WalkToTask,
 )
 
@@ -39,12 +38,16 @@ class Prepared:
         said: Index of the command that was said; None for what has to be done before it.
         finds_speaker: Whether it tells who "me" is, for all that follows.
         unless_open: Whether it is left out when the door turns out to stand open.
+        unless_held: Left out while a hand holds what this is about.
+        may_fail: Whether the errand goes on without it.
     """
 
     command: Command
     said: int | None = None
     finds_speaker: bool = False
     unless_open: bool = False
+    unless_held: PutInTask | None = None
+    may_fail: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +108,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         if isinstance(command, OpenTask):
             opened.add(str(command.object))
         inside = _inside(command)
-        before: list[Task] = []
+        before: list[Prepared] = []
         thing = _to_be_picked(command, commands)
         held = isinstance(command, PutInTask) and known.in_hand(command)
         if isinstance(command, PickTask) and inside is not None:
@@ -116,23 +119,26 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         elif (door := _door_for(index, commands)) is not None:
             if door not in opened and not known.is_open:
                 if held and thing is not None:
-                    before.append(PlaceTask(f"put the {thing} down until the {door} is open", thing))
+                    down = PlaceTask(f"put the {thing} down until the {door} is open", thing)
+                    before.append(Prepared(down, may_fail=True))
                     held = False
                 before += _opening(door)
                 opened.add(door)
             away = away or door in opened
         if away and thing is not None and not held:
-            before.append(WalkToTask(f"come within reach of the {thing}", thing))
+            reach = WalkToTask(f"come within reach of the {thing}", thing)
+            before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
         there = _there(command, commands)
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
         if away and there is not None and not walked:
-            before.append(WalkToTask(f"walk to {_named(there)}", there))
-        yield from (Prepared(task, unless_open=isinstance(task, OpenTask)) for task in before)
+            before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there)))
+        yield from before
         yield Prepared(command, index)
 
 
-def _opening(word: str) -> list[Task]:
-    return [WalkToTask(f"walk to the {word}", word), OpenTask(f"open the {word}", ObjectDescription(word))]
+def _opening(word: str) -> list[Prepared]:
+    walk = WalkToTask(f"walk to the {word}", word)
+    return [Prepared(walk), Prepared(OpenTask(f"open the {word}", ObjectDescription(word)), unless_open=True)]
 
 
 def _door_for(index: int, commands: Sequence[Command]) -> str | None:

@@ -1,5 +1,7 @@
 """Putting down: ways down that are free, and what is tried when none is found at first."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -72,3 +74,20 @@ def test_out_of_reach_there_is_no_plan_and_the_reasons_are_counted(talos, stance
     assert isinstance(answer, NoPlan)
     assert answer.reasons["no inverse kinematics at the spot"] > 0
     assert answer.numbers["spots"] == 1.0
+
+
+@pytest.mark.requirement("M3")
+def test_a_hand_without_room_below_ends_where_the_box_should_stand(talos, stance, make):
+    asked = request(talos, stance, make, 0.85, (0.42, -0.34))
+    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.011))
+    gripper = talos.description.grippers["right"]
+    table = PlanningScene().with_objects([make.table(0.85)])
+    pose = talos.frame_pose(talos.q_home, gripper.tcp_frame) @ low
+    scene = table.with_object(SceneObject("box", BOX, pose, margin_m=0.01))
+    held = scene.with_attached("box", gripper.tcp_frame, low, gripper.touch_links)
+
+    answer = PlacePlanner(talos).plan(replace(asked, scene=held))
+
+    assert isinstance(answer, PlacePlan)
+    below = talos.frame_pose(answer.lower.trajectory.q[-1], gripper.tcp_frame) @ low
+    assert below[2, 3] == pytest.approx(0.85 + 0.5 * BOX.height_m, abs=1e-3)
