@@ -13,6 +13,7 @@ from kinematics.line_of_sight import hidden
 from kinematics.place_requests import Spot
 from kinematics.placing_spots import EDGE_M, GAP_M, footprint_radius_m
 from kinematics.poses import Transform
+from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import top_m
@@ -67,6 +68,15 @@ def door_opening_rad(scene: PlanningScene) -> float | None:
         return None
     turned = poses.yaw_of(door.world_T_object[:3, :3]) - poses.yaw_of(body.world_T_object[:3, :3])
     return abs(math.remainder(turned, 2.0 * math.pi))
+
+
+def hinge_hand(scene: PlanningScene) -> Hand | None:
+    """The hand on the side of the hinge of who stands before the door that is believed; None without one."""
+    door, inside = _first(scene, DOOR), inside_of_fridge(scene)
+    if door is None or isinstance(inside, Failure):
+        return None
+    edge = front_of(inside.boards[0])
+    return "left" if float((poses.inverse(edge) @ door.world_T_object)[1, 3]) > 0.0 else "right"
 
 
 def inside_of_fridge(scene: PlanningScene) -> FridgeInside | Failure:

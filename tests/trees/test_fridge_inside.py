@@ -12,7 +12,14 @@ from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.furniture import floor_pose, solids
 from robots.scene_file import load_scene
 from trees.failures import Failure, FailureKind
-from trees.fridge_inside import door_opening_rad, front_of, inside_of_fridge, is_behind_door, spots_in_fridge
+from trees.fridge_inside import (
+    door_opening_rad,
+    front_of,
+    hinge_hand,
+    inside_of_fridge,
+    is_behind_door,
+    spots_in_fridge,
+)
 from trees.held import HeldObject
 from trees.sight import Glimpse
 from trees.sight_of_tops import SightOfTops
@@ -78,6 +85,11 @@ def test_a_fridge_that_nobody_looked_into_is_not_taken_for_shut():
 
     assert answer.kind is FailureKind.POSTCONDITION
     assert "is not seen" in answer.message
+
+
+def test_the_hand_beside_the_hinge_reaches_past_an_open_door():
+    assert hinge_hand(known(OPEN_RAD)) == PIECE.opens.hinge == "left"
+    assert hinge_hand(PlanningScene()) is None
 
 
 def test_spots_are_on_the_boards_near_their_front_clear_of_the_walls():

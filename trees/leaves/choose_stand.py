@@ -27,7 +27,6 @@ from trees.toolbox import Job
 _MOST = 40
 """Places that are asked about."""
 _BESIDE = PlanarPose(0.02, 0.02, 0.02)
-"""A place is taken only if one that is so far beside it does as well: nobody arrives exactly."""
 
 
 class ChooseStand(Leaf):
@@ -47,6 +46,8 @@ class ChooseStand(Leaf):
 
     TURNED_RAD: ClassVar[tuple[float, ...]] = TURNED_RAD
     """How far out of the usual heading the robot may stand."""
+    BESIDE: ClassVar[tuple[PlanarPose, ...]] = (_BESIDE,)
+    """A place is taken only if those that are so far beside it do as well: nobody arrives exactly."""
 
     _job: Job | None = None
 
@@ -59,7 +60,7 @@ class ChooseStand(Leaf):
         self._place, self._here, self._job, self._asked = place, body, None, 0
         self._usual = self.usual(place, body)
         self._stands: Iterator[PlanarPose] = iter(())
-        self._stand, self._sure = self._usual, False
+        self._stand, self._sure = self._usual, 0
         self._above: tuple[Footprint, ...] = ()
         settings = self._settings = toolbox.model.description.walking
         thing = self.thing(place)
@@ -121,15 +122,15 @@ class ChooseStand(Leaf):
             answer = self._job.result()
             self._job = None
             if not isinstance(answer, NoPlan):
-                if self._sure:
+                if self._sure == len(self.BESIDE):
                     return self._choose(self._stand, f"for the {_hand_of(answer)} hand")
-                self._sure = True
-                self._ask(self._stand @ _BESIDE)
+                self._ask(self._stand @ self.BESIDE[self._sure])
+                self._sure += 1
                 return RUNNING
         following = next(self._stands, None) if self._asked < _MOST else None
         if following is None:
             return self.without_any()
-        self._stand, self._sure = following, False
+        self._stand, self._sure = following, 0
         self._ask(following)
         return RUNNING
 

@@ -40,6 +40,7 @@ class ChooseStandToPut(ChooseStand):
 
     # beside an open door only who turns towards it reaches in with the hand on the other side
     TURNED_RAD = (*TURNED_RAD, 0.9, -0.9, 1.2, -1.2)
+    BESIDE = (PlanarPose(0.02, 0.02, 0.02), PlanarPose(-0.02, -0.02, -0.02))
 
     INPUT_PORTS = ports(place=Place, held=HeldObject)
     OUTPUT_PORTS = ports(stand=Stand)

@@ -5,17 +5,22 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.alternatives import Alternatives
+from trees.alternatives import Alternatives, defect
 from trees.best_effort import BestEffort
+from trees.failures import Failure
+from trees.leaves.ask_for_hand import AskForHand
 from trees.leaves.door_not_shut import DoorNotShut
 from trees.leaves.draw_back import DrawBack
 from trees.leaves.find_board_room import FindBoardRoom
 from trees.leaves.go_home import GoHome
 from trees.leaves.look_at_board import LookAtBoard
 from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.survey import Survey
+from trees.leaves.take_held import TakeHeld
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.subtrees.come_to_board import come_to_board
-from trees.subtrees.have_it import have_it
+from trees.subtrees.have_it import have_it, rewired
+from trees.subtrees.pick import pick
 from trees.subtrees.place import bring
 from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
@@ -26,7 +31,7 @@ from trees.toolbox import Toolbox
 def put_behind_door(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     carry: list[Behaviour] = [
-        have_it(toolbox),
+        _have_it(toolbox),
         DoorNotShut("is it open after all", toolbox),
         come_to_board(toolbox),
         bring(toolbox, find_board_room),
@@ -44,15 +49,44 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
 
 
 def find_board_room(toolbox: Toolbox) -> Behaviour:
-    """Look at one board after the other, later with the hand drawn in. Reads "held", writes "spots"."""
-    ways: list[Behaviour] = []
-    for rank, before in ((0, []), (0, [GoHome("hand away", toolbox)]), (1, [])):
-        board = "the board" if rank == 0 else "another board"
-        looks: list[Behaviour] = [
-            *before,
-            LookAtBoard(f"look at {board}", toolbox, rank),
-            FindBoardRoom("find room on it", toolbox),
-        ]
-        name = "draw the hand in" if before else f"look at {board}"
-        ways.append(Sequence(name, memory=True, children=looks))
+    """Look at the boards, and once more with the hand drawn in. Reads "held", writes "spots"."""
+    away: list[Behaviour] = [GoHome("hand away", toolbox)]
+    ways = [_looks("look at the boards", [], toolbox), _looks("draw the hand in", away, toolbox)]
     return Alternatives("find room", ways, hopeless=looking_elsewhere_is_useless)
+
+
+def _looks(name: str, before: list[Behaviour], toolbox: Toolbox) -> Behaviour:
+    other: list[Behaviour] = [
+        LookAtBoard("look at another board", toolbox, 1),
+        Survey("survey", toolbox, {"sightings_now": "sightings"}),
+    ]
+    looks: list[Behaviour] = [
+        *before,
+        BestEffort(Sequence("another board", memory=True, children=other)),
+        LookAtBoard("look at the board", toolbox),
+        FindBoardRoom("find room", toolbox),
+    ]
+    return Sequence(name, memory=True, children=looks)
+
+
+def _have_it(toolbox: Toolbox) -> Behaviour:
+    """It is in a hand already, or it is picked up: by the hand beside the hinge, if that goes.
+
+    Who stands beside an open door reaches in with that hand; with the other one hardly.
+    """
+    fetch = Sequence(
+        "fetch it with that hand",
+        memory=True,
+        children=[
+            AskForHand("say which hand", toolbox),
+            rewired(pick(toolbox), {"task": "pick_task"}),
+            TakeHeld("take hold", toolbox),
+        ],
+    )
+    held = TakeHeld("is it held already", toolbox)
+    ways: list[Behaviour] = [held, fetch, have_it(toolbox)]
+    return Alternatives("have it", ways, hopeless=_no_pick_helps)
+
+
+def _no_pick_helps(failure: Failure) -> bool:
+    return defect(failure) or bool(failure.choices)
