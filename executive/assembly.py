@@ -29,6 +29,7 @@ from robots.scene_description import SceneDescription
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
+from trees.offers import is_offer
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -104,6 +105,7 @@ def assemble(
     model = RobotModel(description)
     clock = ManualClock()
     world = build_world(description, scene, for_world)
+    sink.listen(lambda event: world.people.see_offer() if is_offer(event) else None)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, for_perception)
 
