@@ -87,6 +87,8 @@ class Resolver(Antecedents):
             return (first.with_slot("source", stated.source), *rest)
         if not isinstance(thing, Nominal) or thing.reference != pronoun or not takes_place:
             raise ask("what has the statement to do with the task?")
+        if thing.said == "both" and of.count not in (2, "both"):
+            raise ask("which two are meant?")
         if self._commands or first.get("source") is not None:
             raise ask(f"what does {pronoun!r} stand for?")
         first = _replaced(first, "object", of).with_slot("source", stated.source)
@@ -110,6 +112,10 @@ class Resolver(Antecedents):
         roots = list(dict.fromkeys(entity.task for entity in recent))
         if not roots or (len(roots) == 1 and recent[0].of.is_single):
             raise ask("what does 'them' stand for?")
+        if thing.said == "both":
+            counts = {entity.task: entity.of.count for entity in recent}
+            if list(counts.values()) not in ([1, 1], [2], ["both"]):
+                raise ask("which two are meant?")
         for root in roots:
             first, *rest = bundle
             yield (_replaced(first, "object", ObjectOf(root)), *rest)

@@ -79,8 +79,11 @@ def _goes(command: Clause) -> bool:
     return all(one.action in ("walk_to", "move", "go_home") for bundle in command.bundles for one in bundle)
 
 
-def _clause_with_hand(parts: Parts) -> Clause | None:
+def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
+    """A command with a hand before it; a mere "right," may be no more than how one begins to speak."""
     side = nominals.words(parts, "LEFT_RIGHT")[0]
+    if not nominals.words(parts, "HAND", "DET", "USE") and side.said in ("left", "right"):
+        return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
     return _clause((Hand(side.meaning), parts[-1]))
 
 
