@@ -38,12 +38,23 @@ def _items(parts: Parts) -> Items | Trouble:
     each = tuple(part for part in parts if isinstance(part, Item))
     links = [part for part in parts if isinstance(part, _Joined)]
     if len(each) > 1 and len(links) == len(each) - 1:
-        placed = bool(each[-2].details and each[-1].details)
+        placed = bool(each[-2].details and each[-1].details) and not _may_be_one(each[-2].of, each[-1].of)
         unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
+        for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
+            if unclear is None and _may_be_one(first.of, second.of):
+                unclear = said_again(first.of, second.of, (link,))
         unclear = unclear or _told_later(each, links)
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(each)
+
+
+def _may_be_one(before: Nominal, last: Nominal) -> bool:
+    """Whether "the one next to the can" may be what was named just before it, and no other of its kind."""
+    told = ("color", "size", "material", "ordinal")
+    return last.anaphoric and all(
+        getattr(last, name) is None or getattr(before, name) in (None, getattr(last, name)) for name in told
+    )
 
 
 def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:

@@ -6,19 +6,13 @@ import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Literal
 
 from executive.language import attention, going, handling, lists, nominals, places, placing, speech
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.scopes import Further, Group, Separator, in_order, separator_of
 
 Parts = tuple[Any, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Group:
-    """Clauses in the order in which they are done."""
-
-    clauses: tuple[Clause, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,13 +133,10 @@ def _done_before(parts: Parts) -> Clause | None:
     return replace(clause, form="base") if clause.form == "ed" else None
 
 
-def _ordered(*, subordinate: int, first_done: int) -> Meaning:
-    """Two clauses, one of them after a conjunction, which asks for a form of its own.
-
-    Args:
-        subordinate: Which of the two, as they are said, the conjunction stands before.
-        first_done: Which of the two is done first.
-    """
+def _ordered(scope: Literal["after_first", "after_last", "before_first", "before_last"]) -> Meaning:
+    """Two clauses, one of them after a conjunction, which asks for a form of its own."""
+    subordinate = 1 if scope.endswith("last") else 0
+    first_done = 0 if scope in ("after_first", "before_last") else 1
 
     def meaning(parts: Parts) -> Group | None:
         clauses = _clauses(parts)
@@ -153,22 +144,28 @@ def _ordered(*, subordinate: int, first_done: int) -> Meaning:
         if clauses[subordinate].form != expected or clauses[1 - subordinate].form != "base":
             return None
         done = [replace(clause, form="base") for clause in clauses]
-        return Group((done[first_done], done[1 - first_done]))
+        but_first = bool(nominals.words(parts, "BUT_FIRST"))
+        return Group(
+            done[first_done],
+            done[1 - first_done],
+            "but_first" if but_first else scope,
+            doing=expected == "ing",
+            breaks=but_first and Separator.STOP in parts,
+        )
 
     return meaning
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
-    clauses: list[Clause] = []
-    unseparated = 0
-    for part in parts:
-        if isinstance(part, Clause):
-            clauses.append(part)
-        elif isinstance(part, Group):
-            clauses.extend(part.clauses)
-        elif isinstance(part, _Unseparated):
-            unseparated += 1
-            clauses.extend(part.clauses)
+    said = [
+        part if isinstance(part, Further) else Further(Separator.NOTHING, part)
+        for part in parts
+        if isinstance(part, (Clause, Group, Further))
+    ]
+    clauses = in_order(said)
+    if isinstance(clauses, Trouble):
+        return clauses
+    unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])
     revoked = next((one.revokes for one in clauses if one.revokes), None)
     if len(clauses) > 1 and all(_stops(clause) for clause in clauses):
         return Sentence(tuple(clauses[:1]))
@@ -194,20 +191,20 @@ def _stops(clause: Clause) -> bool:
     return bool(clause.bundles) and all(one.action == "stop" for bundle in clause.bundles for one in bundle)
 
 
-@dataclass(frozen=True, slots=True)
-class _Unseparated:
-    clauses: tuple[Clause, ...]
-
-
-def _without_separator(parts: Parts) -> _Unseparated | None:
+def _without_separator(parts: Parts) -> Further | None:
     (part,) = parts
     if isinstance(part, Group) or part.terse:
         return None  # "before you ..." belongs to what was said before it
-    return _Unseparated((part,))
+    return Further(Separator.NOTHING, part)
 
 
-def _more(parts: Parts) -> Any:
-    return parts[-1]
+def _more(parts: Parts) -> Further:
+    separator, part = parts
+    return Further(separator, part)
+
+
+def _separator(parts: Parts) -> Separator:
+    return separator_of(parts)
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
@@ -226,12 +223,13 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "clause_with_hand": _clause_with_hand,
         "fronted": _fronted,
         "done_before": _done_before,
-        "after_first": _ordered(subordinate=0, first_done=0),
-        "after_last": _ordered(subordinate=1, first_done=1),
-        "before_first": _ordered(subordinate=0, first_done=1),
-        "before_last": _ordered(subordinate=1, first_done=0),
+        "after_first": _ordered("after_first"),
+        "after_last": _ordered("after_last"),
+        "before_first": _ordered("before_first"),
+        "before_last": _ordered("before_last"),
         "sentence": _sentence,
         "unseparated": _without_separator,
         "more": _more,
+        "separator": _separator,
     }
 )
