@@ -143,8 +143,11 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         expected = "base" if nominals.words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
         if clauses[subordinate].form != expected or clauses[1 - subordinate].form != "base":
             return None
-        done = [replace(clause, form="base") for clause in clauses]
         but_first = bool(nominals.words(parts, "BUT_FIRST"))
+        apart = Separator.STOP in parts or Separator.THEN in parts
+        if scope.endswith("last") and apart and not but_first:
+            return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
+        done = [replace(clause, form="base") for clause in clauses]
         return Group(
             done[first_done],
             done[1 - first_done],
