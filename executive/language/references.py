@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -45,7 +45,15 @@ def _is_movable(place: Any) -> bool:
 
 
 class Resolver(Antecedents):
-    """Turns clauses into commands, remembering what was named."""
+    """Turns clauses into commands, remembering what was named.
+
+    Args:
+        people_in: Who is named in words that are to be said.
+    """
+
+    def __init__(self, people_in: Callable[[str], Sequence[Nominal]] = lambda _text: ()) -> None:
+        super().__init__()
+        self._people_in = people_in
 
     def commands(self, clauses: Sequence[Clause]) -> tuple[Command, ...]:
         """The commands, in order.
@@ -190,6 +198,7 @@ class Resolver(Antecedents):
                 slots["person"] = self._person(value)
             elif name == "text":
                 slots["words"] = value
+                self._people += self._people_in(value)
             else:
                 slots[name] = value
         action = slots.pop("action", one.action)
