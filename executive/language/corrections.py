@@ -109,7 +109,7 @@ class _Repair:
         return next(iter(fitting.values())) if len(fitting) == 1 else None
 
     def _is_all(self, anew: str, after: Sequence[Command]) -> bool:
-        """Whether a command that is said anew says all that is done in its place; "put it there" leans on more."""
+        """Whether a command that is said anew says all that is done in its place; "put it there" may not."""
         alone = self._understood(anew)
         return holds(after, alone) if alone is not None else not _LEANS.isdisjoint(anew.split())
 

@@ -90,7 +90,9 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
             done.append(one.part)
             continue
         follows = parts[index + 1].separator if index + 1 < len(parts) else Separator.STOP
-        if waiting is not None or not _is_clear(one.part, separator if done else Separator.STOP, follows, bool(done)):
+        if waiting is not None or not _is_clear(
+            one.part, separator if done else Separator.STOP, follows, bool(done)
+        ):
             return _UNCLEAR
         done.append(one.part.first)
         if one.part.scope == "before_first":
@@ -105,7 +107,9 @@ def _is_clear(group: Group, separator: Separator, follows: Separator, goes_befor
     if group.scope in ("after_last", "before_last", "but_first") and follows is Separator.NOTHING:
         return False  # "A after B C": is it "after B, C"?
     if group.scope == "but_first":
-        return separator is Separator.STOP and not (goes_before and group.breaks) and follows is Separator.STOP
+        return (
+            separator is Separator.STOP and not (goes_before and group.breaks) and follows is Separator.STOP
+        )
     if group.scope == "after_last":
         joins = not group.doing and follows in (Separator.AND, Separator.COMMA)
         return separator in (Separator.THEN, Separator.STOP) and not joins

@@ -60,6 +60,8 @@ def _clause(parts: Parts) -> Clause | None:
             if isinstance(part, Where)
             else None
         )
+        if isinstance(part, Hand):
+            command = replace(command, terse=True)  # "take the cup with the right, wave": which of the two?
         if slot is not None:
             changed = _with_slot(command, *slot)
             if changed is None:
@@ -78,7 +80,11 @@ def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
     side = nominals.words(parts, "LEFT_RIGHT")[0]
     if not nominals.words(parts, "HAND", "DET", "USE") and side.said in ("left", "right"):
         return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
-    return _clause((Hand(side.meaning), parts[-1]))
+    joined = [part for part in parts if isinstance(part, Separator)]
+    orders = any(word.said == "use" for word in nominals.words(parts, "USE"))
+    if not orders and any(one in (Separator.STOP, Separator.THEN) for one in joined):
+        return None  # "take the cup with the right. Wave"
+    return _clause((Hand(side.meaning), *nominals.words(parts, "PAUSE"), parts[-1]))
 
 
 def _fronted(parts: Parts) -> Clause | None:

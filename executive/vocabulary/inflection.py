@@ -21,7 +21,9 @@ snag spin spot step stir stop swap tap tip transfer
 _DOUBLED = frozenset(_DOUBLED_LINES.split())
 """Verbs that double their last letter."""
 
-_ENDS_SO = frozenset({"bring", "swing", "sing", "ring", "fling", "sling", "sting", "wring", "cling", "string"})
+_ENDS_SO = frozenset(
+    {"bring", "swing", "sing", "ring", "fling", "sling", "sting", "wring", "cling", "string"}
+)
 """Verbs whose plain form ends like an -ing form."""
 
 

@@ -11,11 +11,31 @@ from executive.command_parser import parse
 
 CORPUS = Path(__file__).parents[2] / "corpus"
 DOING = {
-    **{"pick": "picking", "put": "putting", "place": "placing", "bring": "bringing", "give": "giving"},
-    **{"open": "opening", "close": "closing", "go": "going", "walk": "walking", "wave": "waving"},
-    **{"point": "pointing", "find": "finding", "hand": "handing", "grab": "grabbing", "fetch": "fetching"},
-    **{"get": "getting", "count": "counting", "look": "looking", "take": "taking", "shut": "shutting"},
-    **{"turn": "turning", "move": "moving", "wait": "waiting", "carry": "carrying", "describe": "describing"},
+    "pick": "picking",
+    "put": "putting",
+    "place": "placing",
+    "bring": "bringing",
+    "give": "giving",
+    "open": "opening",
+    "close": "closing",
+    "go": "going",
+    "walk": "walking",
+    "wave": "waving",
+    "point": "pointing",
+    "find": "finding",
+    "hand": "handing",
+    "grab": "grabbing",
+    "fetch": "fetching",
+    "get": "getting",
+    "count": "counting",
+    "look": "looking",
+    "take": "taking",
+    "shut": "shutting",
+    "turn": "turning",
+    "move": "moving",
+    "wait": "waiting",
+    "carry": "carrying",
+    "describe": "describing",
 }
 LEANS = re.compile(
     r"\b(it|its|them|they|there|back|here|one|ones|other|another|same|him|her|his|this|that|these|those|both|"
@@ -75,9 +95,19 @@ DENIED = (
     *("{a}, but don't {b}", "{a} and don't {b}", "{A}. Do not {b}.", "{a} without {b_ing}"),
     *("{a} instead of {b_ing}", "{a} rather than {b_ing}", "don't {a}, but {b}", "don't {a} before {b_ing}"),
     *("{A}. Never mind.", "{a}, never mind", "{a}, forget it", "{a}, just kidding", "{A}. Cancel that."),
-    *("{a}, on second thought don't", "{a}, scratch that", "neither {a} nor {b}", "under no circumstances {a}"),
+    *(
+        "{a}, on second thought don't",
+        "{a}, scratch that",
+        "neither {a} nor {b}",
+        "under no circumstances {a}",
+    ),
     *("you are not allowed to {a}", "it is forbidden to {a}", "nobody should {a}", "I don't want you to {a}"),
-    *("I would rather you did not {a}", "whatever you do, don't {a}", "everything but {a}", "please stop {a_ing}"),
+    *(
+        "I would rather you did not {a}",
+        "whatever you do, don't {a}",
+        "everything but {a}",
+        "please stop {a_ing}",
+    ),
     *("you can't {a}", "you need not {a}", "hold off {a_ing}", "skip {a_ing}", "{a}? Absolutely not."),
 )
 QUALIFIED = (
@@ -85,27 +115,79 @@ QUALIFIED = (
     *("{a} when I say so", "{a} unless Ana is there", "unless Ana is there, {a}", "{a} until I say stop"),
     *("whenever Ana comes, {a}", "{a} in case Ana comes", "should Ana come, {a}", "{a} only if Ana agrees"),
     *("as long as Ana is there, {a}", "{a} once Ana has left", "as soon as Ben is here, {a}", "{a} at noon"),
-    *("{a} provided that Ana agrees", "{a} every morning", "{a} tomorrow", "tomorrow {a}", "{a} in ten minutes"),
-    *("in five minutes {a}", "{a} twice", "{a} three times", "{a} slowly", "very quickly {a}", "{a} and repeat"),
+    *(
+        "{a} provided that Ana agrees",
+        "{a} every morning",
+        "{a} tomorrow",
+        "tomorrow {a}",
+        "{a} in ten minutes",
+    ),
+    *(
+        "in five minutes {a}",
+        "{a} twice",
+        "{a} three times",
+        "{a} slowly",
+        "very quickly {a}",
+        "{a} and repeat",
+    ),
     *("{a} as fast as you can", "{a}, otherwise {b}", "if it rains {a}, else {b}", "{a} or else {b}"),
-    *("{a} while {b_ing}", "{a} with both hands", "{a} on one leg", "{a} blindfolded", "{a} later", "{a} soon"),
-    *("{a} at the same time as {b_ing}", "Ana will {a}", "Ben told me to {a}", "Ana should {a}", "did you {a}?"),
+    *(
+        "{a} while {b_ing}",
+        "{a} with both hands",
+        "{a} on one leg",
+        "{a} blindfolded",
+        "{a} later",
+        "{a} soon",
+    ),
+    *(
+        "{a} at the same time as {b_ing}",
+        "Ana will {a}",
+        "Ben told me to {a}",
+        "Ana should {a}",
+        "did you {a}?",
+    ),
     *("ask Ana to {a}", "let Ana {a}", "why did you {a}?", "what happens if you {a}?", "how do I {a}?"),
     *("pretend to {a}", "imagine you {a}", "should I {a}?", "who can {a}?", "have Ben {a}", "help Ana {a}"),
     *("I used to {a}", "I forgot to {a}", "they {a}", "{a}, said Ana", "Ana can {a}", "maybe {a}"),
     *("{a} except on Sundays", "{a} for an hour", "{a} by tomorrow", "{a} halfway", "{a} most of the way"),
-    *("remind me to {a}", "plan to {a}", "be ready to {a}", "prepare to {a}", "get ready to {a}", "almost {a}"),
+    *(
+        "remind me to {a}",
+        "plan to {a}",
+        "be ready to {a}",
+        "prepare to {a}",
+        "get ready to {a}",
+        "almost {a}",
+    ),
     *("I doubt that you can {a}", "learn to {a}", "watch Ana {a}", "the opposite of {a}", "refuse to {a}"),
 )
 TAKEN_BACK = (
     *("{a}, no wait, {b}", "{A}. No, {b}.", "{a}, I mean {b}", "{a} - sorry, {b}", "{a}, scratch that, {b}"),
-    *("{a}, or rather {b}", "{a}, actually {b}", "{a}, instead {b}", "{A}. Actually, {b}.", "{a}, make that {b}"),
+    *(
+        "{a}, or rather {b}",
+        "{a}, actually {b}",
+        "{a}, instead {b}",
+        "{A}. Actually, {b}.",
+        "{a}, make that {b}",
+    ),
     *("{A}. Forget that, {b}.", "{a} - or no, {b}", "{A}. Wait, {b}.", "instead of {a_ing}, {b}"),
-    *("don't {a}, {b}", "don't {a}, {b} instead", "{a}? No, {b}.", "rather than {a_ing}, {b}", "not {a}, {b}"),
+    *(
+        "don't {a}, {b}",
+        "don't {a}, {b} instead",
+        "{a}? No, {b}.",
+        "rather than {a_ing}, {b}",
+        "not {a}, {b}",
+    ),
 )
 STOP = [{"action": "stop"}]
 PLAIN = (
-    *("please {a}", "{a}, please", "could you {a}?", "robot, {a}", "would you be so kind as to {a}?", "okay, {a}"),
+    *(
+        "please {a}",
+        "{a}, please",
+        "could you {a}?",
+        "robot, {a}",
+        "would you be so kind as to {a}?",
+        "okay, {a}",
+    ),
     *("I want you to {a}", "{a} now", "can you please {a}", "hey robot, {a}", "you should {a}", "just {a}"),
 )
 
@@ -128,7 +210,11 @@ def clauses():
             said = sentence["say"].strip().rstrip(".!").removeprefix("Please ").removeprefix("please ")
             said = said[:1].lower() + said[1:]
             bare = re.sub(r"\bto (the|me|my|your)\b", "the", said.lower())
-            if sentence["outcome"] == "tasks" and re.fullmatch(r"[a-zA-Z ]+", said) and not LEANS.search(bare):
+            if (
+                sentence["outcome"] == "tasks"
+                and re.fullmatch(r"[a-zA-Z ]+", said)
+                and not LEANS.search(bare)
+            ):
                 verb = said.split()[0]
                 actions = {one["action"] for one in sentence["tasks"]} - {"pick"}
                 if verb in DOING and len(actions) <= 1 and actions.isdisjoint({"say", "stop"}):
