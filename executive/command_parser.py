@@ -119,6 +119,8 @@ class CommandParser:
                 return Parsed(text, commands=commands, manners=lattice.manners())
         if not outcomes:
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
+        if _asks_about_doing(lattice):
+            return Parsed(text, question=Question("is that asked about, or shall it be done?"))
         return self._answer(text, outcomes, lattice.manners())
 
     def parse_selection(self, text: str) -> ObjectDescription | None:
@@ -191,6 +193,12 @@ class CommandParser:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
+
+
+def _asks_about_doing(lattice: Lattice) -> bool:
+    """Whether it is an -ing form with a question mark: "opening the fridge?"."""
+    asks = lattice.plain.rstrip().endswith("?")
+    return asks and any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
 
 
 def _alike(one: Parsed, other: Parsed) -> bool:

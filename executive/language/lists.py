@@ -22,15 +22,24 @@ def _item(parts: Parts) -> Item:
 
 @dataclass(frozen=True, slots=True)
 class _Joined:
-    """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later."""
+    """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later.
+
+    ``company`` is "together with": whoever is named so may be meant to come along.
+    """
 
     commas: bool
     then: bool = False
+    company: bool = False
 
 
 def _joined(parts: Parts) -> _Joined:
     said = [one for word in words(parts, "AND") for one in word.said.split()]
-    return _Joined(not said, not _LATER.isdisjoint(said))
+    return _Joined(not said, not _LATER.isdisjoint(said), "with" in said)
+
+
+def has_company(parts: Parts) -> bool:
+    """Whether somebody is to come along: "go to the table together with Ana"."""
+    return any(isinstance(part, _Joined) and part.company for part in parts)
 
 
 def _items(parts: Parts) -> Items | Trouble:

@@ -53,7 +53,7 @@ class Further:
     part: Clause | Group
 
 
-_UNCLEAR = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
+UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
 _SENTENCE_ENDS = frozenset({".", ";", "!", "?", "paren", ")"})
 
 
@@ -83,7 +83,7 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
         separator = one.separator if index else Separator.STOP
         if waiting is not None and separator is not Separator.AND:
             if separator is not Separator.STOP:
-                return _UNCLEAR  # "before A, B, then C": is C before A as well?
+                return UNCLEAR_ORDER  # "before A, B, then C": is C before A as well?
             done.append(waiting)
             waiting = None
         if isinstance(one.part, Clause):
@@ -93,7 +93,7 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
         if waiting is not None or not _is_clear(
             one.part, separator if done else Separator.STOP, follows, bool(done)
         ):
-            return _UNCLEAR
+            return UNCLEAR_ORDER
         done.append(one.part.first)
         if one.part.scope == "before_first":
             waiting = one.part.second

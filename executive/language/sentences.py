@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from executive.language import attention, going, handling, lists, nominals, places, placing, speech
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
-from executive.language.scopes import Further, Group, Separator, in_order, separator_of
+from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 
 Parts = tuple[Any, ...]
 
@@ -36,12 +36,21 @@ def _nothing(_parts: Parts) -> Any:
     return NOTHING
 
 
-def _list_number(parts: Parts) -> Any:
-    return (
-        NOTHING
-        if len(parts) == 2 and "." not in parts[0].meaning and parts[1].meaning in (".", ")", ":", "paren")
-        else None
-    )
+@dataclass(frozen=True, slots=True)
+class _Numbered:
+    """Which one of a numbered list a command is."""
+
+    number: int
+
+
+def _list_number(parts: Parts) -> _Numbered | None:
+    is_mark = len(parts) == 2 and parts[1].meaning in (".", ")", ":", "paren")
+    return _step_number(parts) if is_mark else None
+
+
+def _step_number(parts: Parts) -> _Numbered | None:
+    (said,) = nominals.words(parts, "NUM", "AMOUNT")
+    return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
 
 
 def _clause(parts: Parts) -> Clause | None:
@@ -60,6 +69,8 @@ def _clause(parts: Parts) -> Clause | None:
             if isinstance(part, Where)
             else None
         )
+        if isinstance(part, _Numbered):
+            command = replace(command, number=part.number)
         if isinstance(part, Hand):
             command = replace(command, terse=True)  # "take the cup with the right, wave": which of the two?
         if slot is not None:
@@ -174,6 +185,11 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     clauses = in_order(said)
     if isinstance(clauses, Trouble):
         return clauses
+    numbers = [
+        one.part.number for one in said if isinstance(one.part, Clause) and one.part.number is not None
+    ]
+    if any(after <= before for before, after in itertools.pairwise(numbers)):
+        return UNCLEAR_ORDER  # "2. open the drawer 1. go to the kitchen"
     unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])
     revoked = next((one.revokes for one in clauses if one.revokes), None)
     if len(clauses) > 1 and all(_stops(clause) for clause in clauses):
@@ -228,6 +244,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **speech.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
+        "step_number": _step_number,
         "clause": _clause,
         "clause_with_hand": _clause_with_hand,
         "fronted": _fronted,
