@@ -9,8 +9,9 @@ import numpy as np
 
 from executive.event_hub import EventHub
 from executive.events import EventSink
+from executive.lockstep import PERIOD_S
 from executive.planning_jobs import PlanningJobs
-from executive.session import PERIOD_S, Session, TreeBuilder
+from executive.session import Session, TreeBuilder
 from executive.supervisor import Supervisor
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests import CheckRequest

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from executive.assembly import Assembly
-from executive.session import PERIOD_S
+from executive.lockstep import PERIOD_S
 from executive.task_result import TaskResult
 from robots.simulated.person_hand import PersonHand
 from tools.evaluate.skills import rooms
