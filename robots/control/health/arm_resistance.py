@@ -129,8 +129,7 @@ class ArmResistance:
         j = self._names.index(part)
         for arm in self._arms:
             if j in arm.joints:
+                outside = float(self._outside[j])
                 foretold = arm.touch.foretold_nm(q, self._outside, j)
-                return foretold * float(np.sign(self._outside[j])) >= _FORETOLD_SHARE * abs(
-                    float(self._outside[j])
-                )
+                return outside != 0.0 and foretold / outside >= _FORETOLD_SHARE
         return False

@@ -212,6 +212,17 @@ def test_a_jam_of_an_arm_is_known_before_its_effort_counts_as_a_touch(body, join
 
 
 @pytest.mark.requirement("F5")
+def test_a_joint_that_stays_behind_and_tells_of_no_effort_is_not_held_by_a_touch(body):
+    """A body without sensors of effort: what is not felt excuses nothing."""
+    body.tau[:], body.share[:] = 0.0, 0.0
+    body.stuck.add(ELBOW)
+    body.monitor._joints._servo[:2] = 0.0  # its servos are not judged either
+    body.run(0.6, 0.1, ELBOW)
+
+    assert body.ailments() == [(Ailment.STUCK, ELBOW)]
+
+
+@pytest.mark.requirement("F5")
 def test_what_gives_way_against_one_joint_alone_is_no_jam(body):
     """A touch at the upper arm may be felt by one joint; what is not of iron lets it move on a little."""
     elbow, load = body.index(ELBOW), np.zeros(len(body.q))
