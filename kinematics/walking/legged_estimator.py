@@ -154,8 +154,9 @@ class LeggedEstimator:
         if self._last_s is not None and stamp_s > self._last_s:
             self._turn(stamp_s - self._last_s, base_R_imu.dot(accelerometer_m_s2))
         self._last_s = stamp_s
-        self._rely()
         self._place(joints_rad)
+        if self._rely():
+            self._place(joints_rad)
 
     def com_from(self, side: Hand) -> ComEstimate:
         """The CoM as a sole sees it."""
@@ -195,16 +196,23 @@ class LeggedEstimator:
             self._times_s,
         )
 
-    def _rely(self) -> None:
-        """Change over to the foot that carries most, standing where it stands now."""
+    def _rely(self) -> bool:
+        """Change over to the foot that carries most, standing where it stands now; whether that was done.
+
+        The base has to be where these readings have it: with that of the period before each step is found
+        too short by a period's way of the base, 0.9 mm of 181 mm at 0.3 m/s.
+        """
         total = sum(self.loads_n.values())
         if total <= 0.0:
-            return
+            return False
+        changed = False
         for side, load in self.loads_n.items():
             if side != self._relied and load > self._settings.shift_share * total:
                 place = self.sole(side)
                 self._anchors[side] = (np.array((place.x_m, place.y_m, 0.0)), place.yaw_rad)
                 self._relied = side
+                changed = True
+        return changed
 
     def _place(self, joints_rad: Array) -> None:
         anchor, _ = self._anchors[self._relied]
