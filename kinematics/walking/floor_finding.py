@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from kinematics.robot_description import Hand
-from kinematics.walking.pattern import PatternSample, Phase
+from kinematics.walking.pattern_sample import PatternSample, Phase
 
 _EARLY_M = 0.003
 """A sole that feels the floor nearer to its place than this has landed as planned."""

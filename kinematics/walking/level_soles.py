@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.leg_ik import LegIk
 from kinematics.poses import Transform
+from kinematics.robot_description import HANDS
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance
 
@@ -37,7 +38,7 @@ def levelled(
     flat = LegIk(model, Stance(tuple((frame, np.eye(4)) for frame in soles))).geometry
     frames = {sole.side: sole.frame for sole in model.description.soles}
     found = dict(soles)
-    for side, leg in zip(("left", "right"), flat, strict=True):
+    for side, leg in zip(HANDS, flat, strict=True):
         pose = soles[frames[side]]
         turn = poses.rotation_z(poses.yaw_of(pose[:3, :3]))
         ankle = pose[:3, :3] @ leg.ankle_m + pose[:3, 3]

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.robot_model import RobotModel
-from kinematics.walking.pattern import Phase
+from kinematics.walking.pattern_sample import Phase
 
 Array = NDArray[np.float64]
 

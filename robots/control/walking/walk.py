@@ -13,7 +13,8 @@ from kinematics.trajectory_sampler import MotionSample
 from kinematics.walking.floor_finding import FloorFinding
 from kinematics.walking.legged_estimator import LeggedEstimator
 from kinematics.walking.level_soles import levelled
-from kinematics.walking.pattern import PatternSample, Phase, WalkingPattern
+from kinematics.walking.pattern import WalkingPattern
+from kinematics.walking.pattern_sample import PatternSample, Phase
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.whole_body import WholeBody
 from robots.control.motion_streamer import MotionStreamer

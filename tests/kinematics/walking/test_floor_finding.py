@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.walking.com_motion import ComSample
 from kinematics.walking.floor_finding import FloorFinding
-from kinematics.walking.pattern import PatternSample, Phase
+from kinematics.walking.pattern_sample import PatternSample, Phase
 from kinematics.walking.planar import PlanarPose
 
 PERIOD_S = 0.002

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.robot_model import RobotModel
-from kinematics.walking.pattern import Phase
+from kinematics.walking.pattern_sample import Phase
 from robots.control.walking.fitted_ankles import FittedAnkles
 from robots.description import load_description
 
