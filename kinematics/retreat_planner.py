@@ -7,6 +7,7 @@ shorter, or the hand may turn on the way, the first one is taken that leaves the
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,16 +37,19 @@ paper and the pelvis 10 cm aside, was seen to lift a foot and fall."""
 def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPlan:
     """Plan it, or say why there is none."""
     scene = relaxed_at(model, request.scene, request.q_start)
-    found = _configurations(model, request, scene)
-    if isinstance(found, NoPlan):
-        return found
     space = free_coordinates(model, request.stance)
-    curve = PolynomialCurve(found)
-    trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
-    if trajectory is None:
-        return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-    trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-    return MovePlan(PlannedStep("retreat", trajectory, scene))
+    why = NoPlan("the hand cannot be drawn back at all", {"no way": 1})
+    for first in range(len(request.shares)):
+        found = _configurations(model, replace(request, shares=request.shares[first:]), scene)
+        if isinstance(found, NoPlan):
+            return found if first == 0 else why
+        curve = PolynomialCurve(found)
+        trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
+        if trajectory is not None:
+            trajectory = lead_in(trajectory, request.q_start, model.acceleration)
+            return MovePlan(PlannedStep("retreat", trajectory, scene))
+        why = NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+    return why
 
 
 def _configurations(model: RobotModel, request: RetreatRequest, scene: PlanningScene) -> Array | NoPlan:
