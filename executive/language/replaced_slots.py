@@ -43,7 +43,7 @@ def change(before: Sequence[Command], after: Sequence[Command], *, earlier: bool
 
 
 def holds(commands: Sequence[Command], part: Sequence[Command]) -> bool:
-    """Whether some commands are among others, one after another, and nothing else is done with their objects."""
+    """Whether some commands are among others, one after another, and nothing more is done with theirs."""
     all_of, some = _by_themselves(commands), _by_themselves(part)
     return any(
         all_of[start : start + len(some)] == some
