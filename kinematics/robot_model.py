@@ -19,6 +19,9 @@ from kinematics.trajectory import Stance
 
 Array = NDArray[np.float64]
 
+_LEVEL = 1.0 - 1e-9
+"""Cosine of what counts as level."""
+
 
 class RobotModel:
     """A robot's kinematic tree, limits and collision geometry.
@@ -162,6 +165,8 @@ class RobotModel:
             return self.q_home
         soles = [world_T_sole for _, world_T_sole in stance.soles]
         middle = poses.interpolate(soles[0], soles[-1], 0.5)
+        if middle[2, 2] < _LEVEL:  # soles lie on what they stand on, the body stands upright all the same
+            middle = poses.transform(poses.rotation_z(poses.yaw_of(middle[:3, :3])), middle[:3, 3])
         base = poses.transform(poses.rotation_from_quaternion(self.q_home[3:7]), self.q_home[:3])
         return self.configuration({}, middle @ base)
 

@@ -58,6 +58,7 @@ def turned(
     anchor_yaw: float,
     force: Array,
     times_s: Array,
+    sole_rate: float,
 ) -> Array:
     """Integrate the gyro, then bring the soles that carry, and gravity, a little nearer to upright.
 
@@ -71,6 +72,7 @@ def turned(
         anchor_yaw: That heading.
         force: What the accelerometer shows, in the base's frame, m/s^2, shape (3,).
         times_s: Time constants: soles, heading, gravity, shape (3,).
+        sole_rate: Soles turn the tilt no faster than this, rad/s.
 
     Returns:
         Orientation now, shape (3, 3).
@@ -92,6 +94,9 @@ def turned(
             ey -= share * sole[0, 2]
             if k == relied:
                 ez += dt / times_s[1] * _wrapped(anchor_yaw - math.atan2(sole[1, 0], sole[0, 0]))
+        turn, most = math.sqrt(ex * ex + ey * ey), sole_rate * dt
+        if turn > most:
+            ex, ey = ex * most / turn, ey * most / turn
     fx = R[0, 0] * force[0] + R[0, 1] * force[1] + R[0, 2] * force[2]
     fy = R[1, 0] * force[0] + R[1, 1] * force[1] + R[1, 2] * force[2]
     fz = R[2, 0] * force[0] + R[2, 1] * force[1] + R[2, 2] * force[2]
@@ -103,11 +108,71 @@ def turned(
 
 
 @compiled
+def base_velocity(
+    before: Array,
+    odom_R_base: Array,
+    force: Array,
+    dt: float,
+    loads: Array,
+    sole_p: Array,
+    sole_v: Array,
+    rate: Array,
+    time_s: float,
+    most: float,
+) -> Array:
+    """Integrate the accelerometer, then go to what the soles that carry say, were they at rest.
+
+    A sole that rocks on an edge is not at rest: it shows velocities of some 0.3 m/s to and fro for 30 ms.
+    So what it says counts with a time constant, and differences count up to a bound.
+
+    Args:
+        before: Velocity of the base in odometry axes, m/s, shape (3,).
+        odom_R_base: Orientation, shape (3, 3).
+        force: What the accelerometer shows, in the base's frame, m/s^2, shape (3,).
+        dt: Time since then, s.
+        loads: Normal force on each sole, 0 where it carries nothing, shape (feet,).
+        sole_p, sole_v: Each sole in the base's frame and its velocity there, shape (feet, 3) each.
+        rate: Angular velocity of the base in its own frame, rad/s, shape (3,).
+        time_s: Time constant of the soles.
+        most: Of a difference, m/s.
+
+    Returns:
+        Velocity now, shape (3,).
+    """
+    total = 0.0
+    for k in range(len(loads)):
+        total += loads[k]
+    R = odom_R_base
+    v = before.copy()
+    for i in range(3):
+        v[i] += dt * (R[i, 0] * force[0] + R[i, 1] * force[1] + R[i, 2] * force[2])
+    v[2] -= dt * 9.81
+    if total > 0.0:
+        off = np.zeros(3)
+        for k in range(len(loads)):
+            p, share = sole_p[k], loads[k] / total
+            x = sole_v[k, 0] + rate[1] * p[2] - rate[2] * p[1]
+            y = sole_v[k, 1] + rate[2] * p[0] - rate[0] * p[2]
+            z = sole_v[k, 2] + rate[0] * p[1] - rate[1] * p[0]
+            for i in range(3):
+                off[i] -= share * (R[i, 0] * x + R[i, 1] * y + R[i, 2] * z)
+        size = 0.0
+        for i in range(3):
+            off[i] -= v[i]
+            size += off[i] * off[i]
+        size = math.sqrt(size)
+        gain = dt / time_s * min(1.0, most / max(size, 1e-9))
+        for i in range(3):
+            v[i] += gain * off[i]
+    return v
+
+
+@compiled
 def com_seen(
     odom_R_base: Array,
     sole_R: Array,
     sole_p: Array,
-    sole_v: Array,
+    base_v: Array,
     com: Array,
     com_v: Array,
     rate: Array,
@@ -116,8 +181,9 @@ def com_seen(
 
     Args:
         odom_R_base: Orientation, shape (3, 3).
-        sole_R, sole_p, sole_v: Pose and velocity of the sole in the base's frame.
-        com, com_v: The CoM and its velocity there, shape (3,) each.
+        sole_R, sole_p: The sole in the base's frame, shapes (3, 3) and (3,).
+        base_v: Velocity of the base over the floor, odometry axes, m/s, shape (3,).
+        com, com_v: The CoM and its velocity in the base's frame, shape (3,) each.
         rate: Angular velocity of the base in its own frame, rad/s, shape (3,).
 
     Returns:
@@ -133,17 +199,19 @@ def com_seen(
     c, s = math.cos(heading), math.sin(heading)
     arm = com - sole_p
     moving = np.empty(3)
-    moving[0] = com_v[0] - sole_v[0] + rate[1] * arm[2] - rate[2] * arm[1]
-    moving[1] = com_v[1] - sole_v[1] + rate[2] * arm[0] - rate[0] * arm[2]
-    moving[2] = com_v[2] - sole_v[2] + rate[0] * arm[1] - rate[1] * arm[0]
+    moving[0] = com_v[0] + rate[1] * com[2] - rate[2] * com[1]
+    moving[1] = com_v[1] + rate[2] * com[0] - rate[0] * com[2]
+    moving[2] = com_v[2] + rate[0] * com[1] - rate[1] * com[0]
     seen = np.empty(7)
     R = odom_R_base
     for k in range(2):
         v = arm if k == 0 else moving
         x = R[0, 0] * v[0] + R[0, 1] * v[1] + R[0, 2] * v[2]
         y = R[1, 0] * v[0] + R[1, 1] * v[1] + R[1, 2] * v[2]
-        seen[3 * k], seen[3 * k + 1] = c * x + s * y, c * y - s * x
-        seen[3 * k + 2] = R[2, 0] * v[0] + R[2, 1] * v[1] + R[2, 2] * v[2]
+        z = R[2, 0] * v[0] + R[2, 1] * v[1] + R[2, 2] * v[2]
+        if k == 1:
+            x, y, z = x + base_v[0], y + base_v[1], z + base_v[2]
+        seen[3 * k], seen[3 * k + 1], seen[3 * k + 2] = c * x + s * y, c * y - s * x, z
     seen[6] = _wrapped(math.atan2(R[1, 0], R[0, 0]) - heading)
     return seen
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.walking.attitude import com_seen, turned
+from kinematics.walking.attitude import base_velocity, com_seen, turned
 from kinematics.walking.planar import PlanarPose
 
 Array = NDArray[np.float64]
@@ -30,16 +30,23 @@ class LeggedSettings:
 
     Attributes:
         sole_time_s: The tilt returns to that of flat soles with this time constant.
+        sole_rate_rad_s: But no faster than this: more than a gyro's error of 0.5 degrees per second, and
+            so little that a sole that stands tilted on an edge for a step turns it by 6 mrad, not by 70.
         sole_yaw_time_s: The heading returns to that of the standing foot with this one: slowly, for
             soles twist a little under turns and a gyro without bias does not.
         gravity_time_s: The tilt returns to the accelerometer's with this one.
+        velocity_time_s: The velocity returns to what carrying soles say with this time constant.
+        velocity_most_m_s: And they are believed so far beside the accelerometer.
         carrying_force_n: A sole with less normal force than this carries nothing.
         shift_share: Another foot becomes the one to rely on with this share of the load.
     """
 
     sole_time_s: float = 0.4
+    sole_rate_rad_s: float = 0.012
     sole_yaw_time_s: float = 10.0
     gravity_time_s: float = 4.0
+    velocity_time_s: float = 0.05
+    velocity_most_m_s: float = 0.1
     carrying_force_n: float = 30.0
     shift_share: float = 0.6
 
@@ -50,7 +57,7 @@ class ComEstimate:
 
     Attributes:
         position_m: From the sole's origin, along the sole's heading, its left, and up, shape (3,).
-        velocity_m_s: The same of its velocity, were the sole at rest, shape (3,).
+        velocity_m_s: The same of its velocity over the floor, shape (3,).
         heading_rad: The base's, seen from the sole.
     """
 
@@ -107,6 +114,7 @@ class LeggedEstimator:
         self._index = {side: k for k, side in enumerate(self._sides)}
         used = self._settings
         self._times_s = np.array([used.sole_time_s, used.sole_yaw_time_s, used.gravity_time_s])
+        self._velocity = np.zeros(3)
         self._seen: dict[Hand, ComEstimate] = {}
         self._com, self._com_velocity = np.zeros(3), np.zeros(3)
         self._estimate = q.copy()
@@ -152,10 +160,13 @@ class LeggedEstimator:
         np.multiply(foot_wrench[:, 2], foot_wrench[:, 2] >= least, out=self._loads)
         self.loads_n = dict(zip(self._sides, self._loads.tolist(), strict=True))
         if self._last_s is not None and stamp_s > self._last_s:
-            self._turn(stamp_s - self._last_s, base_R_imu.dot(accelerometer_m_s2))
+            dt, force = stamp_s - self._last_s, base_R_imu.dot(accelerometer_m_s2)
+            self._turn(dt, force)
+            self._move(dt, force)
         self._last_s = stamp_s
-        self._rely()
         self._place(joints_rad)
+        if self._rely():
+            self._place(joints_rad)
 
     def com_from(self, side: Hand) -> ComEstimate:
         """The CoM as a sole sees it."""
@@ -166,7 +177,7 @@ class LeggedEstimator:
                 self.odom_R_base,
                 self._sole_R[k],
                 self._sole_p[k],
-                self._sole_v[k],
+                self._velocity,
                 self._com,
                 self._com_velocity,
                 self.turn_rad_s,
@@ -193,18 +204,42 @@ class LeggedEstimator:
             self._anchors[self._relied][1],
             force,
             self._times_s,
+            self._settings.sole_rate_rad_s,
         )
 
-    def _rely(self) -> None:
-        """Change over to the foot that carries most, standing where it stands now."""
+    def _move(self, dt: float, force: Array) -> None:
+        """Integrate the accelerometer, then correct by the soles that carry."""
+        used = self._settings
+        self._velocity = base_velocity(
+            self._velocity,
+            self.odom_R_base,
+            force,
+            dt,
+            self._loads,
+            self._sole_p,
+            self._sole_v,
+            self.turn_rad_s,
+            used.velocity_time_s,
+            used.velocity_most_m_s,
+        )
+
+    def _rely(self) -> bool:
+        """Change over to the foot that carries most, standing where it stands now; whether that was done.
+
+        The base has to be where these readings have it: with that of the period before each step is found
+        too short by a period's way of the base, 0.9 mm of 181 mm at 0.3 m/s.
+        """
         total = sum(self.loads_n.values())
         if total <= 0.0:
-            return
+            return False
+        changed = False
         for side, load in self.loads_n.items():
             if side != self._relied and load > self._settings.shift_share * total:
                 place = self.sole(side)
                 self._anchors[side] = (np.array((place.x_m, place.y_m, 0.0)), place.yaw_rad)
                 self._relied = side
+                changed = True
+        return changed
 
     def _place(self, joints_rad: Array) -> None:
         anchor, _ = self._anchors[self._relied]

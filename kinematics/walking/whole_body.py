@@ -23,7 +23,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample
 from kinematics.walking.legs import fill_legs
-from kinematics.walking.pattern import PatternSample
+from kinematics.walking.pattern_sample import PatternSample
 from kinematics.walking.planar import PlanarPose
 
 Array = NDArray[np.float64]

@@ -14,7 +14,7 @@ from kinematics.walking.attitude import righting_moment
 from kinematics.walking.dcm import Point
 from kinematics.walking.foot_wrenches import WrenchDistribution
 from kinematics.walking.legged_estimator import LeggedEstimator
-from kinematics.walking.pattern import PatternSample
+from kinematics.walking.pattern_sample import PatternSample
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.walking_dynamics import WalkingDynamics
 

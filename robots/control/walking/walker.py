@@ -8,12 +8,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance
-from kinematics.trajectory_sampler import MotionSample
-from kinematics.walking.legged_estimator import LeggedEstimator
-from kinematics.walking.pattern import PatternSample, Phase, WalkingPattern
-from kinematics.walking.planar import PlanarPose
 from kinematics.walking.steering import Steering
-from kinematics.walking.whole_body import WholeBody
 from robots.clock import Clock
 from robots.control.authority import HOLD, STOP, Authority, together
 from robots.control.events import ControlSink, MotionEnded, MotionStarted
@@ -21,10 +16,7 @@ from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
 from robots.control.walking.hand_scales import HandScales
-from robots.control.walking.push_watch import PushWatch
-from robots.control.walking.rejoin import Rejoin
-from robots.control.walking.soft_ankles import SoftAnkles
-from robots.control.walking.stabiliser import Stabiliser
+from robots.control.walking.walk import Walk
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
 
@@ -34,8 +26,7 @@ _UPRIGHT_RAD = 0.05
 """A pelvis that leans more than this does not start to walk: go home first."""
 _GYRO_TIME_S = 4.0
 """What the gyro shows at rest is averaged over this."""
-_AT_REST_PERIODS = 3
-"""Periods at rest until the averaged references are at rest too."""
+_STOPPING = f"{STOP} of a walk"
 
 
 class Walker:
@@ -57,7 +48,7 @@ class Walker:
         self._count = 0
         self._handle: MotionHandle | None = None
         self._owner = ""
-        self._walk: _Walk | None = None
+        self._walk: Walk | None = None
         self._gyro_at_rest = np.zeros(3)
         self._rested = 0
         self._scales = HandScales(model, period_s)
@@ -228,7 +219,7 @@ class Walker:
     def _set_out(self, steering: Steering) -> None:
         self._interrupted = False
         model = self._model.carrying(self._scales.masses_kg(self._streamer.reference()))
-        self._walk = _Walk(model, self._streamer, self._gyro_at_rest, self._period_s)
+        self._walk = Walk(model, self._streamer, self._gyro_at_rest, self._period_s)
         if self._readings is not None:
             self._walk.sense(self._readings)
         self._walk.pattern.steer(steering)
@@ -250,126 +241,3 @@ class Walker:
     def _end(self, handle: MotionHandle, status: MotionStatus, reason: str) -> None:
         handle.status, handle.reason = status, reason
         self._sink(MotionEnded(self._clock.now_s(), handle.name, handle.owner, status.value, reason))
-
-
-_STOPPING = f"{STOP} of a walk"
-
-
-class _Walk:
-    """One walk, from rest to rest."""
-
-    def __init__(
-        self, model: RobotModel, streamer: MotionStreamer, gyro_at_rest: Array, period_s: float
-    ) -> None:
-        settings = model.description.walking
-        if settings is None:
-            raise RuntimeError("the robot is not known to walk")
-        self._model, self._period_s = model, period_s
-        q, stance = streamer.reference(), streamer.stance()
-        placed = dict(stance.soles)
-        soles = {sole.side: sole for sole in model.description.soles}
-        feet = {side: PlanarPose.of(placed[sole.frame]) for side, sole in soles.items()}
-        self._body = WholeBody(model, q, feet, period_s, settings.first_shift_s)
-        com = model.com(q)
-        home = {
-            side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
-        }
-        self.pattern = WalkingPattern(
-            settings,
-            soles,
-            feet,
-            (float(com[0]), float(com[1])),
-            self._body.rest_m,
-            home["left"].distance_m(home["right"]),
-            self._body.omega,
-            self._body.sway_s2,
-        )
-        self._stabiliser = Stabiliser(model, settings, self._body.omega)
-        anchors = {side: placed[sole.frame] for side, sole in soles.items()}
-        self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
-        self._soft_ankles = SoftAnkles(model, settings)
-        self._push_watch = PushWatch()
-        self._most = settings.effort_share * model.effort
-        self._read: tuple[Array, Array] | None = None
-        self._sensed = False
-        self._sample: PatternSample | None = None
-        self._motion: MotionSample | None = None
-        self._phase = Phase.REST
-        self._rejoin: Rejoin | None = None
-        self._resting = 0
-
-    @property
-    def at_rest(self) -> bool:
-        """Whether it is over."""
-        return self._resting >= _AT_REST_PERIODS
-
-    def sense(self, readings: RobotState) -> Array:
-        """Take readings in; gives the configuration estimated from them, shape (nq,)."""
-        estimator, bodies = self._estimator, len(self._model.joints)
-        self._read = readings.q[:bodies], readings.v[:bodies]
-        estimator.update(
-            readings.stamp_s,
-            readings.q[:bodies],
-            readings.v[:bodies],
-            readings.gyro,
-            readings.accelerometer,
-            readings.foot_wrench,
-        )
-        self._sensed = True
-        return estimator.tilt_rad
-
-    def next(self) -> tuple[MotionSample, Array]:
-        """The next instant and its efforts."""
-        error, loads_n = self._stabiliser.error, self._estimator.loads_n
-        push = self._push_watch.felt(error, loads_n, self._sample, self._period_s)
-        if push is not None:
-            self.pattern.catch(push)
-        sample = self.pattern.advance(self._period_s)
-        motion = self._body.follow(sample)
-        if sample.phase is Phase.SWING and self._phase is not Phase.SWING:
-            self._locate(sample)
-        self._phase = sample.phase
-        self._resting = self._resting + 1 if sample.phase is Phase.REST else 0
-        before, self._sample = self._sample or sample, sample
-        self._motion = motion
-        efforts = self._stabiliser.efforts(before, motion, self._estimator)
-        if self._read is not None:
-            told, soft = (motion.q[7:], motion.v[6:]), sample.phase not in (Phase.SETTLE, Phase.REST)
-            efforts = efforts + self._soft_ankles.efforts(told, self._read, soft, self._period_s)
-        return motion, np.clip(efforts, -self._most, self._most)
-
-    def joints(self, motion: MotionSample) -> tuple[Array, Array]:
-        """Positions and velocities to command, on the way back to the motion if they are off it."""
-        q, v = motion.q[7:], motion.v[6:]
-        if self._rejoin is None:
-            return q, v
-        left, speed = self._rejoin.advance(self._period_s)
-        if self._rejoin.over:
-            self._rejoin = None
-        return q + left, v + speed
-
-    def rejoin(self, told_rad: Array) -> None:
-        """Come back to the motion from where the joints rest for a period."""
-        if self._motion is not None:
-            self._rejoin = Rejoin(told_rad - self._motion.q[7:], -self._motion.v[6:])
-
-    def standing(self) -> tuple[Stance, Array]:
-        """Stance and configuration at its end, in the odometry frame."""
-        if self._motion is None:
-            raise RuntimeError("the walk has not begun")
-        feet = self.pattern.feet
-        found = PlanarPose.between(self._estimator.sole("left"), self._estimator.sole("right"))
-        odom_T_plan = found @ PlanarPose.between(feet["left"], feet["right"]).inverse()
-        soles = tuple(
-            (sole.frame, (odom_T_plan @ feet[sole.side]).transform())
-            for sole in self._model.description.soles
-        )
-        q = self._motion.q.copy()
-        base = odom_T_plan.transform() @ poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
-        q[:3], q[3:7] = base[:3, 3], poses.quaternion_from_rotation(base[:3, :3])
-        return Stance(soles), q
-
-    def _locate(self, sample: PatternSample) -> None:
-        """Learn where the plan is from the foot that stands."""
-        side = sample.carrying[0]
-        self.pattern.locate(self._estimator.sole(side) @ sample.feet[side].inverse())

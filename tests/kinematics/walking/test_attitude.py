@@ -7,7 +7,7 @@ import pinocchio as pin
 import pytest
 
 from kinematics import poses
-from kinematics.walking.attitude import com_seen, righting_moment, turned
+from kinematics.walking.attitude import base_velocity, com_seen, righting_moment, turned
 from kinematics.walking.planar import wrapped
 
 
@@ -22,7 +22,7 @@ def test_a_turn_is_the_gyros_corrected_by_flat_soles_and_gravity(seed):
     rate, force, dt = rng.normal(0.0, 1.0, 3), rng.normal(0.0, 9.0, 3), 0.002
     loads, yaw = np.array([0.0 if seed % 3 == 0 else 400.0, 500.0]), float(rng.uniform(-3.0, 3.0))
 
-    found = turned(R, rate, dt, loads, soles, 1, yaw, force, np.array([0.4, 10.0, 4.0]))
+    found = turned(R, rate, dt, loads, soles, 1, yaw, force, np.array([0.4, 10.0, 4.0]), 100.0)
 
     before = R @ pin.exp3(rate * dt)
     turn = np.zeros(3)
@@ -35,18 +35,59 @@ def test_a_turn_is_the_gyros_corrected_by_flat_soles_and_gravity(seed):
     np.testing.assert_allclose(found, pin.exp3(turn) @ before, atol=1e-12)
 
 
+def test_a_sole_on_an_edge_turns_the_trunk_no_faster_than_it_may():
+    level, tilted = np.eye(3), poses.rotation_from_vector(np.array([0.1, 0.05, 0.0]))
+    loads, dt = np.array([900.0, 0.0]), 0.002
+    still, down = np.zeros(3), np.array([0.0, 0.0, 9.81])
+
+    found = turned(
+        level, still, dt, loads, np.array([tilted, level]), 0, 0.0, down, np.array([0.4, 1e9, 1e9]), 0.012
+    )
+
+    assert np.linalg.norm(pin.log3(found)) == pytest.approx(0.012 * dt, rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_the_base_moves_as_the_accelerometer_says_corrected_by_the_soles(seed):
+    rng = np.random.default_rng(seed)
+    R, dt = rotation(rng), 0.002
+    before, force, rate = rng.normal(0.0, 0.1, (3, 3))
+    sole_p, sole_v = rng.normal(0.0, 0.1, (2, 2, 3))
+    loads = np.array([0.0 if seed % 3 == 0 else 400.0, 500.0])
+
+    found = base_velocity(before, R, force, dt, loads, sole_p, sole_v, rate, 0.05, 100.0)
+
+    led = before + dt * (R @ force - (0.0, 0.0, 9.81))
+    seen = -sum(
+        load / loads.sum() * (R @ (v + np.cross(rate, p)))
+        for load, p, v in zip(loads, sole_p, sole_v, strict=True)
+    )
+    np.testing.assert_allclose(found, led + dt / 0.05 * (seen - led), atol=1e-12)
+
+
+def test_a_sole_that_rocks_is_believed_to_a_bound():
+    loads, dt = np.array([900.0]), 0.002
+    still, rocking, down = np.zeros(3), np.array([[0.5, 0.0, 0.0]]), np.array([0.0, 0.0, 9.81])
+
+    found = base_velocity(still, np.eye(3), down, dt, loads, np.zeros((1, 3)), rocking, still, 0.05, 0.1)
+
+    np.testing.assert_allclose(found, (-dt / 0.05 * 0.1, 0.0, 0.0), atol=1e-12)
+
+
 @pytest.mark.parametrize("seed", range(10))
 def test_the_com_is_seen_along_the_soles_heading(seed):
     rng = np.random.default_rng(seed)
     R, sole_R = rotation(rng, 0.5), rotation(rng, 0.5)
-    sole_p, sole_v, com, com_v, rate = rng.normal(0.0, 1.0, (5, 3))
+    sole_p, base_v, com, com_v, rate = rng.normal(0.0, 1.0, (5, 3))
 
-    seen = com_seen(R, sole_R, sole_p, sole_v, com, com_v, rate)
+    seen = com_seen(R, sole_R, sole_p, base_v, com, com_v, rate)
 
     heading = poses.yaw_of(R @ sole_R)
     level = poses.rotation_z(-heading) @ R
     np.testing.assert_allclose(seen[:3], level @ (com - sole_p), atol=1e-12)
-    np.testing.assert_allclose(seen[3:6], level @ (com_v - sole_v + np.cross(rate, com - sole_p)), atol=1e-12)
+    np.testing.assert_allclose(
+        seen[3:6], level @ (com_v + np.cross(rate, com)) + poses.rotation_z(-heading) @ base_v, atol=1e-12
+    )
     assert seen[6] == pytest.approx(wrapped(poses.yaw_of(R) - heading))
 
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from kinematics.robot_model import RobotModel
-from kinematics.walking.pattern import Phase, WalkingPattern
+from kinematics.walking.pattern import WalkingPattern
+from kinematics.walking.pattern_sample import Phase
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.steering import PathSteering, StretchSteering, VelocitySteering
 from kinematics.walking.whole_body import WholeBody

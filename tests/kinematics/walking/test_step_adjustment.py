@@ -7,7 +7,8 @@ import pytest
 
 from kinematics.robot_model import RobotModel
 from kinematics.walking.dcm import ZmpStretch
-from kinematics.walking.pattern import Phase, WalkingPattern
+from kinematics.walking.pattern import WalkingPattern
+from kinematics.walking.pattern_sample import Phase
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.steering import VelocitySteering
 from kinematics.walking.step_adjustment import farthest_m, legs_reach, missed_by

@@ -3,7 +3,7 @@
 import pytest
 
 from kinematics.walking.com_motion import ComSample
-from kinematics.walking.pattern import PatternSample, Phase
+from kinematics.walking.pattern_sample import PatternSample, Phase
 from kinematics.walking.planar import PlanarPose
 from robots.control.walking.push_watch import PushWatch
 

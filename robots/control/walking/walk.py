@@ -1,0 +1,162 @@
+"""One walk under way: pattern, floor, whole body, estimator and stabiliser, one period after the other."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics import poses
+from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
+from kinematics.trajectory import Stance
+from kinematics.trajectory_sampler import MotionSample
+from kinematics.walking.floor_finding import FloorFinding
+from kinematics.walking.legged_estimator import LeggedEstimator
+from kinematics.walking.level_soles import levelled
+from kinematics.walking.pattern import WalkingPattern
+from kinematics.walking.pattern_sample import PatternSample, Phase
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.whole_body import WholeBody
+from robots.control.motion_streamer import MotionStreamer
+from robots.control.walking.fitted_ankles import FittedAnkles
+from robots.control.walking.push_watch import PushWatch
+from robots.control.walking.rejoin import Rejoin
+from robots.control.walking.soft_ankles import SoftAnkles
+from robots.control.walking.stabiliser import Stabiliser
+from robots.interface import RobotState
+
+Array = NDArray[np.float64]
+
+_AT_REST_PERIODS = 3
+"""Periods at rest until the averaged references are at rest too."""
+
+
+class Walk:
+    """One walk, from rest to rest."""
+
+    def __init__(
+        self, model: RobotModel, streamer: MotionStreamer, gyro_at_rest: Array, period_s: float
+    ) -> None:
+        settings = model.description.walking
+        if settings is None:
+            raise RuntimeError("the robot is not known to walk")
+        self._model, self._period_s = model, period_s
+        placed, q = levelled(model, streamer.reference(), dict(streamer.stance().soles))
+        soles = {sole.side: sole for sole in model.description.soles}
+        feet = {side: PlanarPose.of(placed[sole.frame]) for side, sole in soles.items()}
+        self._body = WholeBody(model, q, feet, period_s, settings.first_shift_s)
+        com = model.com(q)
+        home = {
+            side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
+        }
+        self.pattern = WalkingPattern(
+            settings,
+            soles,
+            feet,
+            (float(com[0]), float(com[1])),
+            self._body.rest_m,
+            home["left"].distance_m(home["right"]),
+            self._body.omega,
+            self._body.sway_s2,
+        )
+        self._stabiliser = Stabiliser(model, settings, self._body.omega)
+        anchors = {side: placed[sole.frame] for side, sole in soles.items()}
+        self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
+        self._soft_ankles = SoftAnkles(model, settings)
+        self._fitted_ankles = FittedAnkles(model, streamer.reference()[7:] - q[7:], period_s)
+        self._floor = FloorFinding(
+            {side: round(float(pose[2, 3]), 6) for side, pose in anchors.items()}, period_s
+        )
+        self._push_watch = PushWatch()
+        self._most = settings.effort_share * model.effort
+        self._read: tuple[Array, Array] | None = None
+        self._sensed = False
+        self._sample: PatternSample | None = None
+        self._motion: MotionSample | None = None
+        self._phase = Phase.REST
+        self._rejoin: Rejoin | None = None
+        self._resting = 0
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether it is over."""
+        return self._resting >= _AT_REST_PERIODS and self._fitted_ankles.at_rest
+
+    def sense(self, readings: RobotState) -> Array:
+        """Take readings in; gives the configuration estimated from them, shape (nq,)."""
+        estimator, bodies = self._estimator, len(self._model.joints)
+        self._read = readings.q[:bodies], readings.v[:bodies]
+        estimator.update(
+            readings.stamp_s,
+            readings.q[:bodies],
+            readings.v[:bodies],
+            readings.gyro,
+            readings.accelerometer,
+            readings.foot_wrench,
+        )
+        self._sensed = True
+        return estimator.tilt_rad
+
+    def next(self) -> tuple[MotionSample, Array]:
+        """The next instant and its efforts."""
+        error, loads_n = self._stabiliser.error, self._estimator.loads_n
+        push = self._push_watch.felt(error, loads_n, self._sample, self._period_s)
+        if push is not None:
+            self.pattern.catch(push)
+        sample = self._floor.under(self.pattern.advance(self._period_s), loads_n)
+        motion = self._body.follow(sample)
+        if self._read is not None:
+            self._fitted_ankles.follow(sample.phase, motion.q[7:], self._read[0])
+            self._fitted_ankles.add_to(motion.q[7:], motion.v[6:])
+        if sample.phase is Phase.SWING and self._phase is not Phase.SWING:
+            self._locate(sample)
+        self._phase = sample.phase
+        self._resting = self._resting + 1 if sample.phase is Phase.REST else 0
+        before, self._sample = self._sample or sample, sample
+        self._motion = motion
+        efforts = self._stabiliser.efforts(before, motion, self._estimator)
+        if self._read is not None:
+            told, soft = (motion.q[7:], motion.v[6:]), sample.phase not in (Phase.SETTLE, Phase.REST)
+            efforts = efforts + self._soft_ankles.efforts(told, self._read, soft, self._period_s)
+        return motion, np.clip(efforts, -self._most, self._most)
+
+    def joints(self, motion: MotionSample) -> tuple[Array, Array]:
+        """Positions and velocities to command, on the way back to the motion if they are off it."""
+        q, v = motion.q[7:], motion.v[6:]
+        if self._rejoin is None:
+            return q, v
+        left, speed = self._rejoin.advance(self._period_s)
+        if self._rejoin.over:
+            self._rejoin = None
+        return q + left, v + speed
+
+    def rejoin(self, told_rad: Array) -> None:
+        """Come back to the motion from where the joints rest for a period."""
+        if self._motion is not None:
+            self._rejoin = Rejoin(told_rad - self._motion.q[7:], -self._motion.v[6:])
+
+    def standing(self) -> tuple[Stance, Array]:
+        """Stance and configuration at its end, in the odometry frame."""
+        if self._motion is None:
+            raise RuntimeError("the walk has not begun")
+        feet = self.pattern.feet
+        found = PlanarPose.between(self._estimator.sole("left"), self._estimator.sole("right"))
+        odom_T_plan = found @ PlanarPose.between(feet["left"], feet["right"]).inverse()
+        heights_m = self._floor.heights_m
+        floor_m = sum(heights_m.values()) / len(heights_m)
+        soles = tuple(
+            (sole.frame, (odom_T_plan @ feet[sole.side]).transform(heights_m[sole.side] - floor_m))
+            for sole in self._model.description.soles
+        )
+        q = self._motion.q.copy()
+        plan_T_base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
+        base = odom_T_plan.transform(-floor_m) @ plan_T_base
+        q[:3], q[3:7] = base[:3, 3], poses.quaternion_from_rotation(base[:3, :3])
+        if self._fitted_ankles.offset_rad.any():
+            return stance_at(self._model, q), q
+        return Stance(soles), q
+
+    def _locate(self, sample: PatternSample) -> None:
+        """Learn where the plan is from the foot that stands."""
+        side = sample.carrying[0]
+        self.pattern.locate(self._estimator.sole(side) @ sample.feet[side].inverse())
