@@ -9,8 +9,9 @@ import numpy as np
 
 from executive.event_hub import EventHub
 from executive.events import EventSink
+from executive.lockstep import PERIOD_S
 from executive.planning_jobs import PlanningJobs
-from executive.session import PERIOD_S, Session, TreeBuilder
+from executive.session import Session, TreeBuilder
 from executive.supervisor import Supervisor
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests import CheckRequest
@@ -28,6 +29,7 @@ from robots.scene_description import SceneDescription
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
+from trees.offers import is_offer
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -103,6 +105,7 @@ def assemble(
     model = RobotModel(description)
     clock = ManualClock()
     world = build_world(description, scene, for_world)
+    sink.listen(lambda event: world.people.see_offer() if is_offer(event) else None)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, for_perception)
 

@@ -14,7 +14,7 @@ from executive.language.chart import Chart, TooTangledError
 from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
 from executive.language.lattice import Lattice
-from executive.language.phrases import Trouble
+from executive.language.phrases import Nominal, Trouble
 from executive.language.references import Resolver, UnresolvedError
 from executive.language.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
@@ -109,7 +109,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
         chart = self._chart(lattice)
         try:
-            outcomes = _outcomes(chart.meanings(), self._is_valid)
+            outcomes = _outcomes(chart.meanings(), self._people_in, self._is_valid)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
@@ -119,6 +119,8 @@ class CommandParser:
                 return Parsed(text, commands=commands, manners=lattice.manners())
         if not outcomes:
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
+        if _asks_about_doing(lattice):
+            return Parsed(text, question=Question("is that asked about, or shall it be done?"))
         return self._answer(text, outcomes, lattice.manners())
 
     def parse_selection(self, text: str) -> ObjectDescription | None:
@@ -140,7 +142,7 @@ class CommandParser:
     def _is_valid(self, text: str) -> bool:
         """Whether a sentence makes tasks; unlike ``parse`` it explains nothing, so it never recurs."""
         try:
-            outcomes = _outcomes(self._chart(self._lattice(text)).meanings())
+            outcomes = _outcomes(self._chart(self._lattice(text)).meanings(), self._people_in)
         except (MalformedTextError, TooTangledError):
             return False
         return sum(not isinstance(one, Trouble) for one in outcomes) == 1
@@ -148,11 +150,22 @@ class CommandParser:
     def _only_commands(self, text: str) -> tuple[Command, ...] | None:
         """The commands of a sentence that means one thing; it explains nothing."""
         try:
-            outcomes = _outcomes(self._chart(self._lattice(text)).meanings(), self._is_valid)
+            meanings = self._chart(self._lattice(text)).meanings()
+            outcomes = _outcomes(meanings, self._people_in, self._is_valid)
         except (MalformedTextError, TooTangledError):
             return None
         understood = [one for one in outcomes if not isinstance(one, Trouble)]
         return understood[0] if len(understood) == 1 else None
+
+    def _people_in(self, text: str) -> tuple[Nominal, ...]:
+        """Who is named in words to say, so that "him" after them may be somebody else than who is told."""
+        said = [piece.text for piece in pieces_of(normalise(text))]
+        return tuple(
+            Nominal("name" if reading.word_class == "NAME" else "person", reading.meaning, determined=True)
+            for start in range(len(said))
+            for _, reading in self.vocabulary.matches(said, start)
+            if reading.word_class in ("NAME", "PERSON")
+        )
 
     def _answer(self, text: str, outcomes: Sequence[Outcome], manners: tuple[str, ...]) -> Parsed:
         understood = [one for one in outcomes if not isinstance(one, Trouble)]
@@ -182,6 +195,12 @@ class CommandParser:
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
 
 
+def _asks_about_doing(lattice: Lattice) -> bool:
+    """Whether it is an -ing form with a question mark: "opening the fridge?"."""
+    asks = lattice.plain.rstrip().endswith("?")
+    return asks and any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
+
+
 def _alike(one: Parsed, other: Parsed) -> bool:
     return [command_json(command) for command in one.commands] == [
         command_json(command) for command in other.commands
@@ -189,7 +208,9 @@ def _alike(one: Parsed, other: Parsed) -> bool:
 
 
 def _outcomes(
-    meanings: Iterable[object], is_command: Callable[[str], bool] = lambda _text: False
+    meanings: Iterable[object],
+    people_in: Callable[[str], Sequence[Nominal]],
+    is_command: Callable[[str], bool] = lambda _text: False,
 ) -> list[Outcome]:
     """What each meaning of the whole sentence comes to, without doubles.
 
@@ -203,7 +224,7 @@ def _outcomes(
             troubles[meaning] = None
         elif isinstance(meaning, Sentence):
             try:
-                commands = Resolver().commands(meaning.clauses)
+                commands = Resolver(people_in).commands(meaning.clauses)
             except UnresolvedError as unresolved:
                 troubles[unresolved.trouble] = None
                 continue

@@ -22,7 +22,7 @@ from executive.clarification import (
 )
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
-from executive.preparing import prepared, spoken_by
+from executive.preparing import Known, Prepared, prepared, spoken_by
 from executive.references import references, with_references
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
@@ -31,7 +31,9 @@ from kinematics import poses
 from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
 from trees.failures import Failure, FailureKind
+from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
+from trees.held import HeldObject, held_object
 from trees.tasks import ObjectOf, PickTask, Task
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
@@ -72,7 +74,9 @@ class Errand:
             return (refused,)
         results: list[TaskResult] = []
         speaker = ""
-        for step in prepared(self._commands, self._walks(), self._in_view):
+        for step in prepared(self._commands, self._walks(), self._known()):
+            if self._is_needless(step):
+                continue
             provenance = None if step.said is None else self._provenance[step.said]
             command = spoken_by(step.command, speaker) if speaker else step.command
             names: list[str] = []
@@ -80,6 +84,8 @@ class Errand:
             while waiting:
                 result = yield from self._task(waiting.pop(0))
                 results.append(replace(result, provenance=provenance))
+                if result.outcome == "failed" and step.may_fail:
+                    break
                 if result.outcome != "done":
                     return tuple(results)
                 names += [] if result.acted_on is None else [result.acted_on]
@@ -89,6 +95,23 @@ class Errand:
             if step.said is not None:
                 self._acted_on.append(tuple(names))
         return tuple(results)
+
+    def _is_needless(self, step: Prepared) -> bool:
+        """Whether what has been seen and done meanwhile makes a step superfluous."""
+        if not (step.unless_open or step.unless_held):
+            return False
+        known = self._known()
+        held = step.unless_held is not None and known.in_hand(step.unless_held)
+        return held or (step.unless_open and known.is_open)
+
+    def _known(self) -> Known:
+        toolbox = self._session.toolbox
+        opening = door_opening_rad(toolbox.world.scene)
+        return Known(
+            self._in_view,
+            lambda put: isinstance(held_object(toolbox, put.object, put.hand), HeldObject),
+            opening is not None and opening >= LEAST_OPEN_RAD,
+        )
 
     def _in_view(self, pick: PickTask) -> bool:
         """Whether the object of a pick is believed to be where it is said to be."""

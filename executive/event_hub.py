@@ -21,6 +21,10 @@ class EventHub:
         for listener in self._listeners:
             listener(event)
 
+    def listen(self, listener: EventSink) -> None:
+        """Have every event told to a listener as well, from now on."""
+        self._listeners.append(listener)
+
     @contextmanager
     def heard_by(self, listener: EventSink) -> Iterator[None]:
         """Have every event told to a listener as well."""

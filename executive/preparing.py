@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from executive.meaning import Command
+from trees.fridge_inside import is_behind_door
 from trees.handles import MEANT_BY
 from trees.tasks import (
     Destination,
@@ -22,7 +23,6 @@ from trees.tasks import (
     PickTask,
     PlaceTask,
     PutInTask,
-    Task,
     WalkToTask,
 )
 
@@ -37,31 +37,56 @@ class Prepared:
         command: What to do.
         said: Index of the command that was said; None for what has to be done before it.
         finds_speaker: Whether it tells who "me" is, for all that follows.
+        unless_open: Whether it is left out when the door turns out to stand open.
+        unless_held: Left out while a hand holds what this is about.
+        may_fail: Whether the errand goes on without it.
     """
 
     command: Command
     said: int | None = None
     finds_speaker: bool = False
+    unless_open: bool = False
+    unless_held: PutInTask | None = None
+    may_fail: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What the robot believes when an errand begins.
+
+    Attributes:
+        in_view: Tells of a pick whether its object was seen inside already: then nothing has to be opened.
+        in_hand: Tells of what is to be put somewhere whether a hand holds it already.
+        is_open: Whether the door that is known stands open.
+    """
+
+    in_view: Callable[[PickTask], bool] = lambda _pick: False
+    in_hand: Callable[[PutInTask], bool] = lambda _put: False
+    is_open: bool = False
+
+
+NOTHING_KNOWN = Known()
 
 
 def prepared(
-    commands: Sequence[Command], can_walk: bool, in_view: Callable[[PickTask], bool] = lambda _pick: False
+    commands: Sequence[Command], can_walk: bool, known: Known = NOTHING_KNOWN
 ) -> tuple[Prepared, ...]:
     """The commands with what has to be done before them.
 
     Nothing is added for a robot that stands where it stands, nor where everything is told to be at hand: only
-    a pick out of something that has a door makes it walk. From then on it has left the place where it was,
-    and goes to whom or to where it is told to bring things.
+    what has a door, and is taken from or put into, makes it walk. From then on it has left the place where it
+    was, and goes to whom or to where it is told to bring things. A door behind which something goes is opened
+    first, with empty hands: what is held is put down for it.
 
     Args:
         commands: What was said, in order.
         can_walk: Whether the robot walks.
-        in_view: Tells of a pick whether its object was seen inside already: then nothing has to be opened.
+        known: What is believed.
     """
     said = [Prepared(command, index) for index, command in enumerate(commands)]
     if not can_walk:
         return tuple(said)
-    steps = list(_steps(commands, in_view))
+    steps = list(_steps(commands, known))
     walks = any(isinstance(step.command, WalkToTask) for step in steps if step.said is None)
     if walks and any(_who(command) == SPEAKER for command in commands):
         find = FindTask("see who speaks", person=SPEAKER)
@@ -76,30 +101,71 @@ def spoken_by(command: Command, name: str) -> Command:
     return command
 
 
-def _steps(commands: Sequence[Command], in_view: Callable[[PickTask], bool]) -> Iterator[Prepared]:
+def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
     opened: set[str] = set()
     away = False
     for index, command in enumerate(commands):
         if isinstance(command, OpenTask):
             opened.add(str(command.object))
         inside = _inside(command)
-        before: list[Task] = []
+        before: list[Prepared] = []
+        thing = _to_be_picked(command, commands)
+        held = isinstance(command, PutInTask) and known.in_hand(command)
         if isinstance(command, PickTask) and inside is not None:
-            if inside not in opened and not in_view(command):
-                before += [
-                    WalkToTask(f"walk to the {inside}", inside),
-                    OpenTask(f"open the {inside}", ObjectDescription(inside)),
-                ]
+            if inside not in opened and not known.in_view(command):
+                before += _opening(inside)
             opened.add(inside)
             away = True
-            if not isinstance(command.object, ObjectOf):
-                before.append(WalkToTask(f"come within reach of the {command.object}", command.object))
-        there = _there(command)
+        elif (door := _door_for(index, commands)) is not None:
+            if door not in opened and not known.is_open:
+                if held and thing is not None:
+                    down = PlaceTask(f"put the {thing} down until the {door} is open", thing)
+                    before.append(Prepared(down, may_fail=True))
+                    held = False
+                before += _opening(door)
+                opened.add(door)
+            away = away or door in opened
+        if away and thing is not None and not held:
+            reach = WalkToTask(f"come within reach of the {thing}", thing)
+            before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
+        there = _there(command, commands)
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
         if away and there is not None and not walked:
-            before.append(WalkToTask(f"walk to {_named(there)}", there))
-        yield from (Prepared(task) for task in before)
+            before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there)))
+        yield from before
         yield Prepared(command, index)
+
+
+def _opening(word: str) -> list[Prepared]:
+    walk = WalkToTask(f"walk to the {word}", word)
+    return [Prepared(walk), Prepared(OpenTask(f"open the {word}", ObjectDescription(word)), unless_open=True)]
+
+
+def _door_for(index: int, commands: Sequence[Command]) -> str | None:
+    """What has to be open before a command: it puts something there, or picks up what goes there later."""
+    command = commands[index]
+    if isinstance(command, PutInTask):
+        return _behind(command, commands)
+    if not isinstance(command, PickTask):
+        return None
+    for later in commands[index + 1 :]:
+        if isinstance(later, PutInTask) and isinstance(later.object, ObjectOf) and later.object.task == index:
+            return _behind(later, commands)
+    return None
+
+
+def _behind(put: PutInTask, commands: Sequence[Command]) -> str | None:
+    to = getattr(commands[put.to.task], "object", None) if isinstance(put.to, ObjectOf) else put.to
+    word = to.kind if isinstance(to, ObjectDescription) else to
+    return word if isinstance(word, str) and is_behind_door(word) else None
+
+
+def _to_be_picked(command: Command, commands: Sequence[Command]) -> ObjectDescription | None:
+    """The object that a command is going to pick up, or that was put down for it."""
+    if isinstance(command, PutInTask) and _behind(command, commands) is None:
+        return None
+    thing = command.object if isinstance(command, PickTask | PutInTask) else None
+    return thing if isinstance(thing, ObjectDescription) else None
 
 
 def _inside(command: Command) -> str | None:
@@ -109,13 +175,13 @@ def _inside(command: Command) -> str | None:
     return word if isinstance(word, str) and word in MEANT_BY else None
 
 
-def _there(command: Command) -> Destination | None:
-    """Where what is held is to go."""
+def _there(command: Command, commands: Sequence[Command]) -> Destination | None:
+    """Where what is held is to go; what puts things behind a door comes within reach of it by itself."""
     if isinstance(command, HandOverTask):
         return command.to
     if isinstance(command, PlaceTask):
         return command.on or command.to
-    return command.to if isinstance(command, PutInTask) else None
+    return command.to if isinstance(command, PutInTask) and _behind(command, commands) is None else None
 
 
 def _who(command: Command) -> str | None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Callable, Generator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from executive.event_hub import EventHub
-from executive.events import Event, EventSink, InputTaken, SensorsNoted, TaskAccepted, TaskEnded
+from executive.events import Event, EventSink, InputTaken, TaskAccepted, TaskEnded
+from executive.lockstep import Lockstep, Periods
 from executive.meaning import Command, StopCommand, command_json
 from executive.supervisor import Supervisor
 from executive.task_result import Outcome, TaskResult, TaskTimes
@@ -18,25 +18,13 @@ from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.leaf import from_exception
 from trees.tasks import PickTask, Task
-from trees.toolbox import Sensing, Toolbox
+from trees.toolbox import Toolbox
 
 if TYPE_CHECKING:
     from executive.ticket import Ticket
 
-PERIOD_S = 0.002
-"""The control period."""
-
-PERIODS_A_TICK = 10
-"""Control periods from one tick of the tree to the next: 20 ms."""
-
-SETTLE_TICKS = 10
-"""Ticks before the first task: the body finds its weight, the sensors have something to say."""
-
 HALT_TICKS = 100
 """Ticks that the loop goes on after a cancel: more than the longest braking takes."""
-
-NOTED_EVERY_TICKS = 25
-"""Ticks from one noted hash of the sensors to the next: 0.5 s."""
 
 TASK_TIMEOUT_S = 180.0
 """Simulated time after which a task is given up; several times the longest recovery."""
@@ -55,19 +43,6 @@ def ended(steps: Generator[object, None, R]) -> R:
         except StopIteration as end:
             result: R = end.value
             return result
-
-
-class Steps(Protocol):
-    """What lets one control period pass: the control loop."""
-
-    @property
-    def sensing(self) -> Sensing:
-        """What the robot knows about itself."""
-        ...
-
-    def step(self) -> None:
-        """Let one control period pass."""
-        ...
 
 
 class Pausable(Protocol):
@@ -107,7 +82,7 @@ class Session:
     def __init__(
         self,
         toolbox: Toolbox,
-        loop: Steps,
+        loop: Periods,
         planning: PlanningTimes,
         sink: EventSink,
         *,
@@ -122,16 +97,14 @@ class Session:
         self._pause_reason: str | None = None
         self._paused = False
         self._supervisor = supervisor
-        self._toolbox, self._loop, self._planning = toolbox, loop, planning
+        self._toolbox, self._planning = toolbox, planning
         self._sink = sink if isinstance(sink, EventHub) else EventHub(sink)
-        self._periodic = [call for call in (tick_sensors, on_period) if call is not None]
+        beside = [call for call in (tick_sensors, on_period) if call is not None]
+        self._lockstep = Lockstep(loop, toolbox.clock, self._sink, beside, supervisor)
         self._on_tick = on_tick
         self._build = build
         self._clock: Clock = toolbox.clock
-        self._ticks = 0
-        self._settled = False
         self._cancel_reason: str | None = None
-        self._stop_asked = ""
         self._last_ticket: Ticket | None = None
 
     @property
@@ -206,7 +179,7 @@ class Session:
             RuntimeError: Nothing supervises this session.
         """
         self._supervised().emergency_stop(reason, category)
-        self._stop_asked = f"{category} {reason}"
+        self._lockstep.note_stop(f"{category} {reason}")
 
     def reset(self, person: str) -> str | None:
         """Leave the emergency stop on a person's explicit request; returns what stands against it.
@@ -218,19 +191,15 @@ class Session:
 
     def watch_periods(self, call: Callable[[], None]) -> None:
         """Have something called after each control period."""
-        self._periodic.append(call)
+        self._lockstep.watch(call)
 
     def hold(self, seconds: float) -> None:
         """Let simulated time pass while the robot holds what it does.
 
         No task is under way meanwhile, so that a cancel asked for in this time has nothing to cancel.
         """
-        self._let_pass(seconds)
+        self._lockstep.let_pass(seconds)
         self._cancel_reason = self._pause_reason = None
-
-    def _let_pass(self, seconds: float) -> None:
-        for _ in range(round(seconds / (PERIOD_S * PERIODS_A_TICK))):
-            self._advance()
 
     def run_task(self, command: Command, timeout_s: float = TASK_TIMEOUT_S) -> TaskResult:
         """Carry out one command to its end.
@@ -244,11 +213,11 @@ class Session:
     ) -> Generator[None, None, TaskResult]:
         """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
         wall = WallClock()
-        self._settle()
+        self._lockstep.settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
         self._sink(TaskAccepted(began_s, command.text, command_json(command)))
         tree: TaskTree | None = None
-        refusal = None if self._supervisor is None else self._supervisor.admit(self._let_pass)
+        refusal = None if self._supervisor is None else self._supervisor.admit(self._lockstep.let_pass)
         outcome: tuple[Outcome, Failure | None]
         if isinstance(command, StopCommand):
             outcome = self._halted_nothing()
@@ -288,7 +257,7 @@ class Session:
                 raise
             outcome, failure = "failed", from_exception(defect).at("control")
             tree.halt(failure.message)
-            self._let_pass(HALT_TICKS * PERIODS_A_TICK * PERIOD_S)
+            self._lockstep.tick(HALT_TICKS)
         root = failure
         while root is not None and root.cause is not None:
             root = root.cause
@@ -337,7 +306,7 @@ class Session:
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
             if self._follow_pause():
                 before_s = self.now_s
-                self._advance()
+                self._lockstep.tick()
                 self._toolbox.pauses.total_s += self.now_s - before_s
                 deadline_s += self.now_s - before_s
                 continue
@@ -347,7 +316,7 @@ class Session:
             self._show(tree)
             if tree.status != "running":
                 break
-            self._advance()
+            self._lockstep.tick()
         if tree.status == "success":
             return "done", None
         asks = tree.failure is not None and tree.failure.choices
@@ -357,12 +326,11 @@ class Session:
         """Let a walk that was stopped make its last steps."""
         walking = self._toolbox.walking
         while walking is not None and walking.active:
-            self._advance()
+            self._lockstep.tick()
 
     def _halt(self, tree: TaskTree, kind: FailureKind, reason: str) -> Failure:
         tree.halt(reason)
-        for _ in range(HALT_TICKS):
-            self._advance()
+        self._lockstep.tick(HALT_TICKS)
         self._show(tree)
         halted = tree.failure  # says the same from below, with its place and what had gone wrong before
         if halted is None:
@@ -380,33 +348,5 @@ class Session:
 
     def _halted_nothing(self) -> tuple[Outcome, Failure | None]:
         """A spoken stop with nothing under way: the robot stands and holds already."""
-        self._advance()
+        self._lockstep.tick()
         return "done", None
-
-    def _settle(self) -> None:
-        if not self._settled:
-            for _ in range(SETTLE_TICKS):
-                self._advance()
-            self._settled = True
-
-    def _advance(self) -> None:
-        for _ in range(PERIODS_A_TICK):
-            if self._supervisor is not None:
-                if self._stop_asked:
-                    self._sink(InputTaken(self.now_s, "emergency_stop", self._stop_asked))
-                    self._stop_asked = ""
-                self._supervisor.before_period()
-            self._loop.step()
-            for call in self._periodic:
-                call()
-        self._ticks += 1
-        if self._ticks % NOTED_EVERY_TICKS == 0:
-            self._sink(SensorsNoted(self.now_s, self._sensors_sha256()))
-
-    def _sensors_sha256(self) -> str:
-        state = self._loop.sensing.state()
-        readings = state.readings
-        digest = hashlib.sha256()
-        for array in (state.q, readings.q, readings.v, readings.effort, readings.foot_wrench):
-            digest.update(array.tobytes())
-        return digest.hexdigest()

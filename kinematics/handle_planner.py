@@ -21,7 +21,8 @@ from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
 from kinematics.grasping import key_of
-from kinematics.ik import IkTolerance, along_line, inverse_kinematics
+from kinematics.ik import along_line, inverse_kinematics
+from kinematics.ik_result import IkTolerance
 from kinematics.lead_in import lead_in
 from kinematics.opening_path import DoorArc
 from kinematics.opening_rehearsal import rehearse

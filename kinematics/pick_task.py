@@ -21,13 +21,8 @@ from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
 from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
-from kinematics.ik import (
-    DEFAULT_TOLERANCE,
-    LINE_RESERVE_RAD,
-    InverseKinematics,
-    along_line,
-    inverse_kinematics,
-)
+from kinematics.ik import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
+from kinematics.ik_result import DEFAULT_TOLERANCE
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.requests import Grasp, PickPlan, PickRequest, PlannedStep

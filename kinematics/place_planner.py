@@ -3,7 +3,7 @@
 As with picks, it is the goals that fail: each spot is tried with several turns about the vertical, the
 most natural for the arm first, and only those whose way down and whose retreat are free are reached for.
 Where none is, all are tried again with less room and with the elbow elsewhere: over a high table it is
-the forearm that meets the edge.
+the forearm that meets the edge. Last, the way down ends where the object should stand, not below.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,8 @@ from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
-from kinematics.ik import DEFAULT_TOLERANCE, LINE_RESERVE_RAD, along_line, inverse_kinematics
+from kinematics.ik import LINE_RESERVE_RAD, along_line, inverse_kinematics
+from kinematics.ik_result import DEFAULT_TOLERANCE
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import LEAST_RESERVE_M
@@ -77,6 +78,14 @@ class PlacePlanner:
         if (plan := self._first(thorough, request)) is not None:
             return plan
         considered = usual.considered + thorough.considered
+        # a hand that took it from this height may have no room to go lower than that
+        spots = tuple(replace(spot, below_m=min(spot.below_m, 0.0)) for spot in request.spots)
+        if spots != request.spots:
+            level = replace(request, spots=spots)
+            high = _PlaceTask(self._model, level, LEAST_RESERVE_M, OTHER_SEEDS)
+            if (plan := self._first(high, level)) is not None:
+                return plan
+            considered += high.considered
         return NoPlan(
             f"no way to put the {request.held} down was found",
             dict(thorough.reasons) or {"no free spot": 1},

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.errors import MissingPartError
-from kinematics.ik import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
+from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.leg_ik import LegIk
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand

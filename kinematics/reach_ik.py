@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kinematics import planning_reserve
 from kinematics.errors import MissingPartError, ModelError
 from kinematics.free_coordinates import free_coordinates
-from kinematics.ik import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
+from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel

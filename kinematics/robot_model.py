@@ -53,6 +53,7 @@ class RobotModel:
         self.effort = np.array([limit.effort for limit in limits])
         self._index = {name: i for i, name in enumerate(self.joints)}
         self._data = self.pin.createData()
+        self._frame_ids: dict[str, int] = {}
 
     @property
     def nq(self) -> int:
@@ -119,9 +120,12 @@ class RobotModel:
         Raises:
             UnknownNameError: There is no such frame.
         """
-        if not self.pin.existFrame(name):
-            raise UnknownNameError("frame", name, [frame.name for frame in self.pin.frames])
-        return int(self.pin.getFrameId(name))
+        known = self._frame_ids.get(name)
+        if known is None:
+            if not self.pin.existFrame(name):
+                raise UnknownNameError("frame", name, [frame.name for frame in self.pin.frames])
+            known = self._frame_ids[name] = int(self.pin.getFrameId(name))
+        return known
 
     def configuration(self, joints: Mapping[str, float], world_T_base: Transform) -> Array:
         """Make ``q`` from a base pose and joint positions; joints left out are at home."""
@@ -169,8 +173,13 @@ class RobotModel:
     def frame_pose(self, q: Array, frame: str) -> Transform:
         """``world_T_frame`` at a configuration."""
         frame_id = self.frame_id(frame)
-        pin.framesForwardKinematics(self.pin, self._data, q)
-        return np.array(self._data.oMf[frame_id].homogeneous)
+        pin.forwardKinematics(self.pin, self._data, q)
+        return np.array(pin.updateFramePlacement(self.pin, self._data, frame_id).homogeneous)
+
+    def frame_jacobian(self, q: Array, frame: str) -> Array:
+        """How a frame moves with the joints: m and rad per m and rad, world axes, shape (6, nv)."""
+        kind = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        return np.array(pin.computeFrameJacobian(self.pin, self._data, q, self.frame_id(frame), kind))
 
     def frame_poses(self, q: Array, frames: Sequence[str]) -> list[Transform]:
         """Several frames' poses from one pass of forward kinematics."""

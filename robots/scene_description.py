@@ -122,11 +122,16 @@ class SceneItem:
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """A person who stands somewhere."""
+    """A person who stands somewhere.
+
+    Attributes:
+        takes: Whether the person takes what the robot offers.
+    """
 
     name: str
     position_m: tuple[float, float]
     yaw_rad: float
+    takes: bool = False
 
 
 @dataclass(frozen=True, slots=True)

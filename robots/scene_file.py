@@ -136,7 +136,7 @@ def dump(scene: SceneDescription) -> str:
         lines += _pairs(**part_values(piece))
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
-        lines += _pairs(yaw_rad=person.yaw_rad)
+        lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)
     for region in scene.places:
         lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
         lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
@@ -298,9 +298,9 @@ def _furniture(reader: _Reader) -> Furniture:
 
 
 def _person(reader: _Reader) -> Person:
-    reader.only(("name", "position_m", "yaw_rad"))
+    reader.only(("name", "position_m", "yaw_rad", "takes"))
     x, y = reader.numbers("position_m", 2)
-    return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0))
+    return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0), reader.flag("takes"))
 
 
 def _region(reader: _Reader) -> Region:

@@ -8,6 +8,7 @@ import numpy as np
 
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
+from trees.failures import Failure
 from trees.planned_motion_leaf import PlannedMotionLeaf
 
 
@@ -30,7 +31,7 @@ class Aim(PlannedMotionLeaf):
         """How far the pelvis goes beside, in the world; joints that aim at a point are reckoned for none."""
         return (0.0, 0.0, 0.0)
 
-    def goal(self) -> MoveRequest | None:
+    def goal(self) -> MoveRequest | Failure | None:
         """A motion of what aims alone, unless it looks there already."""
         toolbox = self.toolbox
         reference, joints = toolbox.motion.reference(), self.joints()

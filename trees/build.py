@@ -10,6 +10,7 @@ from py_trees.composites import Sequence
 
 from trees.best_effort import BestEffort
 from trees.extensions import extensions
+from trees.fridge_inside import is_behind_door
 from trees.hand_about import objects_in_open_grasp
 from trees.leaves.lift_clear import LiftClear, held_near_support
 from trees.subtrees.close import close
@@ -22,6 +23,7 @@ from trees.subtrees.move import move
 from trees.subtrees.open import open_or_close
 from trees.subtrees.pick import pick
 from trees.subtrees.place import place
+from trees.subtrees.put_behind_door import put_behind_door
 from trees.subtrees.put_in import put_in
 from trees.subtrees.talk import say, wait
 from trees.subtrees.telling import count, describe, find
@@ -97,7 +99,7 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     if not has_skill(task):
         raise NoSkillError(task)
     outside = extensions().for_task(task)
-    tree = SKILLS[type(task)] if outside is None else outside.tree
+    tree = _skill(task) if outside is None else outside.tree
     root = tree(toolbox)
     if not isinstance(task, _HANDS_STAY):
         first = [leave_object(toolbox, about) for about in objects_in_open_grasp(toolbox)]
@@ -108,6 +110,13 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
         if first:
             root = Sequence(root.name, memory=True, children=[*first, root])
     return TaskTree(task, root, toolbox)
+
+
+def _skill(task: Task) -> Callable[[Toolbox], Behaviour]:
+    """What makes the root of a task's tree; of boards behind a door another one than of boxes and drawers."""
+    if isinstance(task, PutInTask) and is_behind_door(task.to):
+        return put_behind_door
+    return SKILLS[type(task)]
 
 
 _HANDS_STAY = (SayTask, WaitTask, CountTask, DescribeTask)

@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Protocol, runtime_checkable
-
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from trees.failures import Failure
 
 
-@runtime_checkable
-class Explains(Protocol):
-    """A node that knows its own failure."""
-
-    failure: Failure | None
-
-
 def failure_of(node: Behaviour) -> Failure | None:
     """Why a node failed: its own failure, or that of the child that failed it."""
-    if isinstance(node, Explains) and node.failure is not None:
-        return node.failure
+    own = getattr(node, "failure", None)
+    if isinstance(own, Failure):
+        return own
     failed = [child for child in node.children if child.status is Status.FAILURE]
     return failure_of(failed[-1]) if failed else None
 

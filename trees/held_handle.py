@@ -34,19 +34,6 @@ class HeldHandle:
     bias: Array | None
 
 
-@dataclass(frozen=True, slots=True)
-class HandAtHandle:
-    """A hand that is about a handle, or on its last piece of way to it; it outlives the task.
-
-    Attributes:
-        target: Which handle.
-        grasp: Which hand, and how.
-    """
-
-    target: HandleTarget
-    grasp: Grasp
-
-
 def scene_of_hand(toolbox: Toolbox, target: HandleTarget, grasp: Grasp) -> PlanningScene:
     """The present scene, in which the hand may touch the handle and what it opens."""
     links = toolbox.model.description.grippers[grasp.hand].touch_links

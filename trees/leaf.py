@@ -32,19 +32,18 @@ class Leaf(BehaviourWithPorts):
     Attributes:
         failure: Why it failed or was cancelled, since its last start; None otherwise.
         halt_reason: What a halt is reported with; set by whoever halts the tree.
-        settings: What it was made with, beside name, toolbox and wiring, by the names of the arguments.
         wiring: Port name to the key it is wired to; ports that are left out have a key of their name.
     """
 
     INPUT_PORTS: dict[str, PortInformation]
     OUTPUT_PORTS: dict[str, PortInformation]
     CONTRACT: ClassVar[Contract]
-    settings: Mapping[str, Any]
+    _made_with: tuple[tuple[Any, ...], Mapping[str, Any]]
 
     def __new__(cls, *arguments: Any, **named: Any) -> Self:
         """Note what it is made with, so that a tree can be written down and made again."""
         leaf = super().__new__(cls)
-        leaf.settings = settings_of(cls, arguments, named)
+        leaf._made_with = arguments, named
         return leaf
 
     def __init__(self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None) -> None:
@@ -76,6 +75,11 @@ class Leaf(BehaviourWithPorts):
     def deadline_s(self) -> float:
         """Seconds from the start after which it has failed."""
         return self.CONTRACT.deadline_s
+
+    @property
+    def settings(self) -> Mapping[str, Any]:
+        """What it was made with, beside name, toolbox and wiring, by the names of the arguments."""
+        return settings_of(type(self), *self._made_with)
 
     # what a leaf may use
 

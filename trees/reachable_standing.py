@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 _AHEAD_M = (0.0, -0.1, 0.1, -0.2)
 _ASIDE_M = tuple(0.1 * k for k in range(-8, 9))
-_TURNED_RAD = (0.0, 0.3, -0.3, 0.6, -0.6)
+TURNED_RAD = (0.0, 0.3, -0.3, 0.6, -0.6)
 _TURN_COST_M = 0.25
 """A turn of 1 rad is as bad as so many metres beside the usual place."""
 _FARTHEST_M = 1.15
@@ -73,6 +73,7 @@ def stands_to_try(
     obstacles: Sequence[Footprint],
     tall: Sequence[Footprint],
     settings: WalkingSettings,
+    turned_rad: Sequence[float] = TURNED_RAD,
 ) -> Iterator[PlanarPose]:
     """Poses of the body around the usual one, nearest to it first, where the robot has room to stand.
 
@@ -82,14 +83,15 @@ def stands_to_try(
         obstacles: Everything that stands about.
         tall: What of it is as tall as the hands of the home posture.
         settings: The robot's sizes.
+        turned_rad: How far it may be turned out of the usual heading.
     """
-    ways = sorted(product(_AHEAD_M, _ASIDE_M, _TURNED_RAD), key=_cost)
+    ways = sorted(product(_AHEAD_M, _ASIDE_M, turned_rad), key=_cost)
     low, high = _inside(settings, settings.half_width_m), _inside(settings, settings.hands_half_width_m)
-    for ahead_m, aside_m, turned_rad in ways:
-        body = usual @ PlanarPose(ahead_m, aside_m, turned_rad)
+    for ahead_m, aside_m, turn_rad in ways:
+        body = usual @ PlanarPose(ahead_m, aside_m, turn_rad)
         if math.hypot(thing_m[0] - body.x_m, thing_m[1] - body.y_m) > _FARTHEST_M:
             continue
-        at_usual = ahead_m == aside_m == turned_rad == 0.0  # it keeps its own distance from what is low
+        at_usual = ahead_m == aside_m == turn_rad == 0.0  # it keeps its own distance from what is low
         if _is_free(body, high, tall) and (at_usual or _is_free(body, low, obstacles)):
             yield body
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, Protocol, runtime_checkable
+from typing import Any, Literal
 
 from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
@@ -19,11 +19,6 @@ from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
 from trees.tasks import PickTask, Task
 from trees.toolbox import Toolbox
-
-
-@runtime_checkable
-class _Wired(Protocol):
-    def wire(self, namespace: str) -> None: ...
 
 
 class TaskTree:
@@ -51,12 +46,13 @@ class TaskTree:
         self._toolbox = toolbox
         self._ticks = 0
         self._nodes = list(root.iterate())
-        self._told: dict[Behaviour, tuple[Status, str]] = dict.fromkeys(self._nodes, (Status.INVALID, ""))
+        self._told = [Status.INVALID] * len(self._nodes)
         # unique while the process lives; it never shows in any output
         self._namespace = f"/task_{root.id.hex}"
         for node in self._nodes:
-            if isinstance(node, _Wired):
-                node.wire(self._namespace)
+            wire = getattr(node, "wire", None)
+            if wire is not None:
+                wire(self._namespace)
         Blackboard.set(f"{self._namespace}/task", task)
 
     @property
@@ -133,11 +129,11 @@ class TaskTree:
 
     def _tell_changes(self) -> None:
         now_s = self._toolbox.clock.now_s()
-        for node in self._nodes:
-            if self._told[node][0] is not node.status:
+        for index, (node, told) in enumerate(zip(self._nodes, self._told, strict=True)):
+            if told is not node.status:
                 message = node.feedback_message
                 self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
-                self._told[node] = node.status, message
+                self._told[index] = node.status
 
     def _written(self, port: str) -> Any | None:
         """What some leaf wrote to a port, or None."""

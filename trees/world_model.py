@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinematics.scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
+from trees.hand_at_handle import HandAtHandle
 from trees.sight import Glimpse
 
 # Looks taken from elsewhere, before a walk, say little in a frame that has drifted since.
 _SAME_PLACE_M = 0.8
 _MOST_GLIMPSES = 40
-
-if TYPE_CHECKING:
-    from trees.held_handle import HandAtHandle
 
 
 class WorldModel:

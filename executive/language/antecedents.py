@@ -207,6 +207,9 @@ class Antecedents(Discourse):
             return "start"
         if isinstance(value, Nominal) and value.reference in ("it", "them"):
             recent = self._recent(_any)
+            places = list(dict.fromkeys(self._places))
+            if not recent and len(places) == 1 and value.reference == "it":
+                return self._walk(places[0])  # "point at the door and walk to it"
             if len(recent) != 1:
                 raise ask("what does 'it' stand for?")
             return ObjectOf(recent[0].task)

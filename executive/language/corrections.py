@@ -8,14 +8,14 @@ the same tasks, and differ in the slots that were said anew. Whatever is left op
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cached_property
 
 from executive.language.beginnings import ONE, SAID_ALONE, SORTS, beginnings
 from executive.language.lattice import Lattice
-from executive.language.replaced_slots import ADDS, LOSES, SAME, change
+from executive.language.replaced_slots import ADDS, LOSES, SAME, change, holds
 from executive.language.taking_back import DENIES, DISCARDS, Marker, Span, is_mark, marker_of
 from executive.meaning import Command, command_json
 
@@ -31,6 +31,9 @@ _AFTER_NO = frozenset({"article", "where", "from", "number"})
 
 _ADDS = frozenset({"also", "too", "as", "well", "both", "another", "and", "or", "not"})
 """Words that add to what was said, or deny it, rather than replace it."""
+
+_LEANS = frozenset({"it", "them", "him", "her", "there", "one"})
+"""Words that stand for what was said before."""
 
 _INSTEAD = "instead"
 Understood = Callable[[str], tuple[Command, ...] | None]
@@ -64,8 +67,8 @@ class _Candidate:
     """Whether what is left out stands before other words of its clause."""
     elliptic: bool
     """Whether it leaves the noun to what it replaces: "the green one", "green"."""
-    whole: bool
-    """Whether it begins with what to do."""
+    anew: str | None
+    """What is said anew, if it begins with what to do."""
 
 
 class _Repair:
@@ -95,13 +98,20 @@ class _Repair:
             before, after = self._understood(one.without), self._understood(one.replaced)
             if before is None or after is None:
                 continue
-            done = change(before, after, earlier=one.alone and not one.elliptic, whole=one.whole)
+            done = change(before, after, earlier=one.alone and not one.elliptic, whole=one.anew is not None)
             if done in (LOSES, SAME):
                 return None
+            if one.anew is not None and not self._is_all(one.anew, after):
+                return None  # "give Ana the bowl, no, give me the cup": nothing else holds on
             if done is not None and not (one.elliptic and self._is_open(done)):
                 key = repr([command_json(command) for command in after])
                 fitting[key] = after
         return next(iter(fitting.values())) if len(fitting) == 1 else None
+
+    def _is_all(self, anew: str, after: Sequence[Command]) -> bool:
+        """Whether a command that is said anew says all that is done in its place; "put it there" may not."""
+        alone = self._understood(anew)
+        return holds(after, alone) if alone is not None else not _LEANS.isdisjoint(anew.split())
 
     def _is_open(self, done: str) -> bool:
         """Whether "the red one" may be any of several things: none or several of them have a colour."""
@@ -222,8 +232,8 @@ class _Repair:
         rest = self._texts(self._resumed(new.end), self._end)
         was = self._texts(old.start, old.end)
         without, replaced = ([*before, *one, *kept, *rest] for one in (was, words))
-        whole = any(one.startswith("do ") for one in shared)
-        return _Candidate(" ".join(without), " ".join(replaced), alone, elliptic, whole)
+        anew = " ".join(words) if any(one.startswith("do ") for one in shared) else None
+        return _Candidate(" ".join(without), " ".join(replaced), alone, elliptic, anew)
 
     def _resumed(self, position: int) -> int:
         """Where the sentence goes on: a comma before a place or a number only ends the correction."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
-from executive.language.lists import said_again, spoken
+from executive.language.lists import has_company, said_again, spoken
 from executive.language.nominals import words
 from executive.language.phrases import (
     Clause,
@@ -117,6 +117,8 @@ def _walk(parts: Parts) -> Clause:
         raise trouble(f"to the {passed.kind}, or past it?", asks=True)
     reached = [part.of if isinstance(part, _By) else part for part in parts]
     goals = [part for part in reached if isinstance(part, (Nominal, Relative))]
+    if has_company(parts):
+        raise unfit()
     for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
         again = said_again(before, after, parts)
         if again is not None:

@@ -22,15 +22,24 @@ def _item(parts: Parts) -> Item:
 
 @dataclass(frozen=True, slots=True)
 class _Joined:
-    """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later."""
+    """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later.
+
+    ``company`` is "together with": whoever is named so may be meant to come along.
+    """
 
     commas: bool
     then: bool = False
+    company: bool = False
 
 
 def _joined(parts: Parts) -> _Joined:
     said = [one for word in words(parts, "AND") for one in word.said.split()]
-    return _Joined(not said, not _LATER.isdisjoint(said))
+    return _Joined(not said, not _LATER.isdisjoint(said), "with" in said)
+
+
+def has_company(parts: Parts) -> bool:
+    """Whether somebody is to come along: "go to the table together with Ana"."""
+    return any(isinstance(part, _Joined) and part.company for part in parts)
 
 
 def _items(parts: Parts) -> Items | Trouble:
@@ -38,12 +47,23 @@ def _items(parts: Parts) -> Items | Trouble:
     each = tuple(part for part in parts if isinstance(part, Item))
     links = [part for part in parts if isinstance(part, _Joined)]
     if len(each) > 1 and len(links) == len(each) - 1:
-        placed = bool(each[-2].details and each[-1].details)
+        placed = bool(each[-2].details and each[-1].details) and not _may_be_one(each[-2].of, each[-1].of)
         unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
+        for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
+            if unclear is None and _may_be_one(first.of, second.of):
+                unclear = said_again(first.of, second.of, (link,))
         unclear = unclear or _told_later(each, links)
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(each)
+
+
+def _may_be_one(before: Nominal, last: Nominal) -> bool:
+    """Whether "the one next to the can" may be what was named just before it, and no other of its kind."""
+    told = ("color", "size", "material", "ordinal")
+    return last.anaphoric and all(
+        getattr(last, name) is None or getattr(before, name) in (None, getattr(last, name)) for name in told
+    )
 
 
 def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:

@@ -256,7 +256,7 @@ def _simple(parts: Parts) -> Nominal | None:
         case "IT":
             return Nominal("any", reference="it", determined=True)
         case "THEM":
-            return Nominal("any", reference="them", plural=True, determined=True)
+            return Nominal("any", reference="them", plural=True, determined=True, said=word.meaning)
         case "THIS":
             return Nominal("any", reference="this", determined=True)
         case "HIM":

@@ -241,6 +241,7 @@ class Clause:
         mention: What is stated, of a clause that is no command.
         terse: Whether it stands only where a clause begins, because its first words could belong to what is
             said before it: "forward 2 m", "the cup, take it".
+        number: Which one of a numbered list it is.
     """
 
     bundles: tuple[Bundle, ...]
@@ -249,6 +250,7 @@ class Clause:
     revokes: str | None = None
     mention: Mention | None = None
     terse: bool = False
+    number: int | None = None
 
 
 def draft(action: str, **slots: Any) -> Draft:

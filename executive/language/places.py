@@ -147,11 +147,15 @@ def _durations(parts: Parts) -> Measure | None:
     return Measure("duration", total, f"{total:g}")
 
 
-def _duration_and_a_half(parts: Parts) -> Measure:
+def _and_a_half(of: Quantity, unit_class: str) -> Meaning:
     """A minute and a half."""
-    unit = float(words(parts, "TIME")[0].meaning)
-    number = float(words(parts, "ARTICLE", "AMOUNT")[0].meaning) + 0.5
-    return Measure("duration", number * unit, f"{number:g}")
+
+    def meaning(parts: Parts) -> Measure:
+        unit = float(words(parts, unit_class)[0].meaning)
+        number = float(words(parts, "ARTICLE", "AMOUNT")[0].meaning) + 0.5
+        return Measure(of, number * unit, f"{number:g}")
+
+    return meaning
 
 
 def _amount(parts: Parts) -> float | None:
@@ -209,7 +213,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "benefit": _benefit,
         "duration": _measure("duration"),
         "durations": _durations,
-        "duration_and_a_half": _duration_and_a_half,
+        "duration_and_a_half": _and_a_half("duration", "TIME"),
+        "distance_and_a_half": _and_a_half("distance", "LENGTH"),
         "distance": _measure("distance"),
         "angle": _measure("angle"),
         "linear_speed": _measure("linear_speed"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -45,7 +45,15 @@ def _is_movable(place: Any) -> bool:
 
 
 class Resolver(Antecedents):
-    """Turns clauses into commands, remembering what was named."""
+    """Turns clauses into commands, remembering what was named.
+
+    Args:
+        people_in: Who is named in words that are to be said.
+    """
+
+    def __init__(self, people_in: Callable[[str], Sequence[Nominal]] = lambda _text: ()) -> None:
+        super().__init__()
+        self._people_in = people_in
 
     def commands(self, clauses: Sequence[Clause]) -> tuple[Command, ...]:
         """The commands, in order.
@@ -87,6 +95,8 @@ class Resolver(Antecedents):
             return (first.with_slot("source", stated.source), *rest)
         if not isinstance(thing, Nominal) or thing.reference != pronoun or not takes_place:
             raise ask("what has the statement to do with the task?")
+        if thing.said == "both" and of.count not in (2, "both"):
+            raise ask("which two are meant?")
         if self._commands or first.get("source") is not None:
             raise ask(f"what does {pronoun!r} stand for?")
         first = _replaced(first, "object", of).with_slot("source", stated.source)
@@ -110,6 +120,10 @@ class Resolver(Antecedents):
         roots = list(dict.fromkeys(entity.task for entity in recent))
         if not roots or (len(roots) == 1 and recent[0].of.is_single):
             raise ask("what does 'them' stand for?")
+        if thing.said == "both":
+            counts = {entity.task: entity.of.count for entity in recent}
+            if list(counts.values()) not in ([1, 1], [2], ["both"]):
+                raise ask("which two are meant?")
         for root in roots:
             first, *rest = bundle
             yield (_replaced(first, "object", ObjectOf(root)), *rest)
@@ -184,6 +198,7 @@ class Resolver(Antecedents):
                 slots["person"] = self._person(value)
             elif name == "text":
                 slots["words"] = value
+                self._people += self._people_in(value)
             else:
                 slots[name] = value
         action = slots.pop("action", one.action)

@@ -42,6 +42,23 @@ def change(before: Sequence[Command], after: Sequence[Command], *, earlier: bool
     return next((one for one in (LOSES, ADDS) if one in kinds), CONTRASTS)
 
 
+def holds(commands: Sequence[Command], part: Sequence[Command]) -> bool:
+    """Whether some commands are among others, one after another and with no slot more or less."""
+    all_of, some = _by_themselves(commands), _by_themselves(part)
+    return any(all_of[start : start + len(some)] == some for start in range(len(all_of) - len(some) + 1))
+
+
+def _by_themselves(commands: Sequence[Command]) -> list[dict[str, Any]]:
+    """Commands whose references count from where they stand."""
+    return [
+        {
+            name: {"ref": value["ref"] - index} if isinstance(value, dict) and "ref" in value else value
+            for name, value in command_json(command).items()
+        }
+        for index, command in enumerate(commands)
+    ]
+
+
 def _kind_of_change(old: Any, new: Any) -> str:
     if isinstance(old, list) and isinstance(new, list) and old and new:
         old, new = old[0][-1], new[0][-1]  # where something is put

@@ -6,19 +6,13 @@ import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Literal
 
 from executive.language import attention, going, handling, lists, nominals, places, placing, speech
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 
 Parts = tuple[Any, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Group:
-    """Clauses in the order in which they are done."""
-
-    clauses: tuple[Clause, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +36,21 @@ def _nothing(_parts: Parts) -> Any:
     return NOTHING
 
 
-def _list_number(parts: Parts) -> Any:
-    return (
-        NOTHING
-        if len(parts) == 2 and "." not in parts[0].meaning and parts[1].meaning in (".", ")", ":", "paren")
-        else None
-    )
+@dataclass(frozen=True, slots=True)
+class _Numbered:
+    """Which one of a numbered list a command is."""
+
+    number: int
+
+
+def _list_number(parts: Parts) -> _Numbered | None:
+    is_mark = len(parts) == 2 and parts[1].meaning in (".", ")", ":", "paren")
+    return _step_number(parts) if is_mark else None
+
+
+def _step_number(parts: Parts) -> _Numbered | None:
+    (said,) = nominals.words(parts, "NUM", "AMOUNT")
+    return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
 
 
 def _clause(parts: Parts) -> Clause | None:
@@ -66,6 +69,10 @@ def _clause(parts: Parts) -> Clause | None:
             if isinstance(part, Where)
             else None
         )
+        if isinstance(part, _Numbered):
+            command = replace(command, number=part.number)
+        if isinstance(part, Hand):
+            command = replace(command, terse=True)  # "take the cup with the right, wave": which of the two?
         if slot is not None:
             changed = _with_slot(command, *slot)
             if changed is None:
@@ -79,9 +86,16 @@ def _goes(command: Clause) -> bool:
     return all(one.action in ("walk_to", "move", "go_home") for bundle in command.bundles for one in bundle)
 
 
-def _clause_with_hand(parts: Parts) -> Clause | None:
+def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
+    """A command with a hand before it; a mere "right," may be no more than how one begins to speak."""
     side = nominals.words(parts, "LEFT_RIGHT")[0]
-    return _clause((Hand(side.meaning), parts[-1]))
+    if not nominals.words(parts, "HAND", "DET", "USE") and side.said in ("left", "right"):
+        return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
+    joined = [part for part in parts if isinstance(part, Separator)]
+    orders = any(word.said == "use" for word in nominals.words(parts, "USE"))
+    if not orders and any(one in (Separator.STOP, Separator.THEN) for one in joined):
+        return None  # "take the cup with the right. Wave"
+    return _clause((Hand(side.meaning), *nominals.words(parts, "PAUSE"), parts[-1]))
 
 
 def _fronted(parts: Parts) -> Clause | None:
@@ -136,36 +150,47 @@ def _done_before(parts: Parts) -> Clause | None:
     return replace(clause, form="base") if clause.form == "ed" else None
 
 
-def _ordered(*, subordinate: int, first_done: int) -> Meaning:
-    """Two clauses, one of them after a conjunction, which asks for a form of its own.
-
-    Args:
-        subordinate: Which of the two, as they are said, the conjunction stands before.
-        first_done: Which of the two is done first.
-    """
+def _ordered(scope: Literal["after_first", "after_last", "before_first", "before_last"]) -> Meaning:
+    """Two clauses, one of them after a conjunction, which asks for a form of its own."""
+    subordinate = 1 if scope.endswith("last") else 0
+    first_done = 0 if scope in ("after_first", "before_last") else 1
 
     def meaning(parts: Parts) -> Group | None:
         clauses = _clauses(parts)
         expected = "base" if nominals.words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
         if clauses[subordinate].form != expected or clauses[1 - subordinate].form != "base":
             return None
+        but_first = bool(nominals.words(parts, "BUT_FIRST"))
+        apart = Separator.STOP in parts or Separator.THEN in parts
+        if scope.endswith("last") and apart and not but_first:
+            return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
         done = [replace(clause, form="base") for clause in clauses]
-        return Group((done[first_done], done[1 - first_done]))
+        return Group(
+            done[first_done],
+            done[1 - first_done],
+            "but_first" if but_first else scope,
+            doing=expected == "ing",
+            breaks=but_first and Separator.STOP in parts,
+        )
 
     return meaning
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
-    clauses: list[Clause] = []
-    unseparated = 0
-    for part in parts:
-        if isinstance(part, Clause):
-            clauses.append(part)
-        elif isinstance(part, Group):
-            clauses.extend(part.clauses)
-        elif isinstance(part, _Unseparated):
-            unseparated += 1
-            clauses.extend(part.clauses)
+    said = [
+        part if isinstance(part, Further) else Further(Separator.NOTHING, part)
+        for part in parts
+        if isinstance(part, (Clause, Group, Further))
+    ]
+    clauses = in_order(said)
+    if isinstance(clauses, Trouble):
+        return clauses
+    numbers = [
+        one.part.number for one in said if isinstance(one.part, Clause) and one.part.number is not None
+    ]
+    if any(after <= before for before, after in itertools.pairwise(numbers)):
+        return UNCLEAR_ORDER  # "2. open the drawer 1. go to the kitchen"
+    unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])
     revoked = next((one.revokes for one in clauses if one.revokes), None)
     if len(clauses) > 1 and all(_stops(clause) for clause in clauses):
         return Sentence(tuple(clauses[:1]))
@@ -191,20 +216,20 @@ def _stops(clause: Clause) -> bool:
     return bool(clause.bundles) and all(one.action == "stop" for bundle in clause.bundles for one in bundle)
 
 
-@dataclass(frozen=True, slots=True)
-class _Unseparated:
-    clauses: tuple[Clause, ...]
-
-
-def _without_separator(parts: Parts) -> _Unseparated | None:
+def _without_separator(parts: Parts) -> Further | None:
     (part,) = parts
     if isinstance(part, Group) or part.terse:
         return None  # "before you ..." belongs to what was said before it
-    return _Unseparated((part,))
+    return Further(Separator.NOTHING, part)
 
 
-def _more(parts: Parts) -> Any:
-    return parts[-1]
+def _more(parts: Parts) -> Further:
+    separator, part = parts
+    return Further(separator, part)
+
+
+def _separator(parts: Parts) -> Separator:
+    return separator_of(parts)
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
@@ -219,16 +244,18 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **speech.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
+        "step_number": _step_number,
         "clause": _clause,
         "clause_with_hand": _clause_with_hand,
         "fronted": _fronted,
         "done_before": _done_before,
-        "after_first": _ordered(subordinate=0, first_done=0),
-        "after_last": _ordered(subordinate=1, first_done=1),
-        "before_first": _ordered(subordinate=0, first_done=1),
-        "before_last": _ordered(subordinate=1, first_done=0),
+        "after_first": _ordered("after_first"),
+        "after_last": _ordered("after_last"),
+        "before_first": _ordered("before_first"),
+        "before_last": _ordered("before_last"),
         "sentence": _sentence,
         "unseparated": _without_separator,
         "more": _more,
+        "separator": _separator,
     }
 )

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from executive.live.control_link import ControlLink, ControlLostError
-from executive.session import PERIOD_S, PERIODS_A_TICK
+from executive.lockstep import PERIOD_S, PERIODS_A_TICK
 from robots.clock import WallClock
 from robots.control.state_history import StateHistory
 from robots.perception.detector import PerceptionFrame

@@ -21,6 +21,11 @@ snag spin spot step stir stop swap tap tip transfer
 _DOUBLED = frozenset(_DOUBLED_LINES.split())
 """Verbs that double their last letter."""
 
+_ENDS_SO = frozenset(
+    {"bring", "swing", "sing", "ring", "fling", "sling", "sting", "wring", "cling", "string"}
+)
+"""Verbs whose plain form ends like an -ing form."""
+
 
 def plural(phrase: str) -> str:
     """The plural of a noun phrase: that of its last word."""
@@ -41,7 +46,7 @@ def _plural(word: str) -> str:
 def gerund(phrase: str) -> str:
     """The -ing form of a verb phrase: that of its first word."""
     first, *rest = phrase.split(" ")
-    if first.endswith("ing"):
+    if first.endswith("ing") and first not in _ENDS_SO:
         return phrase
     if first in _DOUBLED:
         form = first + first[-1] + "ing"

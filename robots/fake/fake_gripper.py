@@ -65,7 +65,7 @@ class FakeGripper:
         if self._handle is not None and self._handle.status is MotionStatus.CANCELED:
             self._goal_rad, self._handle = self.position_rad, None
         reach_rad = self._gripper.closing_speed_rad_s * period_s
-        self.position_rad += float(np.clip(self._goal_rad - self.position_rad, -reach_rad, reach_rad))
+        self.position_rad += max(-reach_rad, min(reach_rad, self._goal_rad - self.position_rad))
         if self._handle is not None and not self._handle.finished and self.position_rad == self._goal_rad:
             self._handle.status, self._handle.progress = MotionStatus.DONE, 1.0
             if self.holding is not None:

@@ -51,7 +51,6 @@ HURRY = 20.0
 # Position-only inverse kinematics by damped least squares; converges in a dozen steps.
 _STEPS = 40
 _DAMPING = 1e-4
-_DIFFERENCE_RAD = 1e-6
 
 
 class FakeJob:
@@ -253,12 +252,7 @@ class FakePlanning:
             error = place - self._model.frame_pose(q, frame)[:3, 3]
             if float(np.linalg.norm(error)) < 1e-6:
                 break
-            jacobian = np.empty((3, len(index)))
-            for column, i in enumerate(index):
-                nudged = q.copy()
-                nudged[i] += _DIFFERENCE_RAD
-                moved = self._model.frame_pose(nudged, frame)[:3, 3]
-                jacobian[:, column] = (moved - (place - error)) / _DIFFERENCE_RAD
+            jacobian = self._model.frame_jacobian(q, frame)[:3, index - 1]  # q has a quaternion, v has none
             q[index] += jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + _DAMPING * np.eye(3), error)
         return q
 

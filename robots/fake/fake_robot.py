@@ -64,9 +64,13 @@ class FakeRobot:
 
     def be_at(self, q: Array, v: Array | None = None) -> None:
         """Put all joints that are not stuck at ``q``, rad, with speeds ``v``, rad/s, shape (n,) each."""
-        free = np.array([name not in self.stuck for name in self._description.actuated])
-        self._q = np.where(free, q, self._q)
-        self._v = np.where(free, 0.0 if v is None else v, 0.0)
+        self._v = np.zeros_like(self._q) if v is None else v.copy()
+        if not self.stuck:
+            self._q = q.copy()
+            return
+        held = np.array([name in self.stuck for name in self._description.actuated])
+        self._q = np.where(held, self._q, q)
+        self._v[held] = 0.0
 
     def advance(self, period_s: float) -> None:
         """Nothing to do: there is no physics."""

@@ -63,6 +63,8 @@ class FakeWorld:
         self.pull_n: dict[Hand, tuple[float, float, float]] = {}
         self.robot = FakeRobot(model.description, self.clock)
         self.motion = FakeMotion(model, self.clock)
+        self._posed_at: NDArray[np.float64] = np.empty(0)
+        self._poses: dict[str, Transform] = {}
         self._dynamics = dynamics or StandingDynamics(model, self.motion.stance())
         camera = model.description.camera
         self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
@@ -117,14 +119,11 @@ class FakeWorld:
         return known[2].copy()
 
     def _lever(self, q: NDArray[np.float64], hand: Hand) -> NDArray[np.float64]:
-        """How a TCP moves with the joints of its arm, by differences, m/rad, shape (3, n)."""
-        frame = self.model.description.tcp_frames[hand]
-        place = self.model.frame_pose(q, frame)[:3, 3]
+        """How a TCP moves with the joints of its arm, m/rad, shape (3, n)."""
         lever = np.zeros((3, len(self.model.joints)))
-        for column in (*self.model.group(f"{hand}_arm"), *self.model.group("torso")):
-            moved = q.copy()
-            moved[7 + column] += 1e-6
-            lever[:, column] = (self.model.frame_pose(moved, frame)[:3, 3] - place) / 1e-6
+        columns = [*self.model.group(f"{hand}_arm"), *self.model.group("torso")]
+        jacobian = self.model.frame_jacobian(q, self.model.description.tcp_frames[hand])
+        lever[:, columns] = jacobian[:3, 6:][:, columns]
         return lever
 
     def _sense(self) -> SensedState:
@@ -134,7 +133,14 @@ class FakeWorld:
         return SensedState(readings, lambda: q)
 
     def _pose_of(self, frame: str) -> Transform:
-        return self.model.frame_pose(self.sensing.state().q, frame)
+        """A frame's pose; kept, since camera and hands of a robot that holds stay where they are."""
+        q = self.sensing.state().q
+        if not np.array_equal(q, self._posed_at):
+            self._posed_at = q.copy()
+            self._poses.clear()
+        if frame not in self._poses:
+            self._poses[frame] = self.model.frame_pose(q, frame)
+        return self._poses[frame]
 
 
 def person(name: str = "Ana", place_m: tuple[float, float] = (1.3, 0.2)) -> TrueObject:

@@ -13,6 +13,7 @@ from robots.simulated.faults import FaultInjector
 from robots.simulated.physics import Physics
 from robots.simulated.range_sensor import SimulatedRangeSensor
 from robots.simulated.simulated_robot import SimulatedRobot
+from robots.simulated.taking_people import TakingPeople
 from robots.simulated.truth import SimulatorTruth
 
 
@@ -26,6 +27,7 @@ class SimulatedWorld:
         faults: Things that go wrong on purpose.
         body_faults: The same, of the robot's own body.
         ranging: The range sensor.
+        people: Those of its people who take what is offered to them.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
@@ -35,6 +37,7 @@ class SimulatedWorld:
     body_faults: BodyFaults
     physics: Physics
     ranging: SimulatedRangeSensor
+    people: TakingPeople
 
 
 def build_world(
@@ -56,9 +59,12 @@ def build_world(
     faults = FaultInjector(physics, truth)
     ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])
 
+    people = TakingPeople(physics, truth)
+
     def before_period() -> None:
         faults.tick()
+        people.tick()
         physics.furniture.apply()
 
     robot = SimulatedRobot(physics, rng, before_period)
-    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging)
+    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging, people)

@@ -6,10 +6,19 @@ import pytest
 
 from executive.command_parser import parse
 from executive.errand import Errand, drive
-from executive.preparing import prepared, spoken_by
+from executive.preparing import Known, prepared, spoken_by
 from executive.task_result import TaskResult, TaskTimes
 from trees.failures import Failure
-from trees.tasks import FindTask, HandOverTask, ObjectDescription, OpenTask, PickTask, WalkToTask
+from trees.tasks import (
+    FindTask,
+    HandOverTask,
+    ObjectDescription,
+    OpenTask,
+    PickTask,
+    PlaceTask,
+    PutInTask,
+    WalkToTask,
+)
 
 
 def steps(sentence, can_walk=True):
@@ -82,9 +91,44 @@ def test_me_becomes_the_name_of_who_spoke():
 def test_what_was_seen_inside_needs_no_opening():
     commands = parse("take the bottle from the fridge").commands
 
-    steps = prepared(commands, True, in_view=lambda pick: pick.source == "fridge")
+    steps = prepared(commands, True, Known(in_view=lambda pick: pick.source == "fridge"))
 
     assert [type(step.command) for step in steps] == [WalkToTask, PickTask]
+
+
+@pytest.mark.requirement("M3")
+def test_a_door_is_opened_with_empty_hands_before_what_goes_behind_it_is_picked_up():
+    assert kinds("put the green can into the fridge") == [WalkToTask, OpenTask, WalkToTask, PutInTask]
+    assert kinds("pick up the green can and put it into the fridge") == [
+        WalkToTask, OpenTask, WalkToTask, PickTask, PutInTask,
+    ]  # fmt: skip
+
+
+def test_a_fridge_that_the_sentence_opens_is_not_opened_twice_and_the_can_is_walked_to():
+    assert kinds("open the fridge and put the green can in it") == [OpenTask, WalkToTask, PutInTask]
+
+
+def test_what_a_hand_holds_is_put_down_while_the_other_things_are_done():
+    commands = parse("put the green can into the fridge").commands
+
+    steps = prepared(commands, True, Known(in_hand=lambda _put: True))
+
+    assert [type(step.command) for step in steps] == [PlaceTask, WalkToTask, OpenTask, WalkToTask, PutInTask]
+    assert steps[0].command.object == commands[0].object == steps[3].command.to
+
+
+def test_what_a_hand_holds_is_not_looked_for_elsewhere():
+    commands = parse("open the fridge and put the green can in it").commands
+
+    steps = prepared(commands, True, Known(in_hand=lambda _put: True))
+
+    assert [type(step.command) for step in steps] == [OpenTask, PutInTask]
+
+
+def test_into_a_fridge_that_stands_open_things_are_put_from_where_they_are():
+    commands = parse("put the green can into the fridge").commands
+
+    assert [step.command for step in prepared(commands, True, Known(is_open=True))] == list(commands)
 
 
 class Notes:
@@ -115,10 +159,10 @@ class Notes:
 
 
 class UnseenErrand(Errand):
-    """Nothing is in view."""
+    """Nothing is known."""
 
-    def _in_view(self, _pick):
-        return False
+    def _known(self):
+        return Known()
 
 
 def carried_out(notes, sentence):
@@ -141,6 +185,21 @@ def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():
     back, give = notes.told[-2:]
     assert (back.to, give.to) == ("Ana", "Ana")
     assert give.object.name == "green bottle"
+
+
+class OpenErrand(Errand):
+    """The fridge turns out to stand open once the robot has come to it."""
+
+    def _known(self):
+        return Known(is_open=bool(self._session.told))
+
+
+def test_a_door_that_turns_out_to_stand_open_is_not_opened():
+    notes = Notes()
+
+    drive(OpenErrand(notes, parse("put the green can into the fridge").commands).steps(), Nobody(), notes)
+
+    assert [type(command) for command in notes.told] == [WalkToTask, WalkToTask, PutInTask]
 
 
 def test_what_fails_on_the_way_ends_the_errand_with_its_own_reason():

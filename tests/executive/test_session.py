@@ -6,9 +6,10 @@ import pytest
 from executive import session as session_module
 from executive.events import InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.exit_codes import ExitCode
+from executive.lockstep import PERIODS_A_TICK, SETTLE_TICKS
 from executive.meaning import StopCommand
 from executive.planning_jobs import PlanningJobs
-from executive.session import HALT_TICKS, PERIODS_A_TICK, SETTLE_TICKS, Session, ended
+from executive.session import HALT_TICKS, Session, ended
 from robots.clock import ManualClock
 from robots.interface import RobotState
 from robots.sensed_state import SensedState

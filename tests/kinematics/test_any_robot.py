@@ -9,7 +9,7 @@ from kinematics import poses
 from kinematics.collision import CollisionWorld
 from kinematics.errors import KinematicsError, MissingPartError
 from kinematics.free_coordinates import FreeCoordinates
-from kinematics.ik import IkTolerance
+from kinematics.ik_result import IkTolerance
 from kinematics.path_planner import PathPlanner, PathSettings
 from kinematics.placo_ik import PlacoIk
 from kinematics.requests import CheckRequest

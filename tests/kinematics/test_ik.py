@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.ik import IkTolerance
+from kinematics.ik_result import IkTolerance
 from kinematics.placo_ik import PlacoIk
 from kinematics.reach_ik import ReachIk
 from kinematics.stance import SupportPolygon

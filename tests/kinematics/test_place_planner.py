@@ -16,13 +16,13 @@ BOX = Box((0.066, 0.050, 0.117))
 TCP_T_BOX = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.014))
 
 
-def request(talos, stance, make, top_m, place):
+def request(talos, stance, make, top_m, place, tcp_T_box=TCP_T_BOX, below_m=0.005):
     """A box in the right hand at home, and one spot for it on a table."""
     gripper = talos.description.grippers["right"]
-    pose = talos.frame_pose(talos.q_home, gripper.tcp_frame) @ TCP_T_BOX
+    pose = talos.frame_pose(talos.q_home, gripper.tcp_frame) @ tcp_T_box
     scene = PlanningScene().with_objects([make.table(top_m), SceneObject("box", BOX, pose, margin_m=0.01)])
-    held = scene.with_attached("box", gripper.tcp_frame, TCP_T_BOX, gripper.touch_links)
-    spot = Spot(poses.translation(*place, top_m + 0.5 * BOX.height_m), ("table",))
+    held = scene.with_attached("box", gripper.tcp_frame, tcp_T_box, gripper.touch_links)
+    spot = Spot(poses.translation(*place, top_m + 0.5 * BOX.height_m), ("table",), below_m=below_m)
     return PlaceRequest(talos.q_home, stance, held, "box", (spot,), seed=3)
 
 
@@ -46,7 +46,8 @@ def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, t
 
 @pytest.mark.requirement("M3")
 def test_what_has_no_way_down_with_room_to_spare_goes_down_with_less(talos, stance, make, monkeypatch):
-    asked = request(talos, stance, make, 0.995, (0.42, -0.34))
+    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.009))
+    asked = request(talos, stance, make, 0.995, (0.42, -0.34), low, below_m=0.0)
     assert isinstance(PlacePlanner(talos).plan(asked), PlacePlan)
 
     monkeypatch.setattr(place_planner, "LEAST_RESERVE_M", place_planner.RESERVE_M)
@@ -72,3 +73,15 @@ def test_out_of_reach_there_is_no_plan_and_the_reasons_are_counted(talos, stance
     assert isinstance(answer, NoPlan)
     assert answer.reasons["no inverse kinematics at the spot"] > 0
     assert answer.numbers["spots"] == 1.0
+
+
+@pytest.mark.requirement("M3")
+def test_a_hand_without_room_below_ends_where_the_box_should_stand(talos, stance, make):
+    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.011))
+    gripper = talos.description.grippers["right"]
+
+    answer = PlacePlanner(talos).plan(request(talos, stance, make, 0.85, (0.42, -0.34), low))
+
+    assert isinstance(answer, PlacePlan)
+    below = talos.frame_pose(answer.lower.trajectory.q[-1], gripper.tcp_frame) @ low
+    assert below[2, 3] == pytest.approx(0.85 + 0.5 * BOX.height_m, abs=1e-3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.ik import IkTolerance
+from kinematics.ik_result import IkTolerance
 from kinematics.robot_model import RobotModel
 from robots.description import load_description
 from tools.benchmark.problems.picks import APART_M, TARGET, picks

@@ -121,8 +121,10 @@ def test_every_broken_demand_is_named_and_misses_its_bar(change, name):
 def test_a_fault_counts_as_unnoticed_only_when_the_joint_was_asked_for_something():
     quiet = FaultRecord(1, "joint_stuck", part="arm", asked_rad=0.001)
     asked = FaultRecord(2, "joint_stuck", part="arm", asked_rad=0.3)
+    of_an_arm = FaultRecord(3, "joint_stuck", part="arm", asked_rad=0.008, shown_rad=0.006)
 
     assert quiet.faults == ()
+    assert of_an_arm.faults == ("not noticed",)
     assert asked.faults == ("not noticed",)
     assert FaultSummary("joint_stuck", 0, [quiet, asked]).figures()["never asked for anything"] == 1.0
 

@@ -68,6 +68,9 @@ TASKS = {
     WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
 }
 
+# Where another tree does what another thing is named, a task that names it.
+FURTHER = {PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),)}
+
 LEAVES = [
     item
     for module in pkgutil.iter_modules(trees.leaves.__path__)
@@ -138,7 +141,12 @@ def skills_with(leaves, new_stage):
     if leaves is None:
         return list(TREES)
     toolbox = new_stage(*around_the_robot()).toolbox
-    return [kind for kind, tree in TREES.items() if leaves & {type(node) for node in tree(toolbox).iterate()}]
+    return [kind for kind in TREES if leaves & _leaves_of(kind, toolbox)]
+
+
+def _leaves_of(kind, toolbox):
+    roots = [TREES[kind](toolbox), *(build_tree(task, toolbox).root for task in FURTHER.get(kind, ()))]
+    return {type(node) for root in roots for node in root.iterate()}
 
 
 class Context:
@@ -196,7 +204,9 @@ def _contexts(new_stage, makers, kinds):
     for kind in kinds:
         task = TASKS.get(kind)
         assert task is not None, f"the contract test needs a {kind.__name__}: add one to TASKS"
-        for upset in UPSETS.get(kind, (lambda stage: None,)):
+        upsets = [(task, upset) for upset in UPSETS.get(kind, (lambda stage: None,))]
+        further = [(other, lambda stage: None) for other in FURTHER.get(kind, ())]
+        for task, upset in (*upsets, *further):
             stage = new_stage(*around_the_robot())
             upset(stage)
             tree = build_tree(task, stage.toolbox)

@@ -12,7 +12,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from executive.config import APPLICATION
-from kinematics.ik import IkTolerance, inverse_kinematics
+from kinematics.ik import inverse_kinematics
+from kinematics.ik_result import IkTolerance
 from kinematics.urdf_bodies import without_meshes
 from tools.benchmark.contest import Result, standings
 from tools.benchmark.peers.environments import PeerEnvironment

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.collision import CollisionWorld
-from kinematics.ik import IkTolerance
+from kinematics.ik_result import IkTolerance
 from kinematics.leg_ik import LegIk
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand

@@ -12,8 +12,9 @@ from robots.control.motion_handle import MotionHandle
 from robots.control.yield_order import YieldOrder
 from trees.contract import Contract
 from trees.failures import Failure
+from trees.hand_at_handle import HandAtHandle
 from trees.handles import HandleTarget
-from trees.held_handle import HandAtHandle, scene_of_hand
+from trees.held_handle import scene_of_hand
 from trees.leaf import DONE
 from trees.ports import ports
 from trees.pushed_front import outwards

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import ClassVar
 
 from py_trees.common import Status
 
-from kinematics.requests import PickPlan, PickRequest
-from kinematics.scene import PlanningScene
+from kinematics.place_requests import PlaceRequest
+from kinematics.requests import NoPlan, PickPlan, PickRequest, PlacePlan
+from kinematics.scene import PlanningScene, SceneObject
 from kinematics.support import top_m
+from kinematics.trajectory import Stance
 from kinematics.walking.path_planning import Footprint, footprints
 from kinematics.walking.planar import PlanarPose
 from trees.contract import Contract
@@ -17,14 +20,13 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.reachable_standing import Stand, sees, stance_of, stands_free, stands_to_try
+from trees.reachable_standing import TURNED_RAD, Stand, sees, stance_of, stands_free, stands_to_try
 from trees.standing_place import standing_place
 from trees.toolbox import Job
 
 _MOST = 40
 """Places that are asked about."""
 _BESIDE = PlanarPose(0.02, 0.02, 0.02)
-"""A place is taken only if one that is so far beside it does as well: nobody arrives exactly."""
 
 
 class ChooseStand(Leaf):
@@ -42,6 +44,11 @@ class ChooseStand(Leaf):
         deadline_s=30.0,
     )
 
+    TURNED_RAD: ClassVar[tuple[float, ...]] = TURNED_RAD
+    """How far out of the usual heading the robot may stand."""
+    BESIDE: ClassVar[tuple[PlanarPose, ...]] = (_BESIDE,)
+    """A place is taken only if those that are so far beside it do as well: nobody arrives exactly."""
+
     _job: Job | None = None
 
     def begin(self) -> None:
@@ -51,25 +58,61 @@ class ChooseStand(Leaf):
         body = feet_pose(toolbox)
         scene = toolbox.world.scene
         self._place, self._here, self._job, self._asked = place, body, None, 0
-        self._usual = standing_place(place, scene, body, toolbox.policy.support_gap_m)
+        self._usual = self.usual(place, body)
         self._stands: Iterator[PlanarPose] = iter(())
-        self._stand, self._sure = self._usual, False
+        self._stand, self._sure = self._usual, 0
         self._above: tuple[Footprint, ...] = ()
         settings = self._settings = toolbox.model.description.walking
-        if settings is not None and place.category == "object" and place.name in scene.objects:
-            others = [item for item in scene.objects.values() if item.name != place.name]
+        thing = self.thing(place)
+        if settings is not None and thing is not None:
+            others = [item for item in scene.objects.values() if item.name != thing.name]
             tall = [item for item in others if top_m(item) >= settings.hands_from_m]
             about, above = (footprints(PlanningScene().with_objects(items)) for items in (others, tall))
-            x, y = (float(value) for value in place.odom_T_place[:2, 3])
+            x, y = (float(value) for value in thing.world_T_object[:2, 3])
             model = toolbox.model
             eye_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
-            item = scene.objects[place.name]
             self._above = above
             self._stands = (
                 stand
-                for stand in stands_to_try(self._usual, (x, y), about, above, settings)
-                if sees(stand, eye_m, item, scene)
+                for stand in self.stands(
+                    body, stands_to_try(self._usual, (x, y), about, above, settings, self.TURNED_RAD)
+                )
+                if sees(stand, eye_m, thing, scene)
             )
+
+    def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
+        """Where one would stand without knowing better."""
+        return standing_place(place, self.toolbox.world.scene, body, self.toolbox.policy.support_gap_m)
+
+    def thing(self, place: Place) -> SceneObject | None:
+        """What is to be within reach; None when it is no object that the scene holds."""
+        return self.toolbox.world.scene.objects.get(place.name) if place.category == "object" else None
+
+    def stands(self, _here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
+        """The places to ask about, in order, where there is room."""
+        return stands
+
+    def request(self, body: PlanarPose, stance: Stance) -> PickRequest | PlaceRequest:
+        """What the planner is asked for a place to stand."""
+        del body
+        toolbox = self.toolbox
+        return PickRequest(
+            q_start=toolbox.model.home_over(stance),
+            stance=stance,
+            scene=toolbox.world.scene,
+            target=self._place.name,
+            lift_m=toolbox.policy.lift_m,
+            seed=int(toolbox.rng.integers(2**31)),
+        )
+
+    def without_any(self) -> Status | Failure:
+        """What follows when there is a plan from nowhere."""
+        if self._settings is not None and not stands_free(self._usual, self._above, self._settings):
+            return Failure.infeasible(
+                f"there is no place to stand from which the {self._place.name} is within reach",
+                places=self._asked,
+            )
+        return self._choose(self._usual, "the usual place")
 
     def step(self) -> Status | Failure:
         """Ask, and wait for the answer."""
@@ -78,21 +121,16 @@ class ChooseStand(Leaf):
                 return RUNNING
             answer = self._job.result()
             self._job = None
-            if isinstance(answer, PickPlan):
-                if self._sure:
-                    return self._choose(self._stand, f"for the {answer.grasp.hand} hand")
-                self._sure = True
-                self._ask(self._stand @ _BESIDE)
+            if not isinstance(answer, NoPlan):
+                if self._sure == len(self.BESIDE):
+                    return self._choose(self._stand, f"for the {_hand_of(answer)} hand")
+                self._ask(self._stand @ self.BESIDE[self._sure])
+                self._sure += 1
                 return RUNNING
         following = next(self._stands, None) if self._asked < _MOST else None
         if following is None:
-            if self._settings is not None and not stands_free(self._usual, self._above, self._settings):
-                return Failure.infeasible(
-                    f"there is no place to stand from which the {self._place.name} is within reach",
-                    places=self._asked,
-                )
-            return self._choose(self._usual, "the usual place")
-        self._stand, self._sure = following, False
+            return self.without_any()
+        self._stand, self._sure = following, 0
         self._ask(following)
         return RUNNING
 
@@ -103,19 +141,9 @@ class ChooseStand(Leaf):
             self._job.cancel()
 
     def _ask(self, body: PlanarPose) -> None:
-        toolbox = self.toolbox
-        stance = stance_of(toolbox.motion.stance(), self._here, body)
+        stance = stance_of(self.toolbox.motion.stance(), self._here, body)
         self._asked += 1
-        self._job = toolbox.planning.submit(
-            PickRequest(
-                q_start=toolbox.model.home_over(stance),
-                stance=stance,
-                scene=toolbox.world.scene,
-                target=self._place.name,
-                lift_m=toolbox.policy.lift_m,
-                seed=int(toolbox.rng.integers(2**31)),
-            )
-        )
+        self._job = self.toolbox.planning.submit(self.request(body, stance))
 
     def _choose(self, body: PlanarPose, words: str) -> Status:
         self._set_output("stand", Stand.beside(self._place, body))
@@ -123,3 +151,13 @@ class ChooseStand(Leaf):
         beside = self._usual.to(body)
         self.measured(asked=self._asked, ahead_m=beside.x_m, aside_m=beside.y_m, turned_rad=beside.yaw_rad)
         return DONE
+
+
+def _hand_of(answer: object) -> str:
+    match answer:
+        case PickPlan():
+            return answer.grasp.hand
+        case PlacePlan():
+            return answer.hand
+        case _:
+            raise TypeError(f"the planner answered {type(answer).__name__} for a place to stand")

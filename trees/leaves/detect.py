@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,10 @@ from trees.tasks import ObjectOf
 from trees.toolbox import Toolbox
 from trees.whole_top import seen_wholly
 
+Part = Literal["alone", "first", "side", "last", "again"]
+"""What a look is for: by itself; one of several, during which nothing is moved; of those, one to the sides
+that was asked for, the last of these, and the one ahead after they have lost what had been seen."""
+
 
 class Detect(LookLeaf):
     """Fuse a few frames into the world model, and choose the object that the task means.
@@ -54,9 +59,7 @@ class Detect(LookLeaf):
         toolbox: Toolbox,
         wiring: Mapping[str, str] | None = None,
         *,
-        surveyed: bool = True,
-        looking_around: bool = False,
-        more_to_come: bool = False,
+        part: Part = "alone",
     ) -> None:
         """Make the leaf.
 
@@ -64,14 +67,12 @@ class Detect(LookLeaf):
             name: Its name.
             toolbox: What it may call.
             wiring: As for every leaf.
-            surveyed: Whether the looks before this one covered all there is to compare; if not, and several
-                things are to be compared, or another one may stand where nobody has looked, it fails asking
-                for more looks (``wants_survey``).
-            looking_around: Whether it is one of several looks during which nothing is moved.
-            more_to_come: Whether it is one of the looks that were asked for, but not the last.
+            part: What the look is for. The first ones of a search, and all but the last to the sides, ask for
+                more looks (``wants_survey``) when several things are to be compared, or another one may stand
+                where nobody has looked. Among looks to the sides, one that shows nothing says little.
         """
         super().__init__(name, toolbox, wiring)
-        self._surveyed, self._looking_around, self._more_to_come = surveyed, looking_around, more_to_come
+        self.part = part
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
@@ -82,7 +83,7 @@ class Detect(LookLeaf):
             estimates,
             policy,
             lambda point: self._unseen(views[-1], point),
-            may_have_moved=not self._looking_around,
+            may_have_moved=self.part == "alone",
         )
         world.update(update.scene)
         world.note_sightings(update.seen)
@@ -113,11 +114,14 @@ class Detect(LookLeaf):
         around = surroundings(world.scene, base, policy.support_gap_m, world.last_acted_on)
         source, count = getattr(task, "source", None), getattr(task, "count", 1)
         grounding = ground(task.object, around, source, count)
-        if not self._surveyed and self._unsure(grounding, compares(task.object, count), seen):
+        more_to_come = self.part in ("first", "side")
+        if more_to_come and self._unsure(grounding, compares(task.object, count), seen):
             return Failure.postcondition(
                 f"looking whether there is more than this {task.object}", survey=True
             )
         match grounding:
+            case Missing(message) if self.part == "last":
+                return Failure.postcondition(message, seen=_words(seen), lost=True)
             case Missing(message):
                 return Failure.postcondition(message, seen=_words(seen))
             case Ambiguous(message, choices):
@@ -136,8 +140,8 @@ class Detect(LookLeaf):
         """Whether it takes more looks to say which one is meant."""
         match grounding:
             case Missing():
-                return False
-            case Found(names) if not comparing and not self._more_to_come:
+                return self.part == "side"
+            case Found(names) if not comparing and self.part == "first":
                 looks = self.toolbox.policy.looks_for_twins and names[0] in seen
                 return looks and not seen_wholly(self.toolbox, names[0])
             case _:
@@ -149,7 +153,7 @@ class Detect(LookLeaf):
         scene = world.scene
         words = kind_of(name)
         # What an earlier look showed counts only among looks between which nothing was moved.
-        several = self._surveyed and self._looking_around
+        several = self.part in ("last", "again")
         estimate = world.sightings.get(name) if several else seen.get(name)
         if estimate is None:
             return Failure.postcondition(
@@ -166,6 +170,11 @@ class Detect(LookLeaf):
 def wants_survey(failure: Failure) -> bool:
     """Tell whether a look failed only because others are needed to compare."""
     return bool(failure.root.numbers.get("survey"))
+
+
+def lost(failure: Failure) -> bool:
+    """Tell whether looks to the sides showed nothing any more of what they were to be compared with."""
+    return bool(failure.root.numbers.get("lost"))
 
 
 def _words(seen: Mapping[str, ObjectEstimate]) -> str:

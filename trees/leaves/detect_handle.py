@@ -10,6 +10,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.handles import INSIDE_KINDS, MEANT_BY, PART_KINDS, HandleTarget, handles_in
+from trees.in_hand import not_in_hand
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.odometry import feet_pose
@@ -38,7 +39,7 @@ class DetectHandle(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
         world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = estimates_of(views)
+        estimates = not_in_hand(self.toolbox, estimates_of(views))
         scene = world.scene
         fresh = {estimate.kind for estimate in estimates} & {*PART_KINDS, *INSIDE_KINDS}
         for name in [name for name in scene.objects if kind_of(name) in fresh]:

@@ -1,4 +1,4 @@
-"""Tell, before anything is picked up, when it is to go into something that is shut or out of reach."""
+"""Tell, before anything is picked up, when it is to go into a drawer that is shut."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.drawer_inside import inside_of_drawer
 from trees.failures import Failure, FailureKind
-from trees.handles import DOOR, DRAWER, MEANT_BY
+from trees.handles import DRAWER, MEANT_BY
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
@@ -20,15 +20,14 @@ from trees.tasks import ObjectDescription, PutInTask
 class NotShut(LookAround):
     """Look whether the drawer that the task names is open; succeeds at once for what does not open.
 
-    What is not seen from here is left to a later look. Behind a door nothing is in reach of a robot that
-    stands where the door was opened.
+    What is not seen from here is left to a later look.
     """
 
     INPUT_PORTS = ports(task=PutInTask)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the head is at rest",
-        postcondition="the task names nothing with a door, and no drawer that was seen to be shut",
+        postcondition="the task names no drawer that was seen to be shut",
         deadline_s=2.0,
     )
 
@@ -36,12 +35,7 @@ class NotShut(LookAround):
         """Look only when it matters."""
         to = self.get_input("task").to
         noun = to.kind if isinstance(to, ObjectDescription) else to
-        opens = MEANT_BY.get(str(noun))
-        if opens == DOOR:
-            return Failure.infeasible(
-                f"I cannot put things into a {noun}: what is behind a door is out of my reach"
-            )
-        return super().step() if opens == DRAWER else DONE
+        return super().step() if MEANT_BY.get(str(noun)) == DRAWER else DONE
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """What was seen before counts as well."""

@@ -57,7 +57,10 @@ class SeeHeld(LookLeaf):
         tcp_T_object = held.tcp_T_object.copy()
         tcp_T_object[:3, 3] = (poses.inverse(odom_T_tcp) @ found[0].odom_T_object)[:3, 3]
         tcp_T_object[1, 3] = held.tcp_T_object[1, 3]  # along the opening the fingers hold it where it is
-        shift_m = float(np.linalg.norm(tcp_T_object[:3, 3] - held.tcp_T_object[:3, 3]))
+        shift = odom_T_tcp[:3, :3] @ (tcp_T_object[:3, 3] - held.tcp_T_object[:3, 3])
+        shift[2] = min(0.0, shift[2])  # nothing climbs in a hand; the sight errs
+        tcp_T_object[:3, 3] = held.tcp_T_object[:3, 3] + odom_T_tcp[:3, :3].T @ shift
+        shift_m = float(np.linalg.norm(shift))
         self.measured(shift_m=shift_m)
         if shift_m <= policy.shifted_m:
             return self._unchanged(f"{shift_m * 1000:.0f} mm from where it was")

@@ -46,7 +46,9 @@ class VerifyOpening(LookLeaf):
         enough = best >= OPEN_ENOUGH[target.kind] if opening else best <= SHUT[target.kind]
         if not enough:
             state = "open" if opening else "closed"
-            return Failure.postcondition(f"the {target.part} did not stay {state}", **evidence)
+            # before a hand has moved it, it did not fail to stay so
+            is_not = "is not" if self.optional("opened") is None else "did not stay"
+            return Failure.postcondition(f"the {target.part} {is_not} {state}", **evidence)
         self._set_output("evidence", evidence)
         self.feedback_message = f"{target.shown(best):.2f} {target.unit}"
         return DONE

@@ -18,6 +18,7 @@ from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.offer import Offer
 from trees.leaves.verify_taken import VerifyTaken
 from trees.leaves.wait import Hold
+from trees.offers import OFFERED
 from trees.subtrees.have_it import have_it
 from trees.subtrees.search_place import search_place
 from trees.subtrees.tidily import tidily
@@ -33,7 +34,7 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
         search_place("find the person", toolbox, gazes, slots=("to",)),
         NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),
-        AwaitPull("wait for the pull", toolbox),
+        AwaitPull(OFFERED, toolbox),
         Give("give", toolbox),
         Hold("let it go", toolbox, policy.after_giving_s),
         BestEffort(DrawBack("draw back", toolbox)),

@@ -5,6 +5,8 @@ Where this hand does not reach, it is put down on the way and taken up with the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
@@ -43,11 +45,11 @@ _FURTHER_STEPS = 3
 def place(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     anywhere: list[Behaviour] = [rewired(_find_room(toolbox), {"task": "swap_place"}), _attempt(toolbox)]
-    swapped: list[Behaviour] = [swap_hands(anywhere, toolbox), _bring(toolbox)]
-    ways: list[Behaviour] = [_bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
-    bring = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
-    bring.transparent = True
-    carry: list[Behaviour] = [have_it(toolbox), bring]
+    swapped: list[Behaviour] = [swap_hands(anywhere, toolbox), bring(toolbox)]
+    ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
+    either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
+    either.transparent = True
+    carry: list[Behaviour] = [have_it(toolbox), either]
     children: list[Behaviour] = [
         look_over(toolbox),
         regrasping(carry, toolbox),
@@ -88,22 +90,28 @@ class _Bring(Sequence):
     transparent = True
 
 
-def _bring(toolbox: Toolbox) -> Behaviour:
-    """From a hand to a free spot."""
+def _find_room(toolbox: Toolbox) -> Behaviour:
+    """Looks until a surface with room is seen."""
+    return look_past_hands("find room", lambda: FindSpots("find spots", toolbox), toolbox)
+
+
+def bring(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour] = _find_room) -> Behaviour:
+    """From a hand to a free spot. Reads "held", writes "placement" and "stood".
+
+    Args:
+        toolbox: What leaves may call.
+        find_room: Makes what looks for room; it reads "held", and "task" if it needs it, and writes "spots".
+    """
+    recover = _recover(toolbox, find_room)
     attempts = Retry(
-        "attempts", _attempt(toolbox), _recover(toolbox), toolbox.policy.place_attempts, _no_other_spot_helps
+        "attempts", _attempt(toolbox), recover, toolbox.policy.place_attempts, _no_other_spot_helps
     )
     children: list[Behaviour] = [
-        _find_room(toolbox),
+        find_room(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
     ]
     return _Bring("bring it", memory=True, children=children)
-
-
-def _find_room(toolbox: Toolbox) -> Behaviour:
-    """Looks until a surface with room is seen."""
-    return look_past_hands("find room", lambda: FindSpots("find spots", toolbox), toolbox)
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:
@@ -120,12 +128,12 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     return Sequence("set down", memory=True, children=children)
 
 
-def _recover(toolbox: Toolbox) -> Behaviour:
+def _recover(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour]) -> Behaviour:
     children: list[Behaviour] = [
         StillHeld("not lost", toolbox),
         ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
         BestEffort(RaiseHeld("lift it again", toolbox)),
-        _find_room(toolbox),
+        find_room(toolbox),
     ]
     return Sequence("try another spot", memory=True, children=children)
 

@@ -10,7 +10,7 @@ from py_trees.composites import Sequence
 from kinematics.robot_description import HANDS
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure
-from trees.leaves.detect import Detect, wants_survey
+from trees.leaves.detect import Detect, Part, lost, wants_survey
 from trees.leaves.go_home import GoHome
 from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
@@ -25,24 +25,24 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
 
     When several things fit, or the description compares them, or a part of what the only one stands on is out
     of view, the head looks to both sides before one is chosen or a question is put: what was not in the first
-    picture counts as well.
+    picture counts as well. What those looks have lost is looked for ahead once more.
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
     first, upright = replace(upright, lean_rad=policy.first_lean_rad), replace(upright, name="far ahead")
-    gazes = [first, *others, upright, policy.last_gaze]
-    looks = [_look(gaze, toolbox, surveyed=False) for gaze in gazes]
-    looks += [_look(gaze, toolbox, surveyed=False, more_to_come=True) for gaze in survey[:-1]]
-    looks.append(_look(survey[-1], toolbox, surveyed=True))
+    looks = [_look(gaze, toolbox, "first") for gaze in (first, *others, upright, policy.last_gaze)]
+    looks += [_look(gaze, toolbox, "side") for gaze in survey[:-1]]
+    looks.append(_look(survey[-1], toolbox, "last"))
+    looks.append(_look(replace(first, name="ahead again"), toolbox, "again"))
     return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
 
 def as_needed(look: Behaviour, failure: Failure | None) -> bool:
-    """The looks to both sides when they are asked for, the others when not."""
-    surveys = any(
-        isinstance(leaf, LookAt) and leaf.gaze in leaf.toolbox.policy.survey_gazes for leaf in look.children
-    )
-    return surveys == (failure is not None and wants_survey(failure))
+    """The looks to both sides when they are asked for, one ahead when they lost it, the others when not."""
+    part = next(leaf.part for leaf in look.children if isinstance(leaf, Detect))
+    if part == "again":
+        return failure is not None and lost(failure)
+    return (part != "first") == (failure is not None and wants_survey(failure))
 
 
 def search_from_home_too(toolbox: Toolbox) -> Alternatives:
@@ -69,9 +69,8 @@ def _arms_at_home(toolbox: Toolbox) -> bool:
     return all(abs(float(off[i])) <= _HOME_RAD for i, name in enumerate(model.joints) if name in arms)
 
 
-def _look(gaze: Gaze, toolbox: Toolbox, *, surveyed: bool, more_to_come: bool = False) -> Behaviour:
-    detect = Detect("detect", toolbox, surveyed=surveyed, looking_around=True, more_to_come=more_to_come)
-    children: list[Behaviour] = [LookAt("look", toolbox, gaze), detect]
+def _look(gaze: Gaze, toolbox: Toolbox, part: Part) -> Behaviour:
+    children: list[Behaviour] = [LookAt("look", toolbox, gaze), Detect("detect", toolbox, part=part)]
     return Sequence(f"look {gaze.name}", memory=True, children=children)
 
 

@@ -28,11 +28,22 @@ _NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
 
 def walk_to(toolbox: Toolbox) -> Behaviour:
     """Find it, walk there, look again, and correct. Reads "task", writes "evidence"."""
+    steps = [find_place(toolbox), walks(toolbox, ChooseStand("choose where to stand", toolbox))]
+    return tidily("walk to", steps, toolbox, toolbox.policy.walk_timeout_s)
+
+
+def walks(toolbox: Toolbox, choose: Behaviour) -> Behaviour:
+    """Walk to where one stands for a place that was seen, and correct. Reads "task" and "place".
+
+    Args:
+        toolbox: What leaves may call.
+        choose: Writes "stand".
+    """
     attempt = Sequence(
         "attempt",
         memory=True,
         children=[
-            ChooseStand("choose where to stand", toolbox),
+            choose,
             ReadyToWalk("stand upright", toolbox),
             WalkTo("walk", toolbox),
             Alternatives(
@@ -47,11 +58,10 @@ def walk_to(toolbox: Toolbox) -> Behaviour:
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
-    tries = Retry("walks", attempt, again, toolbox.policy.walk_attempts, another_walk_is_useless)
-    return tidily("walk to", [_find(toolbox), tries], toolbox, toolbox.policy.walk_timeout_s)
+    return Retry("walks", attempt, again, toolbox.policy.walk_attempts, another_walk_is_useless)
 
 
-def _find(toolbox: Toolbox) -> Behaviour:
+def find_place(toolbox: Toolbox) -> Behaviour:
     """Look from here, then from elsewhere: the camera does not see all that one can walk to."""
     policy = toolbox.policy
     far = (*policy.search_gazes[:1], *policy.level_gazes)

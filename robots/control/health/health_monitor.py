@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kinematics.robot_model import RobotModel
+from robots.control.health.arm_resistance import ArmResistance
 from robots.control.health.body_health import BodyHealth
 from robots.control.health.finding import Ailment, Finding, Response
 from robots.control.health.joint_health import JointHealth
@@ -29,6 +30,7 @@ class HealthMonitor:
     def __init__(self, model: RobotModel, period_s: float) -> None:
         self.findings: dict[tuple[Ailment, str], Finding] = {}
         self._joints = JointHealth(model.description, period_s)
+        self._resistance = ArmResistance(model, period_s)
         self._body = BodyHealth(model, period_s)
         self._period_s = period_s
         self._counts: dict[tuple[Ailment, str], int] = {}
@@ -60,7 +62,7 @@ class HealthMonitor:
         """
         now_s = sensed.readings.stamp_s
         room = _STEPPING_ROOM if stepping else 1.0
-        found = self._joints.judge(sensed.readings, setpoint, in_contact, room)
+        found = self._of_joints(sensed, setpoint, in_contact, room)
         found += self._body.judge(sensed, standing, stepping, self._joints.bent)
         new = []
         for finding in found:
@@ -80,9 +82,24 @@ class HealthMonitor:
             del self.findings[finding.key]
         return new, over
 
+    def _of_joints(
+        self, sensed: SensedState, setpoint: JointSetpoint, in_contact: bool, room: float
+    ) -> list[Finding]:
+        """What is wrong with joints; one that a pressed hand holds back is not stuck."""
+        resistance = self._resistance
+        jammed = resistance.judge(sensed.readings, setpoint, room)
+        found = [
+            finding
+            for finding in self._joints.judge(sensed.readings, setpoint, in_contact, room)
+            if finding.ailment is not Ailment.STUCK or not resistance.touched(finding.part, sensed.q)
+        ]
+        blamed = {finding.part for finding in found}  # a motor that gives too little does not push
+        return found + [finding for finding in jammed if not in_contact and finding.part not in blamed]
+
     def acknowledge(self) -> list[Finding]:
         """A person has looked at the robot: what stayed is over, and will be found again if it is not."""
         self._joints.forget()
+        self._resistance.forget()
         self._body.forget()
         over = [finding for key, finding in self.findings.items() if key[0] in _STAYS]
         for finding in over:

@@ -50,6 +50,14 @@ def test_what_has_shifted_in_the_hand_is_believed_to_be_where_it_is_seen(carryin
     assert carrying.told.scene.version != version
 
 
+def test_nothing_climbs_in_a_hand(carrying):
+    carrying.fake.world.shift_in_hand("red cup", -0.015)
+
+    see(carrying)
+
+    assert carrying.output("shifted") is False
+
+
 def test_what_is_where_it_was_leaves_all_plans_good(carrying):
     carrying.fake.world.shift_in_hand("red cup", 0.003)
     version = carrying.told.scene.version

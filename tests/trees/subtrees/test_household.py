@@ -391,12 +391,52 @@ def test_a_shut_drawer_is_told_before_anything_is_picked_up(stage_with):
     assert not asked(stage, PickRequest)
 
 
-def test_that_nothing_is_put_behind_a_door_is_told_at_once(stage):
+def fridge(opening_rad):
+    """A fridge ahead to the left, its door so far open, as the truth has it; and a table to the right."""
+    (piece,) = load_scene("fridge").furniture
+    fixed = [
+        TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
+        for solid in solids(piece)
+    ]
+    part = floor_pose(piece) @ furniture_T_part(piece) @ opened(piece, opening_rad)
+    moving = [
+        TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, part @ solid.part_T_solid)
+        for solid in moving_solids(piece)
+        if solid.kind
+    ]
+    return *fixed, *moving
+
+
+@pytest.mark.requirement("M3")
+def test_a_cup_is_put_on_a_board_of_an_open_fridge(stage_with):
+    stage = stage_with(*fridge(1.25), table(), cup())
+
+    tree = run(stage, PutInTask("put the red cup in the fridge", RED_CUP, "fridge"))
+
+    place = stage.fake.world.object("red cup").world_T_object[:3, 3]
+    assert tree.status == "success"
+    assert tree.evidence["on"].startswith("fridge")
+    assert place[2] == pytest.approx(0.65 * 1.70 + 0.01 + 0.055, abs=0.02)
+
+
+@pytest.mark.requirement("F1")
+def test_a_shut_fridge_is_told_before_anything_is_picked_up(stage_with):
+    stage = stage_with(*fridge(0.0), table(), cup())
+
     tree = run(stage, PutInTask("put the red cup in the fridge", RED_CUP, "fridge"))
 
     assert tree.failure.kind is FailureKind.INFEASIBLE
-    assert "I cannot put things into a fridge" in tree.failure.message
+    assert "the fridge is shut: open it first" in tree.failure.message
     assert not asked(stage, PickRequest)
+
+
+def test_a_cup_that_falls_off_its_board_is_not_claimed_to_be_in_the_fridge(stage_with):
+    stage = stage_with(*fridge(1.25), table(), cup())
+    stage.when("clear the view", lambda: stage.fake.world.move("red cup", (-0.2, 0.0, -0.4)))
+
+    tree = run(stage, PutInTask("put the red cup in the fridge", RED_CUP, "fridge"))
+
+    assert tree.status == "failure"
 
 
 def test_a_cup_that_lies_on_the_chest_afterwards_is_not_claimed_to_be_in_the_drawer(stage_with):

@@ -178,6 +178,16 @@ def test_a_twin_outside_the_first_picture_leads_to_a_question(stage_with):
     assert not any(isinstance(request, PickRequest) for request in stage.fake.planning.requests)
 
 
+@pytest.mark.requirement("M2")
+def test_a_cup_that_the_looks_to_the_sides_have_lost_is_looked_for_ahead_once_more(stage):
+    stage.when("look to the left", lambda: stage.fake.world.hidden.add("red cup"))
+    stage.when("look ahead again", stage.fake.world.hidden.clear)
+
+    stage.play(stage.pick())
+
+    assert lifted(stage)
+
+
 def test_who_has_seen_the_whole_table_looks_no_further(stage_with):
     def looks_aside(top):
         stage = stage_with(top, cup())

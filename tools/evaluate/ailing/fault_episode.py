@@ -21,6 +21,11 @@ WHEN_S = (0.5, 14.0)
 """The part breaks at a time drawn from here; a pick takes about 12 s."""
 WATCHED_S = 10.0
 _LAST_S = 1.0
+_BRAKED_S = 0.5
+"""A command that is ended by the fault itself may have had to brake until then."""
+_SHOWN_RAD = 0.02
+_SHOWN_MARGIN = 1.2
+"""Over what a servo yields to the effort that counts as contact: a jam has to be noticed from there."""
 _REST_EVERY = 5
 
 
@@ -57,13 +62,17 @@ class _Episode:
         joint = struck_joint(description, rng)
         self._part = joint if self._fault.of_a_joint else ""
         self._index = description.actuated.index(joint)
+        gain, most_nm = description.gains[joint], description.limits[joint].effort
+        self._servo = gain.stiffness / most_nm, gain.damping / most_nm, 1.0 / most_nm
+        contact_nm = description.contact_effort_nm.get(joint, np.inf)
+        self._shown_rad = min(_SHOWN_RAD, _SHOWN_MARGIN * contact_nm / gain.stiffness)
         self._t_s = 1.0 if standing else float(rng.uniform(*WHEN_S))
         self._phase, self._struck_phase = "", ""
         self._struck = False
         self._noticed: HealthChanged | None = None
         self._ended: list[TaskEnded] = []
         self._asked = [np.inf, -np.inf]
-        self._off_rad = 0.0
+        self._off_rad = self._asked_share = 0.0
         self._late: float | None = None
         self._fell = False
         self._periods = 0
@@ -91,7 +100,11 @@ class _Episode:
         )
         left_s = self._t_s + WATCHED_S - assembly.clock.now_s()
         session.hold(max(left_s, 2.0))
+        unnoticed = self._noticed is None
         refused = self._next_is_refused()
+        session.hold(_BRAKED_S)
+        if unnoticed and self._noticed is not None:  # that command showed it: the one after it is refused
+            refused = self._next_is_refused()
         self._late = 0.0
         session.hold(_LAST_S)
         return self._record(refused, claimed_falsely)
@@ -125,6 +138,8 @@ class _Episode:
             failure_kind=tops[0].kind.value if tops else None,
             asked_rad=round(max(high - low, 0.0), 4),
             off_rad=round(self._off_rad, 4),
+            asked_share=round(self._asked_share, 3),
+            shown_rad=round(self._shown_rad, 4),
             refused=refused,
             state=self._run.assembly.supervisor.lifecycle.state.value,
             late_rad_s=round(self._late or 0.0, 4),
@@ -152,9 +167,15 @@ class _Episode:
         truth = assembly.world.truth
         self._periods += 1
         if self._struck:
-            wanted = float(assembly.loop.setpoint.q[i])
+            setpoint = assembly.loop.setpoint
+            wanted = float(setpoint.q[i])
             self._asked = [min(self._asked[0], wanted), max(self._asked[1], wanted)]
-            self._off_rad = max(self._off_rad, abs(wanted - float(truth.joint_positions()[i])))
+            off_rad = wanted - float(truth.joint_positions()[i])
+            self._off_rad = max(self._off_rad, abs(off_rad))
+            slower_rad_s = float(setpoint.v[i]) - float(truth.joint_velocities()[i])
+            stiffness, damping, effort = self._servo
+            share = stiffness * off_rad + damping * slower_rad_s + effort * float(setpoint.tau[i])
+            self._asked_share = max(self._asked_share, abs(share))
         if self._periods % _REST_EVERY == 0:
             self._fell = self._fell or truth.fallen()
         if self._late is not None:

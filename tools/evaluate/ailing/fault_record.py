@@ -12,9 +12,6 @@ import numpy as np
 from tools.evaluate.records import Bar
 from tools.evaluate.stopping.stop_judge import REST_RAD_S
 
-_ASKED_RAD = 0.02
-"""A joint that was asked to move less than this, and is not off by as much, has not shown its fault."""
-
 _FOLLOWED_RAD = 0.005
 """A joint that is never farther from where it is asked to be has a motor that gives what is asked for:
 healthy joints are up to 5 mrad off."""
@@ -34,6 +31,8 @@ class FaultRecord:
         failure_kind: Kind of the failure at the top of the chain, or None.
         asked_rad: How far the struck joint was asked to move after the fault.
         off_rad: Farthest that it was from where it was asked to be, truly.
+        asked_share: Largest effort that its servo asked for after the fault, share of the healthy limit.
+        shown_rad: A joint that was asked to move by less, and is not off by as much, has not shown a jam.
         refused: Whether the next command was refused with the reason.
         state: The state machine's at the end.
         late_rad_s: Speed of the fastest joint in the last second.
@@ -59,6 +58,8 @@ class FaultRecord:
     failure_kind: str | None = None
     asked_rad: float = 0.0
     off_rad: float = 0.0
+    asked_share: float = 0.0
+    shown_rad: float = 0.02
     refused: bool = False
     state: str = ""
     late_rad_s: float = 0.0
@@ -75,7 +76,7 @@ class FaultRecord:
             return False
         if self.of_a_motor:
             return self.off_rad < _FOLLOWED_RAD
-        return max(self.asked_rad, self.off_rad) < _ASKED_RAD
+        return max(self.asked_rad, self.off_rad) < self.shown_rad
 
     @property
     def faults(self) -> tuple[str, ...]:
@@ -120,6 +121,9 @@ class FaultSummary:
             "noticed": float(sum(record.noticed_s is not None for record in self.records)),
             "never asked for anything": float(
                 sum(record.noticed_s is None and record.unchallenged for record in self.records)
+            ),
+            "effort asked of those, largest share": max(
+                [record.asked_share for record in self.records if record.unchallenged] or [0.0]
             ),
             "noticed after s, p50": round(float(np.percentile(times, 50)), 3),
             "noticed after s, p95": round(float(np.percentile(times, 95)), 3),

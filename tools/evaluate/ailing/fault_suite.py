@@ -34,7 +34,7 @@ def _line(record: FaultRecord) -> str:
     noticed = (
         f"{record.ailment} of {record.blamed} after {record.noticed_s:.2f} s"
         if record.noticed_s is not None
-        else "not noticed"
+        else f"not noticed ({record.asked_share:.0%} of its effort, {1e3 * record.off_rad:.1f} mrad off)"
     )
     broken = ", ".join(record.faults) or "ok"
     fell = (

@@ -57,17 +57,19 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         )
     results: list[TaskResult] = []
     planning = PlanningWatch(assembly.planning)
-    if trial.sentence:
-        planning.begin()
-        with assembly.session.events.heard_by(planning.take):
-            results += assembly.session.submit(trial.sentence, on_question="first").result()
-    for task in () if trial.sentence else trial.tasks:
+    for task in trial.first if trial.sentence else trial.tasks:
         planning.begin()
         with assembly.session.events.heard_by(planning.take):
             results.append(assembly.session.run_task(task))
         if results[-1].outcome != "done":
             break
-    prepared = bool(trial.sentence) or len(results) == len(trial.tasks)
+    prepared = all(result.outcome == "done" for result in results)
+    if trial.sentence and prepared:
+        planning.begin()
+        with assembly.session.events.heard_by(planning.take):
+            results += assembly.session.submit(trial.sentence, on_question="first").result()
+    elif not trial.sentence:
+        prepared = len(results) == len(trial.tasks)
     assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)
     last = results[-1]

@@ -14,6 +14,7 @@ from kinematics import poses
 from robots.articulated import moving_part
 from robots.scene_description import RobotStart, SceneDescription
 from robots.scene_file import dump, load_scene, read_scene
+from tools.evaluate.skills import rooms
 from tools.evaluate.skills.handing_over import TakingJudge
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked
@@ -56,7 +57,7 @@ def flat(rng: np.random.Generator) -> SceneDescription:
             position_m=(person.position_m[0] + off(PERSON_M), person.position_m[1] + off(PERSON_M)),
             yaw_rad=off(math.pi),
         )
-        for person in scene.people
+        for person in rooms.played(scene.people)
     )
     objects = []
     for item in scene.objects:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -106,6 +107,11 @@ def things(
             shape = shape_of(kind, rng)
             found.append(item(f"{color} {kind}", kind, color, shape, carrier, place, rng))
     return found
+
+
+def played(people: Sequence[Person]) -> tuple[Person, ...]:
+    """The same people, who do only what a judge has them do."""
+    return tuple(replace(person, takes=False) for person in people)
 
 
 def people(

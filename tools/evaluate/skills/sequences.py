@@ -151,7 +151,8 @@ def sequence_trial(rng: np.random.Generator) -> Trial:
             elsewhere.append(item)
     container = next(item for item in on_table if item.wall_m is not None)
     things = [item for item in on_table if item is not container]
-    scene = rooms.room("sequence", rng, dinner.furniture, [*on_table, *elsewhere], dinner.people)
+    people = rooms.played(dinner.people)
+    scene = rooms.room("sequence", rng, dinner.furniture, [*on_table, *elsewhere], people)
     skills = [SKILLS[i] for i in rng.permutation(len(SKILLS))[:LENGTH]]
     tasks, aims = _tasks(skills, scene, container, things, rng)
     return Trial(scene, tasks, ", ".join(aims))

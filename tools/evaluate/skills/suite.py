@@ -57,12 +57,14 @@ class Trial:
         tasks: Asked one after the other; the last one is what the suite is about.
         aim: Name of the object, person or furniture that the last task is about.
         sentence: What is said instead; ``tasks`` then only tell the judge what is meant by it.
+        first: Asked before the sentence.
     """
 
     scene: SceneDescription
     tasks: tuple[Task, ...]
     aim: str = ""
     sentence: str = ""
+    first: tuple[Task, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ import dataclasses
 from types import SimpleNamespace
 
 import numpy as np
+import pinocchio as pin
 import pytest
 
 from kinematics.robot_model import RobotModel
@@ -16,6 +17,7 @@ PERIOD_S = 0.002
 LEFT_LEAN_RAD = -0.11
 ELBOW = "arm_left_4_joint"
 WRIST = "arm_left_6_joint"
+LIFTING_WRIST = "arm_left_7_joint"
 ANKLE = "leg_left_6_joint"
 
 
@@ -81,6 +83,27 @@ class Body:
             self.new += new
             self.over += over
 
+    def pressed_hand(self, direction, joint, effort_nm):
+        """What a force on the left hand asks of all joints, so large that one joint is asked for so much."""
+        model, data = self.model, self.model.pin.createData()
+        pin.computeJointJacobians(model.pin, data, model.q_home)
+        frame = model.frame_id("tcp_left")
+        pin.updateFramePlacement(model.pin, data, frame)
+        jacobian = pin.getFrameJacobian(model.pin, data, frame, pin.LOCAL_WORLD_ALIGNED)[:3, 6:]
+        asked = np.zeros(len(self.q))
+        asked[: len(model.joints)] = -jacobian.T @ np.asarray(direction)
+        asked[[name.startswith("leg_") for name in self.names]] = 0.0
+        return asked * effort_nm / asked[self.index(joint)]
+
+    def press(self, load, seconds, speed_rad_s=0.0, joint=ELBOW):
+        """Let something press that grows evenly, so that all joints yield to it at an even speed."""
+        periods = round(seconds / PERIOD_S)
+        self.slower_rad_s = load / self.stiffness / seconds
+        for _ in range(periods):
+            self.touch = self.touch + load / periods
+            self.run(PERIOD_S, speed_rad_s, joint)
+        self.slower_rad_s = np.zeros(len(self.q))
+
     def ailments(self):
         return [(finding.ailment, finding.part) for finding in self.new]
 
@@ -143,13 +166,72 @@ def test_a_joint_whose_setpoint_moves_away_from_it_is_stuck(body):
 @pytest.mark.parametrize("load_nm", [2.5, 4.5])
 def test_a_load_that_holds_a_soft_wrist_back_is_no_stuck_joint(body, load_nm):
     """Taken up while the wrist is asked to move: 2.45 Nm were seen in a pick before a hand-over."""
-    wrist, speed_rad_s, steps = body.index(WRIST), 0.03, 25
+    speed_rad_s = 0.03
+    load = body.pressed_hand((0.0, 0.0, 1.0), LIFTING_WRIST, load_nm)
     body.run(0.6)
-    for step in range(steps):
-        body.touch[wrist] = load_nm * (step + 1) / steps
-        body.run(load_nm / 300.0 / speed_rad_s / steps, speed_rad_s, WRIST)
+    body.press(load, load_nm / 300.0 / speed_rad_s, speed_rad_s, LIFTING_WRIST)
     body.run(0.6)
 
+    assert body.touch[body.index(LIFTING_WRIST)] == pytest.approx(load_nm)
+    assert not body.new
+
+
+@pytest.mark.requirement("F5")
+@pytest.mark.parametrize(("direction", "wrist"), [((0.0, 0.0, 1.0), LIFTING_WRIST), ((0.0, 1.0, 0.2), WRIST)])
+def test_a_hand_that_is_pressed_hard_leaves_no_joint_stuck(body, direction, wrist):
+    """30 to 60 N were seen on a hand that came down beside a cup: its wrist stayed 60 mrad behind."""
+    body.run(0.6)
+    body.press(body.pressed_hand(direction, wrist, 7.0), 0.5)
+    body.run(1.0)
+
+    assert body.touch[body.index(wrist)] == pytest.approx(7.0)  # 23 mrad behind
+    assert not body.new
+
+
+@pytest.mark.requirement("F5")
+def test_a_wrist_that_is_jammed_is_noticed_under_a_load_on_the_hand_too(body):
+    body.run(0.6)
+    body.press(body.pressed_hand((0.0, 0.0, 1.0), LIFTING_WRIST, 1.5), 0.3)
+    body.stuck.add(LIFTING_WRIST)
+    body.run(0.5, -0.1, LIFTING_WRIST)
+
+    assert (Ailment.STUCK, LIFTING_WRIST) in body.ailments()
+
+
+@pytest.mark.requirement("F5")
+@pytest.mark.parametrize("joint", [ELBOW, WRIST])
+def test_a_jam_of_an_arm_is_known_before_its_effort_counts_as_a_touch(body, joint):
+    """Else each motion ends as an unexpected contact, and nobody says that the joint is stuck."""
+    body.run(0.6)
+    body.stuck.add(joint)
+    body.run(0.6, 0.02, joint)
+
+    assert body.ailments() == [(Ailment.STUCK, joint)]
+    allowed_nm = body.model.description.contact_effort_nm[joint]
+    assert body.new[0].value * body.stiffness[body.index(joint)] < allowed_nm
+
+
+@pytest.mark.requirement("F5")
+def test_a_joint_that_stays_behind_and_tells_of_no_effort_is_not_held_by_a_touch(body):
+    """A body without sensors of effort: what is not felt excuses nothing."""
+    body.tau[:], body.share[:] = 0.0, 0.0
+    body.stuck.add(ELBOW)
+    body.monitor._joints._servo[:2] = 0.0  # its servos are not judged either
+    body.run(0.6, 0.1, ELBOW)
+
+    assert body.ailments() == [(Ailment.STUCK, ELBOW)]
+
+
+@pytest.mark.requirement("F5")
+def test_what_gives_way_against_one_joint_alone_is_no_jam(body):
+    """A touch at the upper arm may be felt by one joint; what is not of iron lets it move on a little."""
+    elbow, load = body.index(ELBOW), np.zeros(len(body.q))
+    load[elbow] = 11.0
+    body.run(0.6)
+    body.press(load, 0.2, 0.05)
+    body.run(0.6)
+
+    assert body.touch[elbow] > 10.0
     assert not body.new
 
 

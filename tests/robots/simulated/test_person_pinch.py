@@ -9,7 +9,7 @@ from executive.assembly import assemble
 from kinematics.shapes import Box, Cylinder
 from robots.scene_description import Person, SceneDescription
 from robots.simulated.person_hand import PersonHand
-from tools.evaluate.skills.pinching import choose_pinch
+from robots.simulated.person_pinch import choose_pinch
 
 AHEAD = np.array([1.0, 0.0, 0.0])
 

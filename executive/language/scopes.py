@@ -1,0 +1,116 @@
+"""How far "before" and "after" reach in a sentence of several clauses.
+
+"Before you close the fridge, take out the milk and put it on the table" puts both in front of the closing;
+"go to the kitchen and wave after opening the fridge" may open it first of all or in between, which is asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Literal
+
+from executive.language.lattice import Word
+from executive.language.phrases import Clause, Trouble
+
+
+class Separator(Enum):
+    """What stands between two clauses; the order of the members is how strongly it separates."""
+
+    NOTHING = 0
+    AND = 1
+    COMMA = 2
+    THEN = 3
+    STOP = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Two clauses that a conjunction puts in order.
+
+    Attributes:
+        first: Which is done first.
+        second: Which is done after it.
+        scope: Which clause the conjunction stands before as they are said ("first" or "last"), and which of
+            them it is that follows in time: ``after_first`` is "after A, B".
+        doing: Whether the clause after the conjunction is an -ing form, which no other clause can join.
+        breaks: Whether a full stop stands before the conjunction: "B. But first, A".
+    """
+
+    first: Clause
+    second: Clause
+    scope: Literal["after_first", "after_last", "before_first", "before_last", "but_first"]
+    doing: bool = False
+    breaks: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Further:
+    """A clause or group after the first, and what stands before it."""
+
+    separator: Separator
+    part: Clause | Group
+
+
+UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
+_SENTENCE_ENDS = frozenset({".", ";", "!", "?", "paren", ")"})
+
+
+def separator_of(words: Sequence[Word]) -> Separator:
+    """What some marks and joining words are together."""
+    found = Separator.NOTHING
+    for word in words:
+        if word.word_class == "BULLET" or word.meaning in _SENTENCE_ENDS:
+            one = Separator.STOP
+        elif word.word_class == "PAUSE":
+            one = Separator.COMMA
+        else:
+            one = Separator.AND if word.said in ("and", "&") else Separator.THEN
+        found = one if one.value > found.value else found
+    return found
+
+
+def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
+    """All clauses as they are to be done.
+
+    Args:
+        parts: The sentence; what stands before its first part is left out.
+    """
+    done: list[Clause] = []
+    waiting: Clause | None = None
+    for index, one in enumerate(parts):
+        separator = one.separator if index else Separator.STOP
+        if waiting is not None and separator is not Separator.AND:
+            if separator is not Separator.STOP:
+                return UNCLEAR_ORDER  # "before A, B, then C": is C before A as well?
+            done.append(waiting)
+            waiting = None
+        if isinstance(one.part, Clause):
+            done.append(one.part)
+            continue
+        follows = parts[index + 1].separator if index + 1 < len(parts) else Separator.STOP
+        if waiting is not None or not _is_clear(
+            one.part, separator if done else Separator.STOP, follows, bool(done)
+        ):
+            return UNCLEAR_ORDER
+        done.append(one.part.first)
+        if one.part.scope == "before_first":
+            waiting = one.part.second
+        else:
+            done.append(one.part.second)
+    return (*done, waiting) if waiting is not None else tuple(done)
+
+
+def _is_clear(group: Group, separator: Separator, follows: Separator, goes_before: bool) -> bool:
+    """Whether the order is the same however far the conjunction reaches."""
+    if group.scope in ("after_last", "before_last", "but_first") and follows is Separator.NOTHING:
+        return False  # "A after B C": is it "after B, C"?
+    if group.scope == "but_first":
+        return (
+            separator is Separator.STOP and not (goes_before and group.breaks) and follows is Separator.STOP
+        )
+    if group.scope == "after_last":
+        joins = not group.doing and follows in (Separator.AND, Separator.COMMA)
+        return separator in (Separator.THEN, Separator.STOP) and not joins
+    return True

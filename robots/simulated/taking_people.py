@@ -1,0 +1,35 @@
+"""The people of a scene who take what is offered to them."""
+
+from __future__ import annotations
+
+from robots.simulated.physics import Physics
+from robots.simulated.taking_person import TakingPerson
+from robots.simulated.truth import SimulatorTruth
+
+
+class TakingPeople:
+    """Whoever takes things in a scene; ``tick`` is called once each control period."""
+
+    def __init__(self, physics: Physics, truth: SimulatorTruth) -> None:
+        """Have those take who do so in the scene."""
+        self._truth = truth
+        self._people = [TakingPerson(physics, truth, one.name) for one in physics.scene.people if one.takes]
+        self._ticked_s = truth.time_s
+
+    def see_offer(self) -> None:
+        """The robot holds something out: whoever is nearest to it takes it."""
+        held = sorted(self._truth.in_pads_only())
+        if not held or not self._people:
+            return
+        person, thing = min(
+            ((person, thing) for person in self._people for thing in held),
+            key=lambda one: one[0].distance_m(one[1]),
+        )
+        person.offer(thing, self._truth.time_s)
+
+    def tick(self) -> None:
+        """Go on with what is being taken."""
+        now_s = self._truth.time_s
+        for person in self._people:
+            person.tick(now_s - self._ticked_s)
+        self._ticked_s = now_s

@@ -1,0 +1,118 @@
+"""A simulated person who takes what a robot's hand offers: reaches for it, closes the fingers, pulls."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.shapes import Shape
+from robots.simulated.person_hand import PersonHand
+from robots.simulated.person_pinch import BEFORE_M, SPARE_M, Pinch, choose_pinch
+from robots.simulated.physics import Physics
+from robots.simulated.truth import SimulatorTruth
+
+Array = NDArray[np.float64]
+
+PULL_N = 14.0
+"""How strongly somebody pulls who takes something."""
+REACTION_S = 0.7
+REACHING_N = 20.0
+"""The most that the hand presses with on its way."""
+_PULLED_M = 0.40
+_SETTLE_S = 0.4
+_NEAR_M, _AT_M = 0.03, 0.01
+
+Stage = Literal["waiting", "reaching", "closing in", "pinching", "pulling"]
+
+
+class TakingPerson:
+    """One person; ``tick`` is called once each control period.
+
+    Attributes:
+        name: Who it is.
+        stage: How far the taking is.
+        carried_m: How far what was taken has been carried from where it was offered, horizontally.
+    """
+
+    def __init__(
+        self,
+        physics: Physics,
+        truth: SimulatorTruth,
+        name: str,
+        pull_n: float = PULL_N,
+        reaction_s: float = REACTION_S,
+    ) -> None:
+        """Stand there with an empty hand.
+
+        Args:
+            physics: The world that the hand is in.
+            truth: Where things are in it.
+            name: Of a person of the scene.
+            pull_n: How strongly the hand pulls.
+            reaction_s: Seconds from the offer to the hand's setting out.
+        """
+        self.name = name
+        self.stage: Stage = "waiting"
+        self.carried_m = 0.0
+        self._truth, self._pull_n, self._reaction_s = truth, pull_n, reaction_s
+        person = next(one for one in physics.scene.people if one.name == name)
+        self._place = np.array([*person.position_m, 0.0])
+        self._shapes = {item.name: item.shape for item in physics.scene.objects}
+        self._hand = PersonHand(physics, name)
+        self._hand.force_n = REACHING_N
+        self._object: str | None = None
+        self._pinch: Pinch | None = None
+        self._since_s = self._offered_s = 0.0
+        self._offered = np.zeros(3)
+
+    def offer(self, thing: str, now_s: float) -> None:
+        """See that something is offered; who has something in hand already takes nothing more."""
+        if self._object is None:
+            self._object, self._offered_s = thing, now_s
+
+    def tick(self, period_s: float) -> None:
+        """Reach, close, pull."""
+        if self._object is not None:
+            self._take(self._object, self._shapes[self._object])
+        self._hand.tick(period_s)
+
+    def distance_m(self, thing: str) -> float:
+        """How far away something is, horizontally."""
+        return float(np.linalg.norm((self._place - self._truth.world_T_object(thing)[:3, 3])[:2]))
+
+    def _take(self, thing: str, shape: Shape) -> None:
+        now_s = self._truth.time_s
+        place = self._truth.world_T_object(thing)[:3, 3]
+        towards = self._place - place
+        towards[2] = 0.0
+        towards /= np.linalg.norm(towards)
+        if self._pinch is None:
+            if now_s >= self._offered_s + self._reaction_s:
+                self._pinch = choose_pinch(self._hand, place, shape, towards)
+                self._hand.roll_rad = self._pinch.roll_rad
+                self._hand.open_m = self._pinch.half_m + SPARE_M
+                self.stage, self._since_s = "reaching", now_s
+            return
+        goal = place + self._pinch.offset_m
+        if self.stage == "reaching":
+            self._hand.move_to(goal + BEFORE_M * towards)
+            self._next("closing in", now_s, goal + BEFORE_M * towards, _NEAR_M)
+        elif self.stage == "closing in":
+            self._hand.move_to(goal)
+            if self._next("pinching", now_s, goal, _AT_M):
+                self._hand.pinching = True
+        elif self.stage == "pinching" and now_s >= self._since_s + _SETTLE_S:
+            self.stage, self._since_s = "pulling", now_s
+            self._hand.force_n = self._pull_n
+            self._offered = place.copy()
+            self._hand.move_to(goal + _PULLED_M * towards)
+        if self.stage == "pulling":
+            self.carried_m = max(self.carried_m, float(np.linalg.norm((place - self._offered)[:2])))
+
+    def _next(self, stage: Stage, now_s: float, goal: Array, within_m: float) -> bool:
+        if now_s >= self._since_s + _SETTLE_S and np.linalg.norm(self._hand.place() - goal) <= within_m:
+            self.stage, self._since_s = stage, now_s
+            return True
+        return False

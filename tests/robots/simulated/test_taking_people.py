@@ -1,0 +1,67 @@
+"""People of a scene who take what is offered, and those who do not."""
+
+import math
+
+import numpy as np
+import pytest
+
+from kinematics import poses
+from kinematics.shapes import Cylinder
+from robots.description import load_description
+from robots.scene_description import Furniture, Person, SceneDescription, SceneItem
+from robots.simulated.world import build_world
+
+PERIOD_S = 0.002
+
+
+def world_with(*people):
+    top = Furniture("table", "table", (0.3, 0.3, 0.9), (0.8, -0.2))
+    place = poses.translation(0.72, -0.2, 0.955)
+    cup = SceneItem("red cup", "cup", "red", Cylinder(0.03, 0.11), 0.2, 0.7, place)
+    scene = SceneDescription("by a table", people=people, furniture=(top,), objects=(cup,))
+    return build_world(load_description("talos"), scene, np.random.default_rng(0))
+
+
+def pass_time(world, seconds):
+    for _ in range(round(seconds / PERIOD_S)):
+        world.robot.advance(PERIOD_S)
+
+
+@pytest.fixture
+def offers(monkeypatch):
+    """Lets a world believe that the robot holds the cup out."""
+
+    def offer(world):
+        monkeypatch.setattr(world.truth, "in_pads_only", lambda: {"red cup": "right"})
+        world.people.see_offer()
+
+    return offer
+
+
+def test_who_takes_things_carries_away_what_is_offered(offers):
+    world = world_with(Person("Ben", (2.4, 1.5), math.pi), Person("Ana", (1.2, -0.2), math.pi, takes=True))
+    before = world.truth.world_T_object("red cup")[:3, 3]
+
+    offers(world)
+    pass_time(world, 5.0)
+
+    assert any(name.startswith("Ana/") for name in world.truth.object_contacts("red cup"))
+    assert world.truth.world_T_object("red cup")[0, 3] > before[0] + 0.15
+
+
+def test_who_does_not_take_things_leaves_it_where_it_is(offers):
+    world = world_with(Person("Ana", (1.2, -0.2), math.pi))
+
+    offers(world)
+    pass_time(world, 1.0)
+
+    assert world.truth.object_contacts("red cup") == ("table/top",)
+
+
+def test_nobody_reaches_out_where_nothing_is_held():
+    world = world_with(Person("Ana", (1.2, -0.2), math.pi, takes=True))
+
+    world.people.see_offer()
+    pass_time(world, 1.0)
+
+    assert world.truth.object_contacts("red cup") == ("table/top",)

@@ -1,0 +1,29 @@
+"""Tell whether the robot has to do it from where it stands."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.leaf import DONE, Leaf
+from trees.ports import ports
+
+
+class CannotWalk(Leaf):
+    """Succeed for a robot that cannot walk here."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the robot stands where it stands",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Ask what there is to walk with."""
+        toolbox = self.toolbox
+        if toolbox.walking is None or toolbox.model.description.walking is None:
+            return DONE
+        return Failure.postcondition("it can walk")

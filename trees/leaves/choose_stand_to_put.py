@@ -1,0 +1,136 @@
+"""Choose where to stand to put something behind a door: where a placing on a board has a plan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from py_trees.common import Status
+
+from kinematics import poses
+from kinematics.place_requests import PlaceRequest, Spot
+from kinematics.pointing import link_moved_by
+from kinematics.scene import SceneObject
+from kinematics.trajectory import Stance
+from kinematics.walking.planar import PlanarPose
+from trees.contract import Contract
+from trees.destination import Place
+from trees.failures import Failure
+from trees.fridge_inside import front_of, inside_of_fridge, spots_in_fridge
+from trees.held import HeldObject
+from trees.leaf import DONE
+from trees.leaves.choose_stand import ChooseStand
+from trees.ports import ports
+from trees.reachable_standing import TURNED_RAD, Stand
+from trees.standing_place import EDGE_M
+
+Array = NDArray[np.float64]
+
+_REACH_M = 1.0
+"""From the shoulder to the spot, on the floor, at most; the trunk turns and leans along."""
+_SPOTS = 2
+
+
+class ChooseStandToPut(ChooseStand):
+    """Ask the planner for a placing from place after place, from here first; take the first that has one.
+
+    The held object is where the arm has it now. A robot that cannot walk stands where it stands.
+    """
+
+    # beside an open door only who turns towards it reaches in with the hand on the other side
+    TURNED_RAD = (*TURNED_RAD, 0.9, -0.9, 1.2, -1.2)
+    BESIDE = (PlanarPose(0.02, 0.02, 0.02), PlanarPose(-0.02, -0.02, -0.02))
+
+    INPUT_PORTS = ports(place=Place, held=HeldObject)
+    OUTPUT_PORTS = ports(stand=Stand)
+    CONTRACT = Contract(
+        precondition="the place was seen; the object is an attached body",
+        postcondition="a placing on a board has a plan from the chosen place and from beside it",
+        deadline_s=30.0,
+    )
+
+    def begin(self) -> None:
+        """Find the boards, then list the places."""
+        inside = inside_of_fridge(self.toolbox.world.scene)
+        self._inside: Failure | None = inside if isinstance(inside, Failure) else None
+        self._spots: tuple[Spot, ...] = ()
+        self._front: PlanarPose | None = None
+        if not isinstance(inside, Failure):
+            held: HeldObject = self.get_input("held")
+            self._spots = spots_in_fridge(held, inside, self.toolbox.world.scene)
+            self._front = PlanarPose.of(front_of(inside.boards[0]))
+        super().begin()
+
+    def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
+        """Square in front of the boards."""
+        return super().usual(place, body) if self._front is None else self._front @ PlanarPose(-EDGE_M)
+
+    def thing(self, _place: Place) -> SceneObject | None:
+        """The object on the best spot."""
+        if not self._spots:
+            return None
+        held: HeldObject = self.get_input("held")
+        return SceneObject(held.name, held.shape, self._spots[0].world_T_object)
+
+    def stands(self, here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
+        """Here first, for who stands well does not walk; then where the hand's shoulder is nearest."""
+        x, y = (float(value) for value in self._spots[0].world_T_object[:2, 3])
+        spot = PlanarPose(x, y)
+        shoulder = self._shoulder()
+        near = sorted((one for one in stands), key=lambda one: (one @ shoulder).distance_m(spot))
+        return (one for one in (here, *near) if (one @ shoulder).distance_m(spot) <= _REACH_M)
+
+    def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
+        """The present posture, carried over to the place."""
+        toolbox = self.toolbox
+        q = toolbox.motion.reference().copy()
+        q[:7] = _moved(q[:7], self._here, body)
+        return PlaceRequest(
+            q_start=q,
+            stance=stance,
+            scene=toolbox.world.scene,
+            held=self.get_input("held").name,
+            spots=tuple(few_of_each(self._spots)),
+            retreat_m=toolbox.policy.retreat_m,
+            seed=int(toolbox.rng.integers(2**31)),
+        )
+
+    def _shoulder(self) -> PlanarPose:
+        """Of the arm that holds it, from the middle between the feet of the home posture."""
+        model, hand = self.toolbox.model, self.get_input("held").hand
+        link = link_moved_by(model, model.description.groups[f"{hand}_arm"][1])
+        x, y = (float(value) for value in model.frame_pose(model.q_home, link)[:2, 3])
+        return PlanarPose(x, y)
+
+    def step(self) -> Status | Failure:
+        """Nothing to ask without boards, or for a robot that cannot walk."""
+        if self._inside is not None:
+            return self._inside
+        held = self.get_input("held")
+        if not self._spots:
+            return Failure.infeasible(f"there is no room for the {held.name} near the front of any board")
+        if self.toolbox.walking is None or self._settings is None:
+            self._set_output("stand", Stand.beside(self._place, self._here))
+            return DONE
+        return super().step()
+
+    def without_any(self) -> Status | Failure:
+        """Nobody walks to where nothing can be done."""
+        return Failure.infeasible(
+            f"there is no place to stand from which a board of the {self._place.name} is within reach",
+            places=self._asked,
+        )
+
+
+def few_of_each(spots: Sequence[Spot]) -> Iterator[Spot]:
+    """The first few spots of each board: asking about all of them from everywhere takes seconds."""
+    for board in dict.fromkeys(spot.touches for spot in spots):
+        yield from [spot for spot in spots if spot.touches == board][:_SPOTS]
+
+
+def _moved(base: Array, here: PlanarPose, there: PlanarPose) -> Array:
+    """A base's position and quaternion, shape (7,), carried from one place on the floor to another."""
+    odom_T_base = poses.transform(poses.rotation_from_quaternion(base[3:]), base[:3])
+    moved = (there @ here.inverse()).transform() @ odom_T_base
+    return np.concatenate([moved[:3, 3], poses.quaternion_from_rotation(moved[:3, :3])])

@@ -1,0 +1,92 @@
+"""Put an object on a board behind a door that is open: come within reach, find room, set it down, look."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives, defect
+from trees.best_effort import BestEffort
+from trees.failures import Failure
+from trees.leaves.ask_for_hand import AskForHand
+from trees.leaves.door_not_shut import DoorNotShut
+from trees.leaves.draw_back import DrawBack
+from trees.leaves.find_board_room import FindBoardRoom
+from trees.leaves.go_home import GoHome
+from trees.leaves.look_at_board import LookAtBoard
+from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.survey import Survey
+from trees.leaves.take_held import TakeHeld
+from trees.leaves.verify_placed import VerifyPlaced
+from trees.subtrees.come_to_board import come_to_board
+from trees.subtrees.have_it import have_it, rewired
+from trees.subtrees.pick import pick
+from trees.subtrees.place import bring
+from trees.subtrees.regrasp import regrasping
+from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.subtrees.tidily import tidily
+from trees.toolbox import Toolbox
+
+
+def put_behind_door(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    carry: list[Behaviour] = [
+        _have_it(toolbox),
+        DoorNotShut("is it open after all", toolbox),
+        come_to_board(toolbox),
+        bring(toolbox, find_board_room),
+    ]
+    children: list[Behaviour] = [
+        DoorNotShut("is it open", toolbox),
+        regrasping(carry, toolbox),
+        BestEffort(DrawBack("draw back", toolbox)),
+        GoHome("clear the view", toolbox),
+        BestEffort(LookAtPlacement("look", toolbox)),
+        VerifyPlaced("verify placed", toolbox),
+    ]
+    policy = toolbox.policy
+    return tidily("put in", children, toolbox, policy.task_timeout_s + policy.walk_timeout_s)
+
+
+def find_board_room(toolbox: Toolbox) -> Behaviour:
+    """Look at the boards, and once more with the hand drawn in. Reads "held", writes "spots"."""
+    away: list[Behaviour] = [GoHome("hand away", toolbox)]
+    ways = [_looks("look at the boards", [], toolbox), _looks("draw the hand in", away, toolbox)]
+    return Alternatives("find room", ways, hopeless=looking_elsewhere_is_useless)
+
+
+def _looks(name: str, before: list[Behaviour], toolbox: Toolbox) -> Behaviour:
+    other: list[Behaviour] = [
+        LookAtBoard("look at another board", toolbox, 1),
+        Survey("survey", toolbox, {"sightings_now": "sightings"}),
+    ]
+    looks: list[Behaviour] = [
+        *before,
+        BestEffort(Sequence("another board", memory=True, children=other)),
+        LookAtBoard("look at the board", toolbox),
+        FindBoardRoom("find room", toolbox),
+    ]
+    return Sequence(name, memory=True, children=looks)
+
+
+def _have_it(toolbox: Toolbox) -> Behaviour:
+    """It is in a hand already, or it is picked up: by the hand beside the hinge, if that goes.
+
+    Who stands beside an open door reaches in with that hand; with the other one hardly.
+    """
+    fetch = Sequence(
+        "fetch it with that hand",
+        memory=True,
+        children=[
+            AskForHand("say which hand", toolbox),
+            rewired(pick(toolbox), {"task": "pick_task"}),
+            TakeHeld("take hold", toolbox),
+        ],
+    )
+    held = TakeHeld("is it held already", toolbox)
+    ways: list[Behaviour] = [held, fetch, have_it(toolbox)]
+    return Alternatives("have it", ways, hopeless=_no_pick_helps)
+
+
+def _no_pick_helps(failure: Failure) -> bool:
+    return defect(failure) or bool(failure.choices)
