@@ -55,13 +55,13 @@ class FittedAnkles:
         if not fitting and not self._rate.any() and not self.offset_rad.any():
             return
         if phase is Phase.REST:
-            wanted = self.offset_rad
+            missing = np.zeros(len(self._joints))
         elif fitting:
-            off = felt_rad[self._joints] - told_rad[self._joints]
-            wanted = self._ankle * (off - np.clip(off, -_LEAST_RAD, _LEAST_RAD))
+            off = felt_rad[self._joints] - told_rad[self._joints] - self.offset_rad
+            missing = self._ankle * (off - np.clip(off, -_LEAST_RAD, _LEAST_RAD))
         else:
-            wanted = np.zeros(len(self._joints))
-        speed = np.clip((wanted - self.offset_rad) / _TIME_S, -_MOST_RAD_S, _MOST_RAD_S)
+            missing = -self.offset_rad
+        speed = np.clip(missing / _TIME_S, -_MOST_RAD_S, _MOST_RAD_S)
         change = np.clip(speed - self._rate, -_MOST_RAD_S2 * dt, _MOST_RAD_S2 * dt)
         self.offset_rad = self.offset_rad + dt * (self._rate + 0.5 * change)
         self._rate = self._rate + change

@@ -18,8 +18,9 @@ def rotation(rng, size=3.0):
 @pytest.mark.parametrize("seed", range(20))
 def test_a_turn_is_the_gyros_corrected_by_flat_soles_and_gravity(seed):
     rng = np.random.default_rng(seed)
-    R, soles = rotation(rng), np.array([rotation(rng, 0.2), rotation(rng, 0.2)])
-    rate, force, dt = rng.normal(0.0, 1.0, 3), rng.normal(0.0, 9.0, 3), 0.002
+    yawed = poses.rotation_z(float(rng.uniform(-3.0, 3.0)))
+    R, soles = yawed @ rotation(rng, 0.003), np.array([rotation(rng, 0.003), rotation(rng, 0.003)])
+    rate, force, dt = rng.normal(0.0, 0.5, 3), rng.normal(0.0, 9.0, 3), 0.002
     loads, yaw = np.array([0.0 if seed % 3 == 0 else 400.0, 500.0]), float(rng.uniform(-3.0, 3.0))
 
     found = turned(R, rate, dt, loads, soles, 1, yaw, force, np.array([0.4, 10.0, 4.0]), 100.0)
@@ -36,7 +37,7 @@ def test_a_turn_is_the_gyros_corrected_by_flat_soles_and_gravity(seed):
 
 
 def test_a_sole_on_an_edge_turns_the_trunk_no_faster_than_it_may():
-    level, tilted = np.eye(3), poses.rotation_from_vector(np.array([0.1, 0.05, 0.0]))
+    level, tilted = np.eye(3), poses.rotation_from_vector(np.array([0.008, 0.006, 0.0]))
     loads, dt = np.array([900.0, 0.0]), 0.002
     still, down = np.zeros(3), np.array([0.0, 0.0, 9.81])
 
@@ -45,6 +46,16 @@ def test_a_sole_on_an_edge_turns_the_trunk_no_faster_than_it_may():
     )
 
     assert np.linalg.norm(pin.log3(found)) == pytest.approx(0.012 * dt, rel=1e-3)
+
+
+def test_a_sole_that_leans_far_says_nothing_about_the_trunk():
+    level, tilted = np.eye(3), poses.rotation_from_vector(np.array([0.03, 0.02, 0.0]))
+    loads, times = np.array([900.0, 0.0]), np.array([0.4, 1e9, 1e9])
+    still, down = np.zeros(3), np.array([0.0, 0.0, 9.81])
+
+    found = turned(level, still, 0.002, loads, np.array([tilted, level]), 0, 0.0, down, times, 0.012)
+
+    np.testing.assert_allclose(found, level, atol=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(10))

@@ -48,6 +48,17 @@ def test_a_turned_ankle_is_told_to_stay_as_it_is(model):
     assert np.count_nonzero(q[-1]) == 1
 
 
+def test_what_is_fitted_is_kept_while_the_ankle_follows_what_it_is_told(model):
+    ending = Ending(model, 0.06)
+    q, _ = ending.go_on(Phase.CLOSE, 0.4)
+
+    for _ in range(20):  # an ankle that becomes stiff goes where it is told
+        ending.felt[ending.ankle] = q[-1, ending.ankle]
+        q, _ = ending.go_on(Phase.SETTLE, 0.03)
+
+    assert q[-1, ending.ankle] > 0.05
+
+
 def test_an_ankle_on_a_level_floor_is_told_the_plan(model):
     ending = Ending(model, 0.006)
 
