@@ -17,6 +17,7 @@ from executive.language.lattice import Lattice
 from executive.language.phrases import Nominal, Trouble
 from executive.language.references import Resolver, UnresolvedError
 from executive.language.refusals import EXAMPLES, Explainer, printable
+from executive.language.scopes import UNCLEAR_ORDER
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
 from executive.language.sentences import MEANINGS as SENTENCES
@@ -187,8 +188,8 @@ class CommandParser:
             return Parsed(
                 text, question=Question("this can be read in several ways; which is meant?", choices)
             )
-        troubles = sorted((one for one in outcomes if isinstance(one, Trouble)), key=lambda one: not one.asks)
-        trouble = troubles[0]
+        troubles = [one for one in outcomes if isinstance(one, Trouble)]
+        trouble = min(troubles, key=lambda one: (not one.asks, one != UNCLEAR_ORDER))
         if trouble.asks:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)

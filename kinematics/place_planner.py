@@ -27,7 +27,7 @@ from kinematics.ik_result import DEFAULT_TOLERANCE
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_planner import LEAST_RESERVE_M
-from kinematics.pick_task import CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
+from kinematics.pick_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
 from kinematics.place_requests import PlaceRequest, Spot
 from kinematics.pointing import link_moved_by
 from kinematics.poses import Transform
@@ -260,7 +260,11 @@ class _PlaceTask:
             return False
         released = self._scene.with_detached(self._request.held, world_T_object)
         released = released.allowing((link, self._request.held) for link in self._body.touch_links)
-        return self._planner_in(released).curve_is_free(PolynomialCurve(self._gazing(away, gaze)))
+        curve = PolynomialCurve(self._gazing(away, gaze))
+        if not self._planner_in(released).curve_is_free(curve):
+            return False
+        model, stance = self._model, self._request.stance
+        return time_in_balance(model, self._space, stance, curve, CARTESIAN_PACE) is not None
 
     def _gazing(self, configurations: Array, gaze: dict[str, float]) -> Array:
         x = np.array([self._space.from_q(q) for q in configurations])

@@ -7,6 +7,7 @@ shorter, or the hand may turn on the way, the first one is taken that leaves the
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
-from kinematics.ik import InverseKinematics, along_line, inverse_kinematics
+from kinematics.ik import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_task import CARTESIAN_PACE, CARTESIAN_POINTS
@@ -32,20 +33,26 @@ LEAST_STEADY_M = 0.065
 """Where balance was asked for, no retreat is made with less: TALOS, with the CoM 50 mm inside the edge on
 paper and the pelvis 10 cm aside, was seen to lift a foot and fall."""
 
+_LOOKS = 33
+"""Points of a curve at which limits are looked at."""
+
 
 def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPlan:
     """Plan it, or say why there is none."""
     scene = relaxed_at(model, request.scene, request.q_start)
-    found = _configurations(model, request, scene)
-    if isinstance(found, NoPlan):
-        return found
     space = free_coordinates(model, request.stance)
-    curve = PolynomialCurve(found)
-    trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
-    if trajectory is None:
-        return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-    trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-    return MovePlan(PlannedStep("retreat", trajectory, scene))
+    why = NoPlan("the hand cannot be drawn back at all", {"no way": 1})
+    for first in range(len(request.shares)):
+        found = _configurations(model, replace(request, shares=request.shares[first:]), scene)
+        if isinstance(found, NoPlan):
+            return found if first == 0 else why
+        curve = PolynomialCurve(found)
+        trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
+        if trajectory is not None:
+            trajectory = lead_in(trajectory, request.q_start, model.acceleration)
+            return MovePlan(PlannedStep("retreat", trajectory, scene))
+        why = NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
+    return why
 
 
 def _configurations(model: RobotModel, request: RetreatRequest, scene: PlanningScene) -> Array | NoPlan:
@@ -86,4 +93,15 @@ def _line(
     end = start.copy()
     end[:3, :3] = poses.rotation_z(turn_rad) @ start[:3, :3]
     end[:3, 3] += share * np.asarray(request.world_offset_m)
-    return along_line(ik, request.q_start, start, end, CARTESIAN_POINTS)
+    found = along_line(ik, request.q_start, start, end, CARTESIAN_POINTS)
+    if found is None or _keeps_limits(model, found):
+        return found
+    spared = along_line(ik, request.q_start, start, end, CARTESIAN_POINTS, LINE_RESERVE_RAD)
+    return found if spared is None else spared
+
+
+def _keeps_limits(model: RobotModel, q: Array) -> bool:
+    """Whether the curve through a few configurations stays between limits; its start may be beyond them."""
+    curve = PolynomialCurve(q[:, 7:])(np.linspace(0.0, 1.0, _LOOKS))
+    lower, upper = np.minimum(model.lower_rad, q[0, 7:]), np.maximum(model.upper_rad, q[0, 7:])
+    return bool((curve >= lower).all() and (curve <= upper).all())

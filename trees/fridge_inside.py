@@ -21,7 +21,7 @@ from trees.failures import Failure
 from trees.handles import BODY_OF, DOOR, MEANT_BY
 from trees.held import HeldObject
 from trees.scene_update import kind_of
-from trees.sight_of_tops import SightOfTops, about
+from trees.sight_of_tops import ABOVE_M, SightOfTops, is_over
 from trees.tasks import Destination, ObjectDescription
 
 Array = NDArray[np.float64]
@@ -41,6 +41,9 @@ _ASIDE_STEP_M = 0.05
 _WALL_M = 0.06
 """Left to the walls beside: half a finger and an error of sight."""
 _APART_M = 0.05
+_FINGERS_M = 0.05
+"""An opening finger sweeps so far beyond the foot of what it lets go."""
+_DIRECTIONS = 8
 _MOST = 12
 
 
@@ -101,7 +104,6 @@ def spots_in_fridge(
     inside: FridgeInside,
     scene: PlanningScene,
     sight: SightOfTops | None = None,
-    odom_T_base: Transform | None = None,
 ) -> tuple[Spot, ...]:
     """Where a held object can stand near the front of the boards, the best first.
 
@@ -110,7 +112,6 @@ def spots_in_fridge(
         inside: The boards.
         scene: What stands on them.
         sight: What has been looked at; None to leave that open.
-        odom_T_base: Pose of the robot's base, shape (4, 4), with ``sight``: the hand comes from there.
     """
     spots: list[Spot] = []
     for board in inside.boards:
@@ -119,16 +120,30 @@ def spots_in_fridge(
             apart = all(math.dist(place, other) >= _APART_M for other in chosen)
             if not apart or not _is_free(place, held, board, scene):
                 continue
-            if sight is not None and odom_T_base is not None:
-                points = list(about(place, footprint_radius_m(held.shape), board, odom_T_base))
-                if not _were_seen(points, sight, scene):
-                    continue
+            if sight is not None and not _were_seen(_about(place, held, board), sight, scene):
+                continue
             chosen.append(place)
             up = np.array([0.0, 0.0, 0.5 * held.shape.height_m])
             spots.append(Spot(poses.transform(np.eye(3), place + up), (board.name,)))
             if len(chosen) == _MOST:
                 break
     return tuple(spots)
+
+
+def spots_in_sight(
+    spots: tuple[Spot, ...], held: HeldObject, scene: PlanningScene, eye: Array
+) -> tuple[Spot, ...]:
+    """Those spots on boards all of whose surroundings can be seen from a place, shape (3,)."""
+    if not spots:
+        return ()
+    half = np.array([0.0, 0.0, 0.5 * held.shape.height_m])
+    around = [
+        _about(spot.world_T_object[:3, 3] - half, held, scene.objects[spot.touches[0]]) for spot in spots
+    ]
+    covered = hidden(eye, np.concatenate([np.array(points) for points in around]), scene.objects.values())
+    ends = np.cumsum([len(points) for points in around])
+    parts = np.split(covered, ends[:-1])
+    return tuple(spot for spot, part in zip(spots, parts, strict=True) if not part.any())
 
 
 def front_of(board: SceneObject) -> Transform:
@@ -167,6 +182,19 @@ def _is_free(place: Array, held: HeldObject, board: SceneObject, scene: Planning
         if away_m < radius + footprint_radius_m(item.shape) + GAP_M:
             return False
     return True
+
+
+def _about(place: Array, held: HeldObject, board: SceneObject) -> list[Array]:
+    """Above a place and around it, over the board, shape (3,) each.
+
+    A side wall hides the corner behind it from who stands beside an open door: no more is asked for than the
+    fingers need. What an earlier look from the front has shown is in the scene.
+    """
+    middle = place + np.array([0.0, 0.0, ABOVE_M])
+    far_m = footprint_radius_m(held.shape) + _FINGERS_M
+    turns = np.linspace(0.0, 2.0 * math.pi, _DIRECTIONS, endpoint=False)
+    ring = [middle + far_m * np.array([math.cos(turn), math.sin(turn), 0.0]) for turn in turns.tolist()]
+    return [middle, *(point for point in ring if is_over(board, point))]
 
 
 def _were_seen(points: list[Array], sight: SightOfTops, scene: PlanningScene) -> bool:

@@ -30,7 +30,8 @@ _FARTHEST_M = 1.15
 """Of the object from the middle between the feet."""
 _SEEN_ASIDE_RAD = 1.2
 """The head turns so far that what is in this direction is well inside the picture."""
-_EYE_AHEAD_M = 0.12
+EYE_AHEAD_M = 0.12
+"""Of the eyes from the middle between the feet."""
 _SEEN_WIDER = 1.5
 """The edges of a cylinder so much wider than the object are seen: nobody stands exactly, or sees exactly."""
 _SPARE_M = 0.06
@@ -111,7 +112,7 @@ def sees(body: PlanarPose, eye_m: float, item: SceneObject, scene: PlanningScene
         scene: What may hide it.
     """
     x, y, z = (float(value) for value in item.world_T_object[:3, 3])
-    eye = body @ PlanarPose(_EYE_AHEAD_M)
+    eye = body @ PlanarPose(EYE_AHEAD_M)
     bearing = PlanarPose(eye.x_m, eye.y_m, body.yaw_rad).to(PlanarPose(x, y))
     if abs(math.atan2(bearing.y_m, bearing.x_m)) > _SEEN_ASIDE_RAD:
         return False

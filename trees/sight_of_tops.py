@@ -56,13 +56,12 @@ class SightOfTops:
         """
 
         def known(place: Array) -> bool:
-            return all(self.shows(point) for point in about(place, radius_m, top, odom_T_base))
+            return all(self.shows(point) for point in _about(place, radius_m, top, odom_T_base))
 
         return known
 
 
-def about(place: Array, radius_m: float, top: SceneObject, odom_T_base: Transform) -> Iterator[Array]:
-    """Points that have to be seen before something is put on a place: above it and around it."""
+def _about(place: Array, radius_m: float, top: SceneObject, odom_T_base: Transform) -> Iterator[Array]:
     middle = place + np.array([0.0, 0.0, ABOVE_M])
     yield middle
     way = odom_T_base[:2, 3] - middle[:2]

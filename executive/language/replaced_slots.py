@@ -43,9 +43,17 @@ def change(before: Sequence[Command], after: Sequence[Command], *, earlier: bool
 
 
 def holds(commands: Sequence[Command], part: Sequence[Command]) -> bool:
-    """Whether some commands are among others, one after another and with no slot more or less."""
+    """Whether some commands are among others, one after another, and nothing more is done with theirs."""
     all_of, some = _by_themselves(commands), _by_themselves(part)
-    return any(all_of[start : start + len(some)] == some for start in range(len(all_of) - len(some) + 1))
+    return any(
+        all_of[start : start + len(some)] == some
+        and not any(
+            one.get("object") == {"ref": place - index}
+            for index, one in enumerate(all_of[start + len(some) :], start + len(some))
+            for place in range(start, start + len(some))
+        )
+        for start in range(len(all_of) - len(some) + 1)
+    )
 
 
 def _by_themselves(commands: Sequence[Command]) -> list[dict[str, Any]]:

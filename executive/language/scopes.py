@@ -27,19 +27,19 @@ class Separator(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Two clauses that a conjunction puts in order.
+    """Clauses that a conjunction puts in order.
 
     Attributes:
-        first: Which is done first.
-        second: Which is done after it.
+        first: What is done first.
+        second: What is done after it.
         scope: Which clause the conjunction stands before as they are said ("first" or "last"), and which of
             them it is that follows in time: ``after_first`` is "after A, B".
         doing: Whether the clause after the conjunction is an -ing form, which no other clause can join.
         breaks: Whether a full stop stands before the conjunction: "B. But first, A".
     """
 
-    first: Clause
-    second: Clause
+    first: tuple[Clause, ...]
+    second: tuple[Clause, ...]
     scope: Literal["after_first", "after_last", "before_first", "before_last", "but_first"]
     doing: bool = False
     breaks: bool = False
@@ -47,10 +47,14 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Further:
-    """A clause or group after the first, and what stands before it."""
+    """A clause or group after the first, and what stands before it.
+
+    ``after_first`` is whether "first" was said right before that: "open the drawer first, then ...".
+    """
 
     separator: Separator
     part: Clause | Group
+    after_first: bool = False
 
 
 UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
@@ -78,13 +82,15 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
         parts: The sentence; what stands before its first part is left out.
     """
     done: list[Clause] = []
-    waiting: Clause | None = None
+    waiting: tuple[Clause, ...] | None = None
     for index, one in enumerate(parts):
+        if one.after_first and (index != 1 or isinstance(parts[0].part, Group)):
+            return UNCLEAR_ORDER  # "go home, open the drawer first, then ..."
         separator = one.separator if index else Separator.STOP
         if waiting is not None and separator is not Separator.AND:
             if separator is not Separator.STOP:
                 return UNCLEAR_ORDER  # "before A, B, then C": is C before A as well?
-            done.append(waiting)
+            done += waiting
             waiting = None
         if isinstance(one.part, Clause):
             done.append(one.part)
@@ -94,12 +100,12 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
             one.part, separator if done else Separator.STOP, follows, bool(done)
         ):
             return UNCLEAR_ORDER
-        done.append(one.part.first)
+        done += one.part.first
         if one.part.scope == "before_first":
             waiting = one.part.second
         else:
-            done.append(one.part.second)
-    return (*done, waiting) if waiting is not None else tuple(done)
+            done += one.part.second
+    return (*done, *(waiting or ()))
 
 
 def _is_clear(group: Group, separator: Separator, follows: Separator, goes_before: bool) -> bool:

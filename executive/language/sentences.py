@@ -152,22 +152,21 @@ def _done_before(parts: Parts) -> Clause | None:
 
 def _ordered(scope: Literal["after_first", "after_last", "before_first", "before_last"]) -> Meaning:
     """Two clauses, one of them after a conjunction, which asks for a form of its own."""
-    subordinate = 1 if scope.endswith("last") else 0
-    first_done = 0 if scope in ("after_first", "before_last") else 1
 
     def meaning(parts: Parts) -> Group | None:
         clauses = _clauses(parts)
         expected = "base" if nominals.words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
-        if clauses[subordinate].form != expected or clauses[1 - subordinate].form != "base":
+        main = clauses.pop(0 if scope.endswith("last") else -1)
+        if any(one.form != expected for one in clauses) or main.form != "base":
             return None
         but_first = bool(nominals.words(parts, "BUT_FIRST"))
         apart = Separator.STOP in parts or Separator.THEN in parts
         if scope.endswith("last") and apart and not but_first:
             return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
-        done = [replace(clause, form="base") for clause in clauses]
+        others = tuple(replace(clause, form="base") for clause in clauses)
         return Group(
-            done[first_done],
-            done[1 - first_done],
+            others if scope.startswith("after") else (main,),
+            (main,) if scope.startswith("after") else others,
             "but_first" if but_first else scope,
             doing=expected == "ing",
             breaks=but_first and Separator.STOP in parts,
@@ -223,6 +222,18 @@ def _without_separator(parts: Parts) -> Further | None:
     return Further(Separator.NOTHING, part)
 
 
+def _doing_too(parts: Parts) -> Clause | None:
+    """One more clause after "before" or "after": an -ing form, which cannot be the command itself."""
+    (clause,) = _clauses(parts)
+    return clause if clause.form == "ing" else None
+
+
+def _done_first(parts: Parts) -> Further | None:
+    """What follows "open the drawer first, then"."""
+    separator, part = parts[-2:]
+    return Further(separator, part, after_first=True)
+
+
 def _more(parts: Parts) -> Further:
     separator, part = parts
     return Further(separator, part)
@@ -256,6 +267,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "sentence": _sentence,
         "unseparated": _without_separator,
         "more": _more,
+        "doing_too": _doing_too,
+        "done_first": _done_first,
         "separator": _separator,
     }
 )

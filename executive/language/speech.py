@@ -46,6 +46,11 @@ _STATED = re.compile(
 _TOLD = re.compile(r"(?:(?:the|my|your|our|his|her|their) )?\w+ (?!s\b)\w+(?:s|ed)\b(?: |$)")
 """The same with any verb, after "that": "that the doctor comes at five"."""
 
+_ORDERED = re.compile(
+    r"(?:put|place|pick|take|grab|bring|fetch|get|give|hand|carry|move|open|close|shut|go|walk|turn|point|wave|find)\b"
+)
+"""How a command begins: "put the can on the shelf" states nothing, though "can" may be a verb."""
+
 _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 """Characters that nobody says."""
 
@@ -94,6 +99,7 @@ def _speech(parts: Parts) -> str:
         _UNSPOKEN.search(text)
         or word.said
         or _ATTACHED.search(lowered)
+        or (not greeting and _ORDERED.match(lowered))
         or not (greeting or _STATED.match(lowered) or (that and _TOLD.match(lowered)))
     ):
         raise trouble(UNQUOTED, asks=True)

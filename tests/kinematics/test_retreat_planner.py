@@ -1,5 +1,7 @@
 """A hand is drawn back no farther than the body's balance allows."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -60,3 +62,23 @@ def test_a_retreat_that_would_bring_the_robot_off_balance_is_not_made(model):
     assert isinstance(plan, NoPlan)
     assert "balance" in plan.reasons
     assert plan.numbers["com_margin_m"] < 0.065
+
+
+def test_where_joints_are_near_their_limits_the_way_does_not_swing_beyond_them(model):
+    rng = np.random.default_rng(3)
+    space = free_coordinates(model, request(model).stance)
+    at = model.indices(space.joints)
+    for _ in range(50):
+        x = np.array(BESIDE_A_DOOR)
+        x[13] = -rng.uniform(1.0, 1.3699)
+        x[8:13] += rng.uniform(-0.3, 0.3, 5)
+        x[6:] = np.clip(x[6:], model.lower_rad[at] + 1e-4, model.upper_rad[at] - 1e-4)
+        asked = request(model)
+        q_start = space.to_q(x[None])[0][0]
+        away_m = tuple(rng.uniform(-0.15, 0.15, 3).tolist())
+
+        plan = plan_retreat(model, replace(asked, q_start=q_start, world_offset_m=away_m))
+
+        joints = plan.step.trajectory.q[:, 7:]
+        assert (joints >= model.lower_rad).all()
+        assert (joints <= model.upper_rad).all()

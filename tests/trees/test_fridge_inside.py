@@ -19,6 +19,7 @@ from trees.fridge_inside import (
     inside_of_fridge,
     is_behind_door,
     spots_in_fridge,
+    spots_in_sight,
 )
 from trees.held import HeldObject
 from trees.sight import Glimpse
@@ -133,23 +134,36 @@ def looking(eye_m, camera):
 
 def test_only_what_was_looked_at_is_free_and_a_board_hides_the_one_below(model):
     scene, camera = known(OPEN_RAD), model.description.camera
-    inside, base = inside_of_fridge(scene), np.eye(4)
+    inside = inside_of_fridge(scene)
 
-    assert not spots_in_fridge(CAN, inside, scene, SightOfTops((), camera, 0.10), base)
-    seen = spots_in_fridge(CAN, inside, scene, looking((0.6, 0.4, 1.65), camera), base)
+    assert not spots_in_fridge(CAN, inside, scene, SightOfTops((), camera, 0.10))
+    seen = spots_in_fridge(CAN, inside, scene, looking((0.75, 0.42, 1.65), camera))
 
     assert seen
     assert {spot.touches for spot in seen} == {(inside.boards[0].name,)}
 
 
+def test_who_stands_beside_the_door_sees_no_spot_behind_the_wall_on_that_side():
+    scene = known(OPEN_RAD)
+    spots = spots_in_fridge(CAN, inside_of_fridge(scene), scene)
+    eye = (EDGE @ [-0.5, -0.8, 0.5, 1.0])[:3]
+
+    seen = spots_in_sight(spots, CAN, scene, eye)
+
+    aside = [(poses.inverse(EDGE) @ np.append(foot, 1.0))[1] for foot in feet(seen)]
+    assert seen
+    assert len(seen) < len(spots)
+    assert min(aside) > -0.1
+
+
 def test_what_stands_in_the_line_of_sight_leaves_the_place_behind_it_unknown(model):
-    camera, base = model.description.camera, np.eye(4)
+    camera = model.description.camera
     wall = SceneObject(
         "board", dataclasses.replace(CAN.shape, radius_m=0.25), poses.translation(0.5, 0.35, 1.4)
     )
     scene = known(OPEN_RAD).with_object(wall)
 
-    assert not spots_in_fridge(CAN, inside_of_fridge(scene), scene, looking((0.1, 0.2, 1.65), camera), base)
+    assert not spots_in_fridge(CAN, inside_of_fridge(scene), scene, looking((0.1, 0.2, 1.65), camera))
 
 
 @pytest.mark.parametrize(

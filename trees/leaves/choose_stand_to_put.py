@@ -17,12 +17,12 @@ from kinematics.walking.planar import PlanarPose
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
-from trees.fridge_inside import front_of, inside_of_fridge, spots_in_fridge
+from trees.fridge_inside import front_of, inside_of_fridge, spots_in_fridge, spots_in_sight
 from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.leaves.choose_stand import ChooseStand
 from trees.ports import ports
-from trees.reachable_standing import TURNED_RAD, Stand
+from trees.reachable_standing import EYE_AHEAD_M, TURNED_RAD, Stand
 from trees.standing_place import EDGE_M
 
 Array = NDArray[np.float64]
@@ -79,7 +79,18 @@ class ChooseStandToPut(ChooseStand):
         spot = PlanarPose(x, y)
         shoulder = self._shoulder()
         near = sorted((one for one in stands), key=lambda one: (one @ shoulder).distance_m(spot))
-        return (one for one in (here, *near) if (one @ shoulder).distance_m(spot) <= _REACH_M)
+        return (
+            one
+            for one in (here, *near)
+            if (one @ shoulder).distance_m(spot) <= _REACH_M and self._in_sight(one)
+        )
+
+    def _in_sight(self, body: PlanarPose) -> tuple[Spot, ...]:
+        """The spots that the eyes see from a place to stand."""
+        eye, model = body @ PlanarPose(EYE_AHEAD_M), self.toolbox.model
+        height_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
+        place = np.array([eye.x_m, eye.y_m, height_m])
+        return spots_in_sight(self._spots, self.get_input("held"), self.toolbox.world.scene, place)
 
     def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
         """The present posture, carried over to the place."""
@@ -91,7 +102,7 @@ class ChooseStandToPut(ChooseStand):
             stance=stance,
             scene=toolbox.world.scene,
             held=self.get_input("held").name,
-            spots=tuple(few_of_each(self._spots)),
+            spots=tuple(few_of_each(self._in_sight(body) or self._spots)),
             retreat_m=toolbox.policy.retreat_m,
             seed=int(toolbox.rng.integers(2**31)),
         )

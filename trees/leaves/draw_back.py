@@ -8,6 +8,9 @@ from trees.held import HeldObject
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 
+_SHARES = (1.0, 0.7, 0.4)
+"""Of the whole way; a short one is better than none."""
+
 
 class DrawBack(PlannedMotionLeaf):
     """Straight back along the hand's own axis, the way that it could have come."""
@@ -35,4 +38,5 @@ class DrawBack(PlannedMotionLeaf):
             scene=toolbox.world.scene.allowing(pairs),
             hand=held.hand,
             world_offset_m=(x, y, z),
+            shares=_SHARES,
         )

@@ -39,8 +39,7 @@ class FindBoardRoom(LookAround):
         if isinstance(inside, Failure):
             return inside
         sight = SightOfTops(toolbox.world.glimpses, model.description.camera, policy.blocked_by_hand_m)
-        base = model.frame_pose(toolbox.sensing.state().q, model.description.base_link)
-        spots = spots_in_fridge(held, inside, scene, sight, base)
+        spots = spots_in_fridge(held, inside, scene, sight)
         if not spots:
             return Failure.postcondition(
                 f"no spot on a board is free for the {held.name} as far as was seen",

@@ -78,8 +78,16 @@ IN_ORDER = {
     "{A}. Before {b_ing}, {c}.": "acb",
     "{a} and then, after {b_ing}, {c}": "abc",
     "{A}. Then, before you {b}, {c}.": "acb",
+    "{a} first, then {b}": "ab",
+    "after {a_ing} and {b_ing}, {c}": "abc",
+    "before {a_ing} and {b_ing}, {c}": "cab",
+    "{a} after {b_ing} and {c_ing}": "bca",
+    "{a} before {b_ing} and {c_ing}": "abc",
 }
 UNCLEAR = (
+    "{a}, {b} first, then {c}",
+    "2. {a} 1. {b}",
+    "step 2: {a}; step 1: {b}",
     "{a} and {b} after {c_ing}",
     "{a} and {b}, but first {c}",
     "{a}, and before that {b} and {c}",
@@ -89,6 +97,22 @@ UNCLEAR = (
     "either {a} or {b}",
 )
 DENIED = (
+    *("do not {a} until you have finished {b_ing}", "{a}; not {b}", "{a}, {b}, not {c}"),
+    *("{a} and not {b}", "{a}, never {b}", "{a} but never {b}", "{a} while not {b_ing}", "you can't {a}"),
+    *("you cannot {a}", "you won't {a}", "you aren't to {a}", "you're not going to {a}"),
+    *("I don't think you should {a}", "I do not want you to {a}", "I never said {a}"),
+    *("there's no point in {a_ing}", "it's no use {a_ing}", "be careful not to {a}"),
+    *("make sure not to {a}", "make sure you don't {a}", "make sure that you do not {a}"),
+    *("remember not to {a}", "would you mind not {a_ing}?", "could you not {a}?", "please don't {a} yet"),
+    *("{a}? Please don't.", "no need for {a_ing}", "you needn't {a}", "let's not {a}"),
+    *("whatever happens, never {a}", "at no time {a}", "by no means {a}", "I forbid you to {a}"),
+    *("I'd hate you to {a}", "it's too late to {a}", "it is wrong to {a}", "you'd better not {a}"),
+    *("better not {a}", "last time you did not {a}", "I told you not to {a}", "you were told not to {a}"),
+    *("hardly {a}", "barely {a}", "fail to {a}", "forget to {a}", "neglect to {a}", "delay {a_ing}"),
+    *("postpone {a_ing}", "quit {a_ing}", "cease {a_ing}", "give up {a_ing}", "cancel {a_ing}"),
+    *("abort {a_ing}", "undo {a_ing}", "{a} not now", "{a} not", "{a} no", "{a}, no", "{a} - wrong"),
+    *("{a}, wrong", "{a}, that was a joke", "I hate {a_ing}", "no {a_ing} please"),
+    *("{a} if you cannot {b}",),
     *("don't {a}", "do not {a}", "never {a}", "please do not {a}", "you must not {a}", "you should not {a}"),
     *("try not to {a}", "not {a}", "{a}, not", "{a}? no", "{a} - no, don't", "no need to {a}"),
     *("there is no need to {a}", "stop {a_ing}", "avoid {a_ing}", "refrain from {a_ing}", "no {a_ing}"),
@@ -111,6 +135,31 @@ DENIED = (
     *("you can't {a}", "you need not {a}", "hold off {a_ing}", "skip {a_ing}", "{a}? Absolutely not."),
 )
 QUALIFIED = (
+    *("{a}, {b} first", "{a} last, {b} first", "{a}, except {b}", "{a} even if you {b}"),
+    *("{a} by {b_ing}", "I {a}", "we {a}", "the robot {a}", "they will {a}", "keep {a_ing}"),
+    *("{a} when the bell rings", "{a} the moment Ana arrives", "{a} by the time Ana arrives"),
+    *("{a} assuming it is safe", "{a} given the door is open", "in the event of fire, {a}"),
+    *("in case of rain {a}", "if needed, {a}", "if necessary {a}", "{a} sometime", "{a} at your leisure"),
+    *("{a} at 5 o'clock", "{a} on Monday", "{a} tonight", "{a} next week", "{a} after lunch"),
+    *("{a} before dinner", "after breakfast {a}", "{a} when it gets dark", "{a} whenever you like"),
+    *("someday {a}", "{a} eventually", "{a} in a while", "{a} in a minute", "{a} after ten seconds"),
+    *("ten seconds from now {a}", "{a} every ten minutes", "{a} all day", "{a} again and again"),
+    *("{a} over and over", "{a} exactly twice", "{a} two times", "{a} again"),
+    *("{a} with your eyes closed", "{a} like a dancer", "{a} backwards"),
+    *("{a} without looking", "{a} quietly", "{a} gracefully", "{a} for ten seconds", "{a} at 2 m/s"),
+    *("{a} with the tongs", "{a} using a stick", "{a} as Ana does", "{a} was the plan"),
+    *("was it you who {a}?", "he said {a}", "she says {a}", "'{a}' he said", "do you remember {a_ing}?"),
+    *("when did you {a}?", "{a_ing} is fun", "{a_ing} is forbidden", "thank you for {a_ing}"),
+    *("sorry for {a_ing}", "{a_ing}?", "tell Ana to {a}", "order Ana to {a}", "teach Ana to {a}"),
+    *("Ana wants to {a}", "Ana is going to {a}", "Ana and Ben {a}", "somebody should {a}"),
+    *("will Ana {a}?", "whoever can {a}", "one day {a}", "if I were you I would {a}"),
+    *("you would {a} if you could", "suppose you {a}", "what if you {a}"),
+    *("consider {a_ing}", "think about {a_ing}", "talk about {a_ing}"),
+    *("describe how to {a}", "explain how to {a}", "show me how to {a}", "count how often you {a}"),
+    *("wait before {a_ing}", "wait until you {a}", "{a} unless you {b}", "{a} if you {b}"),
+    *("{a} or {b} or {c}", "{a}, {b} or {c}", "{a} xor {b}", "{a} and/or {b}", "{a} versus {b}"),
+    *("{a} respectively {b}", "first {b}, or {a}", "{a} depending on Ana", "{a}, whichever is closer"),
+    *("{a} if and only if you {b}",),
     *("if the door is open, {a}", "{a} if the door is open", "{a} if you can see Ana", "when Ana comes, {a}"),
     *("{a} when I say so", "{a} unless Ana is there", "unless Ana is there, {a}", "{a} until I say stop"),
     *("whenever Ana comes, {a}", "{a} in case Ana comes", "should Ana come, {a}", "{a} only if Ana agrees"),
@@ -215,9 +264,14 @@ def clauses():
                 and re.fullmatch(r"[a-zA-Z ]+", said)
                 and not LEANS.search(bare)
             ):
-                verb = said.split()[0]
+                verb, *rest = said.split()
                 actions = {one["action"] for one in sentence["tasks"]} - {"pick"}
-                if verb in DOING and len(actions) <= 1 and actions.isdisjoint({"say", "stop"}):
+                if (
+                    verb in DOING
+                    and not {"pick", "put", "take"} & set(rest)
+                    and len(actions) <= 1
+                    and actions.isdisjoint({"say", "stop"})
+                ):
                     found[said] = sentence["tasks"]
     return sorted(found.items())
 
