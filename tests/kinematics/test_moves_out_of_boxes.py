@@ -1,6 +1,5 @@
 """A hand that is deep in a box of furniture finds its way out."""
 
-import numpy as np
 import pytest
 
 from kinematics import poses
