@@ -45,7 +45,7 @@ Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajecto
 
 
 _PATIENT = PathSettings(iterations=10_000)
-"""A move has one goal, and no other to turn to. Of ways out of a box around the hand 7 of 40 are found with 300,
+"""A move has one goal, and no other to turn to. Of 40 ways out of boxes around the hand 7 are found with 300,
 34 with 3,000, and all with these."""
 
 
