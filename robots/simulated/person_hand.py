@@ -21,6 +21,8 @@ SPEED_M_S = 0.35
 PINCH_N = 22.0
 ROLL_STIFFNESS_NM = 4.0
 _GAP_STIFFNESS_N_M = 400.0
+_CENTRE_STIFFNESS_N_M = 1000.0
+"""Of the two fingers together, once they have hold: else what they carry would sink with both of them."""
 _FAR_M = 0.05
 
 
@@ -52,6 +54,7 @@ class PersonHand:
         self.pinching = False
         self.open_m = PINCH_M[1]
         self.roll_rad = 0.0
+        self._centre_m: float | None = None
         self._pads = [physics.geom_id(pad_geom(person, side)) for side in ("upper", "lower")]
         mine = np.isin(physics.geom_role, (Role.BODY, Role.FINGER, Role.PAD))
         self._robot = [int(i) for i in np.flatnonzero(mine)]
@@ -63,6 +66,10 @@ class PersonHand:
         """Where the middle of the hand is, in the world, shape (3,)."""
         self._physics.refresh()
         return np.array(self._physics.data.xpos[self._body])
+
+    def hold_fast(self) -> None:
+        """Keep what is pinched where it is between the fingers' ends."""
+        self._centre_m = self._off_centre_m()
 
     def move_to(self, point: Array) -> None:
         """Have the spring's other end go to a world point."""
@@ -111,10 +118,18 @@ class PersonHand:
             data.qfrc_applied[self._dof[axis][1]] = value
         qpos, dof = self._dof["roll"]
         data.qfrc_applied[dof] = ROLL_STIFFNESS_NM * (self.roll_rad - data.qpos[qpos])
-        for axis in ("upper", "lower"):
+        centre_m = self._centre_m if self.pinching else None
+        pushed_n = 0.0 if centre_m is None else _CENTRE_STIFFNESS_N_M * (centre_m - self._off_centre_m())
+        for axis, sign in (("upper", 1.0), ("lower", -1.0)):
             qpos, dof = self._dof[axis]
             gap = _GAP_STIFFNESS_N_M * (self.open_m - float(data.qpos[qpos]))
-            data.qfrc_applied[dof] = -PINCH_N if self.pinching else float(np.clip(gap, -PINCH_N, PINCH_N))
+            pinch = sign * pushed_n - PINCH_N
+            data.qfrc_applied[dof] = pinch if self.pinching else float(np.clip(gap, -PINCH_N, PINCH_N))
+
+    def _off_centre_m(self) -> float:
+        """How far the middle between the pads is from the middle of the hand, to the upper one's side."""
+        qpos = self._physics.data.qpos
+        return 0.5 * float(qpos[self._dof["upper"][0]] - qpos[self._dof["lower"][0]])
 
     def _addresses(self, joint: str) -> tuple[int, int]:
         model = self._physics.model

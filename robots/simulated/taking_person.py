@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from kinematics.shapes import Shape
 from robots.simulated.person_hand import PersonHand
 from robots.simulated.person_pinch import BEFORE_M, SPARE_M, Pinch, choose_pinch
+from robots.simulated.person_way import choose_way
 from robots.simulated.physics import Physics
 from robots.simulated.truth import SimulatorTruth
 
@@ -64,6 +65,7 @@ class TakingPerson:
         self._hand.force_n = REACHING_N
         self._object: str | None = None
         self._pinch: Pinch | None = None
+        self._by: list[Array] = []
         self._since_s = self._offered_s = 0.0
         self._offered = np.zeros(3)
 
@@ -91,12 +93,18 @@ class TakingPerson:
         if self._pinch is None:
             if now_s >= self._offered_s + self._reaction_s:
                 self._pinch = choose_pinch(self._hand, place, shape, towards)
+                before = place + self._pinch.offset_m + BEFORE_M * towards
+                self._by = list(choose_way(self._hand, before, self._pinch, towards)[:-1])
                 self._hand.roll_rad = self._pinch.roll_rad
                 self._hand.open_m = self._pinch.half_m + SPARE_M
                 self.stage, self._since_s = "reaching", now_s
             return
         goal = place + self._pinch.offset_m
-        if self.stage == "reaching":
+        if self._by:
+            self._hand.move_to(self._by[0])
+            if np.linalg.norm(self._hand.place() - self._by[0]) <= _NEAR_M:
+                del self._by[0]
+        elif self.stage == "reaching":
             self._hand.move_to(goal + BEFORE_M * towards)
             self._next("closing in", now_s, goal + BEFORE_M * towards, _NEAR_M)
         elif self.stage == "closing in":
@@ -106,6 +114,7 @@ class TakingPerson:
         elif self.stage == "pinching" and now_s >= self._since_s + _SETTLE_S:
             self.stage, self._since_s = "pulling", now_s
             self._hand.force_n = self._pull_n
+            self._hand.hold_fast()
             self._offered = place.copy()
             self._hand.move_to(goal + _PULLED_M * towards)
         if self.stage == "pulling":
