@@ -21,12 +21,13 @@ from trees.leaves.choose_stand_to_put import ChooseStandToPut
 
 (PIECE,) = load_scene("fridge").furniture
 CAN = HeldObject("green can", "left", Cylinder(0.03, 0.12), np.eye(4))
+OPEN_RAD = float(np.radians(70.0))
 FRONT = PlanarPose.of(floor_pose(PIECE)) @ PlanarPose(-0.5 * PIECE.size_m[0])
 
 
-def fridge(opening_rad=np.radians(70.0)):
+def fridge():
     told = [(PIECE.kind, solid.shape, solid.world_T_solid) for solid in solids(PIECE)]
-    part = floor_pose(PIECE) @ furniture_T_part(PIECE) @ opened(PIECE, opening_rad)
+    part = floor_pose(PIECE) @ furniture_T_part(PIECE) @ opened(PIECE, OPEN_RAD)
     told += [(one.kind, one.shape, part @ one.part_T_solid) for one in moving_solids(PIECE) if one.kind]
     return [
         SceneObject(kind if kind == "door" else f"{kind} {number}", shape, pose, 0.015, movable=False)
