@@ -13,7 +13,7 @@ from kinematics.free_coordinates import free_coordinates
 from kinematics.gesture_planner import GesturePlanner
 from kinematics.handle_planner import HandlePlanner
 from kinematics.lead_in import lead_in
-from kinematics.path_planner import PathPlanner
+from kinematics.path_planner import PathPlanner, PathSettings
 from kinematics.pick_planner import PickPlanner
 from kinematics.pick_task import REACH_PACE
 from kinematics.place_planner import PlacePlanner
@@ -42,6 +42,11 @@ from kinematics.view_planner import ViewPlanner
 from kinematics.view_request import ViewRequest
 
 Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
+
+
+_PATIENT = PathSettings(iterations=10_000)
+"""A move has one goal, and no other to turn to. Of 40 ways out of boxes around the hand 7 are found with 300,
+34 with 3,000, and all with these."""
 
 
 class MotionPlanner:
@@ -86,7 +91,7 @@ class MotionPlanner:
         if space.base_size:
             goal[:3] += request.pelvis_m
         scene = relaxed_at(model, request.scene, request.q_start)
-        planner = PathPlanner(model, space, validity(model, request.stance, scene))
+        planner = PathPlanner(model, space, validity(model, request.stance, scene), _PATIENT)
         arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
         curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))

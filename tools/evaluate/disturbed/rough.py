@@ -52,7 +52,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     rng = episode_rng(order.seed, 21)
     wrong = tuple(WRONG)[order.seed % len(WRONG)]
     linear, angular = float(rng.uniform(-0.3, 0.5)), float(rng.uniform(-0.5, 0.5))
-    plates = _plates(rng) if wrong == "uneven" else ()
+    plates = scattered_plates(rng) if wrong == "uneven" else ()
     body = BareWalk(order.robot, order.seed, plates, DELAY_PERIODS if wrong == "delay" else 0)
     model = body.world.physics.model
     if wrong == "slippery":
@@ -101,7 +101,7 @@ def _robot_bodies(body: BareWalk) -> list[int]:
     return [k for k in range(model.nbody) if int(model.body_rootid[k]) == int(model.body_rootid[base])]
 
 
-def _plates(rng: np.random.Generator) -> tuple[Furniture, ...]:
+def scattered_plates(rng: np.random.Generator) -> tuple[Furniture, ...]:
     """Thin plates all around the start, but not under the feet."""
     plates = []
     for k in range(150):

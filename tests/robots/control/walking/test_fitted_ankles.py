@@ -5,8 +5,12 @@ import pytest
 
 from kinematics.robot_model import RobotModel
 from kinematics.walking.pattern_sample import Phase
+from robots.control.motion_handle import MotionStatus
 from robots.control.walking.fitted_ankles import FittedAnkles
 from robots.description import load_description
+from tools.evaluate.disturbed.bare_walk import BareWalk
+from tools.evaluate.disturbed.rough import scattered_plates
+from tools.evaluate.scenes import episode_rng
 
 PERIOD_S = 0.002
 
@@ -104,3 +108,23 @@ def test_it_begins_where_the_robot_stands(model):
     q, _ = Ending(model, 0.0, offset).go_on(Phase.SHIFT, PERIOD_S)
 
     np.testing.assert_allclose(q[0], offset, atol=1e-4)
+
+
+@pytest.mark.requirement("M6")
+def test_a_robot_that_stands_on_the_edge_of_a_plate_stays_there_and_walks_on():
+    rng = episode_rng(11, 21)
+    linear, angular = float(rng.uniform(-0.3, 0.5)), float(rng.uniform(-0.5, 0.5))
+    body = BareWalk("talos", 11, scattered_plates(rng))
+    body.go_on(0.4)
+
+    first = body.set_out(linear, angular)
+    body.go_on(2.5)
+    assert body.stands_again(first)
+    tilts = [np.arccos(min(float(pose[2, 2]), 1.0)) for _, pose in body.loop.motion.stance().soles]
+    assert max(tilts) > 0.01
+
+    second = body.set_out(-linear, angular)
+    body.go_on(1.5)
+    assert second.status is MotionStatus.RUNNING
+    assert body.loop.statistics.refused == 0
+    assert not body.world.truth.fallen()
