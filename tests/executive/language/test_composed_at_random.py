@@ -136,7 +136,7 @@ DENIED = (
 )
 QUALIFIED = (
     *("{a}, {b} first", "{a} last, {b} first", "{a}, except {b}", "{a} even if you {b}"),
-    *("{a} by {b_ing}", "I {a}", "we {a}", "the robot {a}", "they will {a}", "keep {a_ing}"),
+    *("{a} by {b_ing}", "I {a}", "we {a}", "the robot {a}", "they will {a}"),
     *("{a} when the bell rings", "{a} the moment Ana arrives", "{a} by the time Ana arrives"),
     *("{a} assuming it is safe", "{a} given the door is open", "in the event of fire, {a}"),
     *("in case of rain {a}", "if needed, {a}", "if necessary {a}", "{a} sometime", "{a} at your leisure"),
