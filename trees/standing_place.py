@@ -30,6 +30,13 @@ _FROM_BORDER_M = 0.4
 """Who stands in a room stands so far inside it."""
 _ROOM_M = 0.8
 _GRID_M = 0.25
+_TURN_ROOM_M = 0.62
+_HANDS_FROM_M, _HANDS_WIDER_M = 1.0, 0.25
+"""Elbows of the home posture reach so far from the body's middle when it turns; the fingers, so high and
+higher, go around in a circle of 0.83 m, and the body sways."""
+_ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
+_TIGHT_COST_RAD_M = 20.0
+"""A place to stand that is too tight by 1 cm is worth going around by 11 degrees."""
 
 
 def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support_gap_m: float) -> PlanarPose:
@@ -51,9 +58,24 @@ def standing_place(place: Place, scene: PlanningScene, body: PlanarPose, support
         under = support_of(item, scene, support_gap_m)
         if under is not None and isinstance(under.shape, Box):
             return _before(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
-    away_m = PERSON_M if place.category == "person" else FREE_M
-    heading = math.atan2(y - body.y_m, x - body.x_m)
-    return PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+    return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene)
+
+
+def _around(place: Place, away_m: float, body: PlanarPose, scene: PlanningScene) -> PlanarPose:
+    """On a circle around something, facing it: on this side of it, or where there is room to turn."""
+    x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
+    direct = math.atan2(y - body.y_m, x - body.x_m)
+    if place.name in scene.objects:
+        scene = scene.without_object(place.name)
+    others = footprints(scene, _HANDS_FROM_M, _HANDS_WIDER_M)
+    best = (math.inf, PlanarPose())
+    for aside in sorted(_ASIDE_RAD, key=abs):
+        heading = direct + aside
+        stand = PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+        cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, _TURN_ROOM_M - clearance_m(others, stand))
+        if cost < best[0]:
+            best = (cost, stand)
+    return best[1]
 
 
 def edge_m(height_m: float) -> float:

@@ -8,7 +8,7 @@ import pytest
 from kinematics import poses
 from kinematics.opening_path import DoorArc, DrawerLine
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
+from kinematics.shapes import Box, Cylinder
 from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from trees.destination import Place
@@ -66,3 +66,30 @@ def test_before_a_drawer_one_stands_on_the_side_where_one_is():
 
     assert (bar.x_m, abs(bar.y_m)) == pytest.approx((0.66, 0.34))
     assert body.x_m > 2.0
+
+
+def crowd(*places_m):
+    people = [
+        SceneObject(f"person {k}", Cylinder(0.24, 1.75), poses.translation(x, y, 0.875), movable=False)
+        for k, (x, y) in enumerate(places_m)
+    ]
+    return PlanningScene().with_objects(people)
+
+
+ANA = Place("Ana", "person", Cylinder(0.24, 1.75), poses.translation(3.0, 0.0, 0.875), 1.75)
+
+
+def test_before_a_person_one_stands_on_the_side_from_which_one_comes():
+    place = standing_place(ANA, crowd((3.0, 3.0)), PlanarPose(), 0.05)
+
+    assert (place.x_m, place.y_m, place.yaw_rad) == pytest.approx((1.9, 0.0, 0.0))
+
+
+def test_where_somebody_else_stands_in_the_way_of_turning_hands_one_goes_around():
+    scene = crowd((2.0, 0.9))
+
+    place = standing_place(ANA, scene, PlanarPose(), 0.05)
+
+    assert place.distance_m(PlanarPose(3.0, 0.0)) == pytest.approx(1.1)
+    assert place.distance_m(PlanarPose(2.0, 0.9)) > 0.24 + 0.83
+    assert place.y_m < 0.0
