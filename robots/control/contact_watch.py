@@ -17,12 +17,14 @@ Array = NDArray[np.float64]
 
 # So many periods in a row: longer than noise, shorter than a centimetre of a slow approach.
 PERIODS = 5
+WALKING_ROOM = 2.0
+"""Bounds of a walk, by those of a motion: arms that a walk swings and jolts were seen at 0.9 of those."""
 # A push that was there before the motion may grow by this: what is picked up has a weight.
 GROWTH_NM = 2.0
 
 
 class ContactWatch:
-    """Watches the arms' efforts while planned motions run.
+    """Watches the arms' efforts while planned motions and walks run.
 
     Args:
         description: The robot; joints without a contact effort are not watched.
@@ -34,10 +36,11 @@ class ContactWatch:
         self._indices = np.array([description.actuated.index(joint) for joint in self._joints], dtype=np.intp)
         self._allowed = np.array([allowed[joint] for joint in self._joints])
         self._bound = self._allowed.copy()
+        self._scaled = self._allowed.copy()
         self._outside = np.zeros(len(self._joints))
         self._periods = 0
 
-    def judge(self, effort: Array, expected: Array, moving: bool) -> Refusal | None:
+    def judge(self, effort: Array, expected: Array, moving: bool, room: float = 1.0) -> Refusal | None:
         """Judge one period.
 
         Args:
@@ -45,12 +48,14 @@ class ContactWatch:
             expected: What the motion needs, Nm, shape (n,).
             moving: Whether a planned motion runs; at rest, a push is only noted, so that the motion
                 that ends it is not taken for its cause.
+            room: Bounds are multiplied by this.
 
         Returns:
             What pushes too hard, or None.
         """
-        outside = self._outside
-        excess_nm = largest_excess(effort, expected, self._indices, self._bound, outside)
+        outside, bound = self._outside, self._scaled
+        np.multiply(self._bound, room, out=bound)
+        excess_nm = largest_excess(effort, expected, self._indices, bound, outside)
         if not moving:
             self._bound = np.maximum(self._allowed, outside + GROWTH_NM)
             self._periods = 0
@@ -59,5 +64,5 @@ class ContactWatch:
         if self._periods < PERIODS:
             return None
         self._periods = 0
-        worst = int(np.argmax(outside - self._bound))
-        return Refusal(Limit.CONTACT, self._joints[worst], float(outside[worst]), float(self._bound[worst]))
+        worst = int(np.argmax(outside - bound))
+        return Refusal(Limit.CONTACT, self._joints[worst], float(outside[worst]), float(bound[worst]))

@@ -16,7 +16,7 @@ from kinematics.stance import stance_at
 from robots.clock import ManualClock
 from robots.control.authority import Authority
 from robots.control.balance import Balance
-from robots.control.contact_watch import ContactWatch
+from robots.control.contact_watch import WALKING_ROOM, ContactWatch
 from robots.control.control_record import ControlRecord, ControlStatistics
 from robots.control.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset, require_category
 from robots.control.events import (
@@ -293,11 +293,7 @@ class ControlLoop:
         self._sway.sense(state.v, self._gate.last.v)
         self._look_after_health()
         self._forgiven = max(0, self._forgiven - 1)
-        watched = self._streamer.carrying_out and self._forgiven == 0
-        contact = self._contact.judge(state.effort, self._gate.last.tau, watched)
-        if contact is not None:
-            self._record.stop(2, str(contact))
-            self._streamer.interrupt(str(contact))
+        self._watch_arms(state)
         self._walker.go_on()
         if self._walker.active:
             self._command_walk(state)
@@ -349,6 +345,18 @@ class ControlLoop:
         self._streamer.stand(stance, q)
         self._balance = Balance(self._model, stance)
         self._estimator = BaseEstimator(self._model, stance)
+
+    def _watch_arms(self, state: RobotState) -> None:
+        """When an arm pushes against something, end what moves the robot: a walk within two steps."""
+        walks = self._walker.under_way
+        watched = (self._streamer.carrying_out or walks) and self._forgiven == 0
+        room = WALKING_ROOM if self._walker.active else 1.0
+        contact = self._contact.judge(state.effort, self._gate.last.tau, watched, room)
+        if contact is None:
+            return
+        self._record.stop(1 if walks else 2, str(contact))
+        self._streamer.interrupt(str(contact))
+        self._walker.stop(str(contact), MotionStatus.REFUSED)
 
     def _look_after_health(self) -> None:
         streamer = self._streamer

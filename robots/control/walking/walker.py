@@ -140,6 +140,11 @@ class Walker:
         """Whether it has the body."""
         return self._walk is not None
 
+    @property
+    def under_way(self) -> bool:
+        """Whether somebody's walk goes on: no last steps after a stop."""
+        return self._walk is not None and self._handle is not None
+
     def stop(self, reason: str, status: MotionStatus = MotionStatus.CANCELED) -> None:
         """Bring the feet together and come to rest, with no regard to whoever wanted the walk."""
         self._pausing = self._interrupted = False

@@ -12,7 +12,7 @@ from robots.control.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
 from robots.control.refusal import Limit, Refusal
 from robots.description import load_description
-from robots.scene_description import PerceptionModel, RobotStart, SceneDescription
+from robots.scene_description import PerceptionModel, Person, RobotStart, SceneDescription
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002
@@ -21,11 +21,11 @@ PERIOD_S = 0.002
 class Floor:
     """TALOS on a floor, with a control loop."""
 
-    def __init__(self, **changed):
+    def __init__(self, *people, **changed):
         description = load_description("talos")
         if changed:
             description = dataclasses.replace(description, **changed)
-        scene = SceneDescription("floor", RobotStart(), PerceptionModel())
+        scene = SceneDescription("floor", RobotStart(), PerceptionModel(), people=people)
         self.world = build_world(description, scene, np.random.default_rng(3))
         self.events = []
         self.loop = ControlLoop(
@@ -196,4 +196,23 @@ def test_a_push_that_the_sole_cannot_hold_is_caught_with_the_next_steps():
     floor.run(0.3)
 
     assert any(ways)
+    assert not floor.world.truth.fallen()
+
+
+@pytest.mark.requirement("S4")
+def test_a_walk_ends_when_a_hand_meets_somebody_who_stands_beside_its_way():
+    floor = Floor(Person("Ana", (1.0, -0.6), 0.0))
+
+    handle = floor.walk(0.3)
+    for _ in range(round(5.0 / PERIOD_S)):
+        if handle.finished:
+            break
+        floor.loop.step()
+    pressed_n = max((contact.force_n for contact in floor.world.truth.contacts_with_people()), default=0.0)
+    took_s = floor.until_it_stands()
+
+    assert handle.status is MotionStatus.REFUSED
+    assert handle.reason.startswith("unexpected contact of arm_right_")
+    assert 0.0 < pressed_n < 120.0
+    assert took_s <= 2.2
     assert not floor.world.truth.fallen()
