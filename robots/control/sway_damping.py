@@ -2,7 +2,7 @@
 
 Body and servos are a mass on springs that hardly damp: pushed by 80 N for 0.1 s, or when a bar slips out of
 the hand that pulls on it, TALOS swings at 1.3 to 3 Hz, and its legs still move by 0.03 rad/s half a second
-later. With five times the servos' own damping, 0.006 rad/s; with four times an ankle still moved by 0.020
+later. With six times the servos' own damping, 0.005 rad/s; with four times an ankle still moved by 0.020
 rad/s half a second after an arm that carried a box was cancelled. With eight the ankles of a robot that led
 a door were asked for more than they gave, and taken for weak. The servos' own gains cannot be raised from
 here, and their damping acts on the noise of a single period; this one is smoothed.
@@ -19,8 +19,8 @@ from kinematics.robot_description import RobotDescription
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-_SHARE = 5.0
-"""Of the servo's damping; standing still, its torque is noise of 0.25 Nm."""
+_SHARE = 6.0
+"""Of the servo's damping; standing still, its torque is noise of 0.3 Nm."""
 _SMOOTH_S = 0.02
 """Speeds are averaged over this: a tenth of the swing's phase, a tenth of the encoders' noise."""
 _MOST = 0.2

@@ -36,7 +36,7 @@ def test_legs_push_against_what_moves_them_and_other_joints_do_not(talos):
 
     efforts = damped(talos, v, np.zeros_like(v), np.zeros_like(v))
 
-    expected = speeds(talos, leg_left_6=-10.0, leg_right_4=5.0)
+    expected = speeds(talos, leg_left_6=-12.0, leg_right_4=6.0)
     np.testing.assert_allclose(efforts, expected, atol=1e-3)
 
 
