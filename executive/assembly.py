@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from executive.event_hub import EventHub
-from executive.events import EventSink
+from executive.events import Event, EventSink
 from executive.lockstep import PERIOD_S
 from executive.planning_jobs import PlanningJobs
 from executive.session import Session, TreeBuilder
@@ -105,7 +105,12 @@ def assemble(
     model = RobotModel(description)
     clock = ManualClock()
     world = build_world(description, scene, for_world)
-    sink.listen(lambda event: world.people.see_offer() if is_offer(event) else None)
+
+    def watched(event: Event) -> None:
+        if is_offer(event):
+            world.people.see_offer()
+
+    sink.listen(watched)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, for_perception)
 

@@ -30,7 +30,7 @@ _FROM_BORDER_M = 0.4
 """Who stands in a room stands so far inside it."""
 _ROOM_M = 0.8
 _GRID_M = 0.25
-_TURN_ROOM_M = 0.62
+TURN_ROOM_M = 0.62
 _HANDS_FROM_M, _HANDS_WIDER_M = 1.0, 0.25
 """Elbows of the home posture reach so far from the body's middle when it turns; the fingers, so high and
 higher, go around in a circle of 0.83 m, and the body sways."""
@@ -72,7 +72,7 @@ def _around(place: Place, away_m: float, body: PlanarPose, scene: PlanningScene)
     for aside in sorted(_ASIDE_RAD, key=abs):
         heading = direct + aside
         stand = PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
-        cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, _TURN_ROOM_M - clearance_m(others, stand))
+        cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, TURN_ROOM_M - clearance_m(others, stand))
         if cost < best[0]:
             best = (cost, stand)
     return best[1]

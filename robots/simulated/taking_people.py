@@ -31,5 +31,6 @@ class TakingPeople:
         """Go on with what is being taken."""
         now_s = self._truth.time_s
         for person in self._people:
-            person.tick(now_s - self._ticked_s)
+            if person.offered:  # till then the hand rests by itself
+                person.tick(now_s - self._ticked_s)
         self._ticked_s = now_s

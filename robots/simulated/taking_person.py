@@ -74,6 +74,11 @@ class TakingPerson:
         if self._object is None:
             self._object, self._offered_s = thing, now_s
 
+    @property
+    def offered(self) -> bool:
+        """Whether something was offered to it."""
+        return self._object is not None
+
     def tick(self, period_s: float) -> None:
         """Reach, close, pull."""
         if self._object is not None:

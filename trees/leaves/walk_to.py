@@ -22,15 +22,13 @@ from trees.own_load import without_held
 from trees.ports import optional, ports
 from trees.reachable_standing import Stand
 from trees.seen_points import SeenPoints, apart_from
-from trees.standing_place import standing_place
+from trees.standing_place import TURN_ROOM_M, standing_place
 from trees.walking_leaf import WalkingLeaf
 
 Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
-_TURN_ROOM_M = 0.62
-"""Hands and elbows of the home posture reach so far when the robot turns on the spot."""
 _TURNING_HANDS_M = 0.08
 """Fingers that are 0.77 m aside and 0.31 m ahead go around in a circle of 0.83 m, and the body sways."""
 _BACK_M_S = 0.25
@@ -135,8 +133,8 @@ class WalkTo(WalkingLeaf):
         self._look(obstacles)
         turning = self._obstacles(settings, _TURNING_HANDS_M)
         near_m = clearance_m(turning, body)
-        if near_m < _TURN_ROOM_M and not self._backing:
-            back = body @ PlanarPose(-(_TURN_ROOM_M - near_m + 0.1))
+        if near_m < TURN_ROOM_M and not self._backing:
+            back = body @ PlanarPose(-(TURN_ROOM_M - near_m + 0.1))
             if clearance_m(turning, back) > near_m:
                 self._backing = True
                 return StretchSteering(settings, body, -_BACK_M_S, body.distance_m(back))

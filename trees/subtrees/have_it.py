@@ -18,20 +18,18 @@ from trees.toolbox import Toolbox
 
 def have_it(toolbox: Toolbox) -> Behaviour:
     """It is in a hand already, or it is picked up. Reads "task", writes "held"."""
-    fetch = Sequence(
-        "fetch it",
-        memory=True,
-        children=[
-            AskForPick("say what", toolbox),
-            rewired(pick(toolbox), {"task": "pick_task"}),
-            TakeHeld("take hold", toolbox),
-        ],
-    )
-    ways: list[Behaviour] = [TakeHeld("is it held", toolbox), fetch]
-    return Alternatives("have it", ways, hopeless=_no_pick_helps)
+    fetch = fetched("fetch it", AskForPick("say what", toolbox), toolbox)
+    return Alternatives("have it", [TakeHeld("is it held", toolbox), fetch], hopeless=no_pick_helps)
 
 
-def _no_pick_helps(failure: Failure) -> bool:
+def fetched(name: str, ask: Leaf, toolbox: Toolbox) -> Behaviour:
+    """A pick of what a leaf asks for; that leaf writes "pick_task". Writes "held"."""
+    picked = rewired(pick(toolbox), {"task": "pick_task"})
+    return Sequence(name, memory=True, children=[ask, picked, TakeHeld("take hold", toolbox)])
+
+
+def no_pick_helps(failure: Failure) -> bool:
+    """A defect, or several objects that fit: that takes an answer."""
     return defect(failure) or bool(failure.choices)
 
 

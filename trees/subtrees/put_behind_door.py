@@ -5,9 +5,8 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.alternatives import Alternatives, defect
+from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
-from trees.failures import Failure
 from trees.leaves.ask_for_hand import AskForHand
 from trees.leaves.door_not_shut import DoorNotShut
 from trees.leaves.draw_back import DrawBack
@@ -19,8 +18,7 @@ from trees.leaves.survey import Survey
 from trees.leaves.take_held import TakeHeld
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.subtrees.come_to_board import come_to_board
-from trees.subtrees.have_it import have_it, rewired
-from trees.subtrees.pick import pick
+from trees.subtrees.have_it import fetched, have_it, no_pick_helps
 from trees.subtrees.place import bring
 from trees.subtrees.regrasp import regrasping
 from trees.subtrees.search import looking_elsewhere_is_useless
@@ -74,19 +72,6 @@ def _have_it(toolbox: Toolbox) -> Behaviour:
 
     Who stands beside an open door reaches in with that hand; with the other one hardly.
     """
-    fetch = Sequence(
-        "fetch it with that hand",
-        memory=True,
-        children=[
-            AskForHand("say which hand", toolbox),
-            rewired(pick(toolbox), {"task": "pick_task"}),
-            TakeHeld("take hold", toolbox),
-        ],
-    )
-    held = TakeHeld("is it held already", toolbox)
-    ways: list[Behaviour] = [held, fetch, have_it(toolbox)]
-    return Alternatives("have it", ways, hopeless=_no_pick_helps)
-
-
-def _no_pick_helps(failure: Failure) -> bool:
-    return defect(failure) or bool(failure.choices)
+    fetch = fetched("fetch it with that hand", AskForHand("say which hand", toolbox), toolbox)
+    ways: list[Behaviour] = [TakeHeld("is it held already", toolbox), fetch, have_it(toolbox)]
+    return Alternatives("have it", ways, hopeless=no_pick_helps)
