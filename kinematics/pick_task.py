@@ -264,8 +264,11 @@ class PickTask:
             x[:, self._space.index(joint)] = angle
         return x
 
-    def _planner(self, scene: PlanningScene, reserve_m: float) -> PathPlanner:
-        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M)
+    def _planner(
+        self, scene: PlanningScene, reserve_m: float, like: PathPlanner | None = None
+    ) -> PathPlanner:
+        before = None if like is None else like.judge
+        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M, before)
         return PathPlanner(self._model, self._space, judge)
 
     def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
@@ -277,7 +280,7 @@ class PickTask:
         if hand not in self._grasp_planners:
             links = self._model.description.grippers[hand].touch_links
             scene = self._request.scene.allowing((link, self._target.name) for link in links)
-            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m)
+            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m, self._reach_planner)
         return self._grasp_planners[hand]
 
     def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:

@@ -70,6 +70,15 @@ class PathSearch(Protocol):
         ...
 
 
+@runtime_checkable
+class Adaptable(Protocol):
+    """A judge that others can be made of; see ``CollisionKernel``."""
+
+    def allowing(self, scene: PlanningScene) -> Validity | None:
+        """The same in a scene in which other pairs may touch; None when that differs in more."""
+        ...
+
+
 class HandJudge(Protocol):
     """Tells where an open hand alone has room; see ``HandCollision``."""
 
@@ -104,6 +113,7 @@ def validity(
     scene: PlanningScene,
     extra_margin_m: float = 0.0,
     self_margin_m: float = 0.0,
+    like: Validity | None = None,
 ) -> Validity:
     """The judge of a robot on planted feet, or on its mount, in a planning scene.
 
@@ -113,7 +123,10 @@ def validity(
         scene: What is around, what is held, and which pairs may touch.
         extra_margin_m: Added to every margin of the scene.
         self_margin_m: Distance kept between the robot's own links.
+        like: A judge with all the same but the scene; where only allowed pairs differ, its memory is used.
     """
+    if isinstance(like, Adaptable) and (found := like.allowing(scene)) is not None:
+        return found
     if not _kernel_is_there():
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
     # imported here: it brings the compiler
