@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +20,7 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
-from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
+from kinematics.grasping import GraspCandidate, GraspTable, grasp_table, key_of
 from kinematics.ik import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
 from kinematics.ik_result import DEFAULT_TOLERANCE
 from kinematics.lead_in import lead_in
@@ -104,7 +104,6 @@ class PickTask:
         self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
         self._hands: dict[Hand, HandJudge] = {}
-        self._hand_fits: dict[str, bool] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
@@ -121,42 +120,51 @@ class PickTask:
             else:
                 self.reasons["out of reach"] += 1
 
-    def candidates(self) -> list[GraspCandidate]:
-        """Grasps of all allowed hands, most natural first; nothing but the room for the hand is judged."""
-        found: list[GraspCandidate] = []
-        excluded = self._request.excluded
+    def candidates(self) -> Iterator[GraspCandidate]:
+        """Grasps of all allowed hands for which these have room, most natural first.
+
+        Nothing else is judged; those without room are counted.
+        """
+        tables: list[GraspTable] = []
+        fitting: list[tuple[float, int, int]] = []
         for hand, offset in self._in_reach.items():
-            gripper = self._model.description.grippers[hand]
-            natural = float(np.arctan2(offset[1], offset[0]))
-            mine = grasp_candidates(
+            table = grasp_table(
                 self._target,
-                gripper,
-                natural,
+                self._model.description.grippers[hand],
+                float(np.arctan2(offset[1], offset[0])),
                 APPROACH_M,
                 self._heights,
                 2.0 * math.hypot(offset[0], offset[1]),
             )
-            if excluded:
-                left = [c for c in mine if key_of(hand, c.grasp.label) not in excluded]
-                if len(left) < len(mine):
-                    self.reasons["tried before"] += len(mine) - len(left)
-                mine = left
-            self._judge_room(hand, mine)
-            found += mine
-        return sorted(found, key=lambda candidate: candidate.cost)
+            rows = np.arange(len(table))
+            if excluded := self._request.excluded:
+                rows = np.array([k for k in rows if key_of(hand, table.name(k)) not in excluded], np.intp)
+                if len(rows) < len(table):
+                    self.reasons["tried before"] += len(table) - len(rows)
+            fits = rows[self._has_room(hand, table.world_T_tcp[rows])]
+            if len(fits) < len(rows):
+                self.reasons["hand collides at the grasp"] += len(rows) - len(fits)
+            self.considered += len(rows) - len(fits)
+            fitting += [(cost, len(tables), row) for cost, row in zip(table.cost[fits], fits, strict=True)]
+            tables.append(table)
+        for _, number, row in sorted(fitting):
+            yield tables[number].candidate(row)
 
-    def _judge_room(self, hand: Hand, candidates: Sequence[GraspCandidate]) -> None:
-        """Note for which grasps the hand alone has room: open, closed, and where the approach is solved."""
-        if not candidates:
-            return
+    def _has_room(self, hand: Hand, places: Array) -> NDArray[np.bool_]:
+        """Whether the hand alone has room, open and closed, and where the approach is solved.
+
+        Args:
+            hand: The hand.
+            places: Of the TCP at grasps, shape (n, 4, 4).
+        """
+        if not len(places):
+            return np.zeros(0, bool)
         scene = self._request.scene
         judge = hand_judge(self._model, hand, scene, self._target.name, self._reserve_m)
         self._hands[hand] = judge
-        places = np.array([candidate.grasp.world_T_tcp for candidate in candidates])
         advance_m = self._model.description.grippers[hand].closing_advance_m
         advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1].tolist()]
-        for candidate, fits in zip(candidates, judge.fits_along(places, advances_m), strict=True):
-            self._hand_fits[key_of(hand, candidate.grasp.label)] = bool(fits)
+        return judge.fits_along(places, advances_m)
 
     def solve(self, candidate: GraspCandidate) -> Way | None:
         """Find the approach to a grasp; a failure is counted with its reason."""
@@ -235,8 +243,6 @@ class PickTask:
 
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp
-        if not self._hand_fits[key_of(grasp.hand, grasp.label)]:
-            return "hand collides at the grasp"
         ik = self._ik_of(grasp.hand)
         _, near = self._grasp_planner(grasp.hand)
         first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
