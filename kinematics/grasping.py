@@ -91,7 +91,7 @@ class GraspTable:
     def name(self, row: int) -> str:
         """Label of a grasp."""
         names, yaw, kind, suffix = self.label
-        return names[yaw[row]][kind[row]] + suffix[row]
+        return names[int(yaw[row])][int(kind[row])] + suffix[row]
 
     def candidate(self, row: int) -> GraspCandidate:
         """One candidate."""

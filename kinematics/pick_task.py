@@ -7,6 +7,7 @@ inverse kinematics; which of them are tried and taken, ``pick_planner`` says.
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -121,13 +122,11 @@ class PickTask:
                 self.reasons["out of reach"] += 1
 
     def candidates(self) -> Iterator[GraspCandidate]:
-        """Grasps of all allowed hands for which these have room, most natural first.
-
-        Nothing else is judged; those without room are counted.
-        """
+        """Grasps of all allowed hands, most natural first; those without room for the hand are counted."""
         tables: list[GraspTable] = []
-        fitting: list[tuple[float, int, int]] = []
-        for hand, offset in self._in_reach.items():
+        ordered: list[tuple[float, int, int, bool]] = []
+        excluded = self._request.excluded
+        for number, (hand, offset) in enumerate(self._in_reach.items()):
             table = grasp_table(
                 self._target,
                 self._model.description.grippers[hand],
@@ -136,19 +135,21 @@ class PickTask:
                 self._heights,
                 2.0 * math.hypot(offset[0], offset[1]),
             )
-            rows = np.arange(len(table))
-            if excluded := self._request.excluded:
-                rows = np.array([k for k in rows if key_of(hand, table.name(k)) not in excluded], np.intp)
+            rows = list(range(len(table)))
+            if excluded:
+                rows = [k for k in rows if key_of(hand, table.name(k)) not in excluded]
                 if len(rows) < len(table):
                     self.reasons["tried before"] += len(table) - len(rows)
-            fits = rows[self._has_room(hand, table.world_T_tcp[rows])]
-            if len(fits) < len(rows):
-                self.reasons["hand collides at the grasp"] += len(rows) - len(fits)
-            self.considered += len(rows) - len(fits)
-            fitting += [(cost, len(tables), row) for cost, row in zip(table.cost[fits], fits, strict=True)]
+            fit = self._has_room(hand, table.world_T_tcp[rows]).tolist()
+            costs = table.cost[rows].tolist()
+            ordered += zip(costs, itertools.repeat(number), rows, fit, strict=False)
             tables.append(table)
-        for _, number, row in sorted(fitting):
-            yield tables[number].candidate(row)
+        for _, number, row, fits in sorted(ordered):
+            if fits:
+                yield tables[number].candidate(row)
+            else:
+                self.considered += 1
+                self.reasons["hand collides at the grasp"] += 1
 
     def _has_room(self, hand: Hand, places: Array) -> NDArray[np.bool_]:
         """Whether the hand alone has room, open and closed, and where the approach is solved.

@@ -46,6 +46,10 @@ class Validity(Protocol):
         """Tell whether the lines between neighbouring points, shape (n, size), are free."""
         ...
 
+    def allowing(self, scene: PlanningScene) -> Validity | None:
+        """A judge of the same in a scene in which other pairs may touch; None when it is better made anew."""
+        ...
+
 
 @runtime_checkable
 class PathSearch(Protocol):
@@ -67,15 +71,6 @@ class PathSearch(Protocol):
 
     def shorten(self, polyline: Array, weights: Array, attempts: int, seed: int) -> Array:
         """Replace parts of a proven polyline by proven lines."""
-        ...
-
-
-@runtime_checkable
-class Adaptable(Protocol):
-    """A judge that others can be made of; see ``CollisionKernel``."""
-
-    def allowing(self, scene: PlanningScene) -> Validity | None:
-        """The same in a scene in which other pairs may touch; None when that differs in more."""
         ...
 
 
@@ -125,8 +120,8 @@ def validity(
         self_margin_m: Distance kept between the robot's own links.
         like: A judge with all the same but the scene; where only allowed pairs differ, its memory is used.
     """
-    if isinstance(like, Adaptable) and (found := like.allowing(scene)) is not None:
-        return found
+    if like is not None and (adapted := like.allowing(scene)) is not None:
+        return adapted
     if not _kernel_is_there():
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
     # imported here: it brings the compiler
@@ -224,6 +219,9 @@ class SampledValidity:
             count = max(1, int(np.ceil(self._space.distance(a, b) / RESOLUTION)))
             pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
         return self.points_are_free(np.concatenate([*pieces, x[-1:]]))
+
+    def allowing(self, scene: PlanningScene) -> None:
+        """Nothing is shared."""
 
 
 def _bisecting(count: int) -> list[int]:

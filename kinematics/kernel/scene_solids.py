@@ -62,8 +62,12 @@ def scene_solids(
     ]
     moves = _holding(robot, alone, scene, held, extra_margin_m) if held else alone
     around = _around(_Things(tuple(scene.objects.values())))
-    own = (robot.flat, flatten(held)) if held else (robot.flat,)
-    solids = Solids(*zip(*own, around.solids, strict=True))._replace(points=(robot.flat.points,))
+    every = (robot.flat, flatten(held), around.solids) if held else (robot.flat, around.solids)
+    # only the robot has hulls, whose points are behind each other
+    solids = [
+        robot.flat.points if name == "points" else tuple(getattr(part, name) for part in every)
+        for name in Solids._fields
+    ]
     margin = around.margin_m + extra_margin_m
     judged = judged_in(robot, scene)
     return SceneSolids(
@@ -148,9 +152,7 @@ def _holding(
     return RobotAlone(chains, own, carriers, carried(chains, own, carriers), alone.levels)
 
 
-def _held_apart(
-    alone: RobotAlone, body: Indices, apart: Indices, number: int, margin_m: float
-) -> OwnPairs:
+def _held_apart(alone: RobotAlone, body: Indices, apart: Indices, number: int, margin_m: float) -> OwnPairs:
     """Pairs of one held solid with others, in groups by what carries those."""
     carrier = int(body[number])
     bodies, first_at, group = np.unique(body[apart], return_index=True, return_inverse=True)
