@@ -23,6 +23,10 @@ from kinematics.trajectory import Finding
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+# In longer intervals hardly anything near is proven: motions are cut beforehand into such parts of the
+# longest way of a joint.
+_CUT_RAD = 0.1
+_MOST_CUTS = 100
 # A contact's depth is the deepest of this many looks after it, and of as many around the deepest.
 _DEPTH_LOOKS = 16
 # So much may Coal's distance and the kernel's depart from each other where both say touching.
@@ -66,13 +70,15 @@ class ContactFinder:
         contact = np.full(len(pairs.first), np.inf)
         least = np.array([np.inf])
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
+        course = _course(timeline)
+        cuts = min(_MOST_CUTS, max(1, int(np.ceil(course.so_far[-1].max() / _CUT_RAD))))
         certify(
-            _course(timeline),
+            course,
             self._kinematics.links,
             limbs,
             solids,
             listed,
-            np.unique(np.concatenate([[0.0], inside, [timeline.duration_s]])),
+            np.unique(np.concatenate([np.linspace(0.0, timeline.duration_s, cuts + 1), inside])),
             np.ascontiguousarray(jumps_s),
             self._settings.collision_m,
             contact,

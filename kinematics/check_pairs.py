@@ -21,7 +21,7 @@ Indices = NDArray[np.intp]
 # rows of a rate: the base's path and turn, then the hinges; a hinge's row is its body's index
 _BASE_PATH, _BASE_TURN = 0, 1
 # what is not the robot alone: by whether something that it holds is one of the two
-_BETWEEN = (FindingKind.SCENE_COLLISION, FindingKind.HELD_OBJECT_COLLISION)
+_BETWEEN = np.array([FindingKind.SCENE_COLLISION, FindingKind.HELD_OBJECT_COLLISION], dtype=object)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,8 +152,7 @@ class PairBuilder:
         margins_m = np.array([0.0] * len(held) + [item.margin_m for item in things])
         clearance = [np.zeros(len(own)), margins_m[row_of]]
         with_held = (row_of < len(held)) | (those >= first_held)
-        kinds = [FindingKind.SELF_COLLISION] * len(own)
-        kinds += [_BETWEEN[between] for between in with_held.tolist()]
+        kinds = [FindingKind.SELF_COLLISION] * len(own) + _BETWEEN[with_held.astype(np.intp)].tolist()
         index = np.concatenate([self._self_index[own], more])
         return Pairs(
             tuple(solids),
