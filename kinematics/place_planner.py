@@ -47,6 +47,8 @@ LOWER_PACE = Pace(velocity=0.03, acceleration=0.06)
 TURNS_RAD = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60, 80, -80, 100, -100))
 # So many goals that only a detour may come to are kept.
 MOST_BLOCKED = 5
+# The same for who asks about many places to stand.
+FEW_BLOCKED = 2
 # Postures from which a thorough search begins, besides home and the present one; and how far the joints of
 # the arm are from home there, at most.
 OTHER_SEEDS = 3
@@ -90,18 +92,24 @@ class PlacePlanner:
         return _no_plan(request, thorough, considered)
 
     def _first(self, task: _PlaceTask, request: PlaceRequest) -> PlacePlan | None:
-        """The first spot and turn that a way leads to; straight ways before detours."""
+        """The first spot and turn that a way leads to; straight ways before detours.
+
+        Where straight ways to several goals are blocked, detours to these come before further goals: who
+        reaches into a fridge from beside its door never comes to a spot on a straight way.
+        """
+        most = FEW_BLOCKED if request.quick else MOST_BLOCKED
         blocked: list[_Goal] = []
-        for index, spot in enumerate(request.spots):
-            for world_T_object in task.with_room_for_hand(spot):
-                goal = task.solve(index, spot, world_T_object)
-                if goal is None:
-                    continue
-                straight = task.straight(goal)
-                if straight is not None and (plan := task.timed(goal, straight)) is not None:
+        for goal in task.goals():
+            straight = task.straight(goal)
+            if straight is not None and (plan := task.timed(goal, straight)) is not None:
+                return plan
+            if straight is None and len(blocked) < most:
+                blocked.append(goal)
+                if len(blocked) == most and (plan := self._around(task, blocked)) is not None:
                     return plan
-                if straight is None and len(blocked) < MOST_BLOCKED:
-                    blocked.append(goal)
+        return self._around(task, blocked) if len(blocked) < most else None
+
+    def _around(self, task: _PlaceTask, blocked: list[_Goal]) -> PlacePlan | None:
         for goal in blocked:
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
@@ -171,6 +179,14 @@ class _PlaceTask:
             pose = spot.world_T_object.copy()
             pose[:3, :3] = poses.rotation_z(natural + outward * turn - heading) @ pose[:3, :3]
             yield pose
+
+    def goals(self) -> Iterator[_Goal]:
+        """Ways down that are free, spot by spot and turn by turn."""
+        for index, spot in enumerate(self._request.spots):
+            for world_T_object in self.with_room_for_hand(spot):
+                goal = self.solve(index, spot, world_T_object)
+                if goal is not None:
+                    yield goal
 
     def with_room_for_hand(self, spot: Spot) -> Iterator[Transform]:
         """Those of ``turned`` where the hand alone collides with nothing; the others are counted."""
