@@ -63,7 +63,9 @@ def read_reachability(text: str) -> ReachabilityMap:
             f"{REACHABILITY} has schema {data.get('schema')!r}, not {SCHEMA}; make it anew"
         )
     ahead, aside, height = axes
-    shares = {hand: _cells(data[hand], hand, ahead, aside, height) for hand in HANDS if hand in data}
+    shares: dict[str, Cells] = {
+        hand: _cells(data[hand], hand, ahead, aside, height) for hand in HANDS if hand in data
+    }
     return ReachabilityMap(ahead, aside, height, shares)
 
 
