@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,8 +22,7 @@ from robots.control.refusal import Limit, Refusal
 Array = NDArray[np.float64]
 
 MOST_N = 80.0
-"""Undisturbed walks show 8 N, plates 30 (soles that lean by a degree take 16 N of the weight for this); a
-wall or a table that is walked into 110 to 350."""
+"""Undisturbed walks show 8 N at most; a wall or a table that is walked into 110 to 350."""
 _MEAN_S = 0.3
 """Of each of the two means: half a step."""
 _EVERY = 10
@@ -43,32 +42,38 @@ class OutsideForce:
         """
         self._mass_kg, self._sides = mass_kg, sides
         self._look_s = _EVERY * period_s
-        self._forces = np.zeros((len(sides), 2))
+        self._forces = np.zeros((len(sides), 3))
         self._periods = 0
         self._impulse: Point = (0.0, 0.0)
         self._half = round(_MEAN_S / self._look_s)
         self._missing: deque[Point] = deque(maxlen=2 * self._half + 1)
 
     def feel(
-        self, foot_wrench: Array, feet: Mapping[Hand, PlanarPose], velocity_m_s: Point
+        self,
+        foot_wrench: Array,
+        feet: Mapping[Hand, PlanarPose],
+        tilt: Callable[[Hand], Array],
+        velocity_m_s: Point,
     ) -> Refusal | None:
         """Take a period in.
 
         Args:
             foot_wrench: Of the ground on each sole in the sole's frame, N, Nm, shape (soles, 6).
             feet: Where the soles are, in the plan's frame.
+            tilt: How each of them leans, beside its heading, shape (3, 3): a degree makes 16 N of the weight.
             velocity_m_s: Of the CoM, in that frame.
 
         Returns:
             How hard something pushes, if that is too hard.
         """
-        self._forces += foot_wrench[:, :2]
+        self._forces += foot_wrench[:, :3]
         self._periods += 1
         if self._periods % _EVERY:
             return None
         x, y = self._impulse
         share = self._look_s / _EVERY
-        for side, (ahead, aside) in zip(self._sides, self._forces.tolist(), strict=True):
+        for side, force in zip(self._sides, self._forces, strict=True):
+            ahead, aside, _ = tilt(side).dot(force).tolist()
             c, s = math.cos(feet[side].yaw_rad), math.sin(feet[side].yaw_rad)
             x += share * (c * ahead - s * aside)
             y += share * (s * ahead + c * aside)

@@ -129,7 +129,9 @@ class Walk:
         self._motion = motion
         efforts = self._stabiliser.efforts(before, motion, self._estimator)
         if self._wrench is not None:
-            self.held_back = self._outside.feel(self._wrench, before.feet, self._stabiliser.velocity)
+            self.held_back = self._outside.feel(
+                self._wrench, before.feet, self._estimator.sole_tilt, self._stabiliser.velocity
+            )
         if self._read is not None:
             told, soft = (motion.q[7:], motion.v[6:]), sample.phase not in (Phase.SETTLE, Phase.REST)
             efforts = efforts + self._soft_ankles.efforts(told, self._read, soft, self._period_s)
