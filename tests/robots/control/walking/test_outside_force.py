@@ -14,10 +14,11 @@ PERIOD_S = 0.002
 MASS_KG = 90.0
 
 
-def walked(outside_n, seconds=2.0, yaw_rad=0.0, soles_n=lambda _t: 60.0, leaning=np.eye(3)):
+def walked(outside_n, seconds=2.0, yaw_rad=0.0, soles_n=lambda _t: 60.0, leaning_rad=0.0):
     """What is told while the soles push and something else pushes as well; the CoM moves as both say."""
     watch = OutsideForce(MASS_KG, ("left", "right"), PERIOD_S)
     feet = {"left": PlanarPose(0.0, 0.1, yaw_rad), "right": PlanarPose(0.0, -0.1, yaw_rad)}
+    leaning = poses.rotation_y(leaning_rad)
     speed, told = 0.0, []
     for k in range(round(seconds / PERIOD_S)):
         t_s = k * PERIOD_S
@@ -50,7 +51,7 @@ def test_a_push_of_a_tenth_of_a_second_is_not_taken_for_something_that_was_met(b
 
 
 def test_soles_that_lean_on_the_edge_of_a_plate_take_no_weight_for_a_push():
-    assert walked(lambda _t: 0.0, leaning=poses.rotation_y(0.15)) == []
+    assert walked(lambda _t: 0.0, leaning_rad=0.15) == []
 
 
 def test_a_weight_on_somebodys_hand_may_pull_a_little():
