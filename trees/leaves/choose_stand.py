@@ -58,7 +58,8 @@ class ChooseStand(Leaf):
         place: Place = self.get_input("place")
         body = feet_pose(toolbox)
         scene = toolbox.world.scene
-        self._place, self._here, self._job, self._asked = place, body, None, 0
+        self._place, self._here, self._job, self._asked, self._most = place, body, None, 0, _MOST
+        self._tried: list[PlanarPose] = []
         self._usual = self.usual(place, body)
         self._stands: Iterator[PlanarPose] = iter(())
         self._stand, self._sure = self._usual, 0
@@ -123,6 +124,10 @@ class ChooseStand(Leaf):
             seed=int(toolbox.rng.integers(2**31)),
         )
 
+    def harder(self) -> Iterator[PlanarPose]:
+        """Places to ask about once more, and more patiently, when none had a plan; none here."""
+        return iter(())
+
     def without_any(self) -> Status | Failure:
         """What follows when there is a plan from nowhere."""
         if self._settings is not None and not stands_free(self._usual, self._above, self._settings):
@@ -145,10 +150,14 @@ class ChooseStand(Leaf):
                 self._ask(self._stand @ self.BESIDE[self._sure])
                 self._sure += 1
                 return RUNNING
-        following = next(self._stands, None) if self._asked < _MOST else None
+        following = next(self._stands, None) if self._asked < self._most else None
+        if following is None:
+            self._stands = self.harder()
+            following = next(self._stands, None)
         if following is None:
             return self.without_any()
         self._stand, self._sure = following, 0
+        self._tried.append(following)
         self._ask(following)
         return RUNNING
 

@@ -32,8 +32,9 @@ _APPROACH_M = 0.45
 _TURNING_HANDS_M = 0.08
 """Fingers that are 0.77 m aside and 0.31 m ahead go around in a circle of 0.83 m, and the body sways."""
 _BACK_M_S = 0.25
-_CLEARANCES_M = (0.72, 0.62)
-"""Of the path, the first one that leaves a way; more where something is as tall as the hands are."""
+_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.62, 0.47))
+"""Of the path, the first ones that leave a way: from what is as tall as the hands are, which takes more room
+by itself, and from what is lower. Below the hands nothing of TALOS is farther from its middle than 0.32 m."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
@@ -147,13 +148,15 @@ class WalkTo(WalkingLeaf):
     ) -> Steering | Failure:
         before = self._goal @ PlanarPose(-self._straight_m)
         points = self._seen.beside(obstacles)
-        for room_m in _CLEARANCES_M:
-            path = plan_path(body, before, obstacles, room_m, points, hands_wider_m(settings))
+        for room_m, low_m in _CLEARANCES_M:
+            more_m = room_m - low_m
+            around = self._obstacles(settings, more_m) if more_m > 0.0 else obstacles
+            path = plan_path(body, before, around, low_m, points, hands_wider_m(settings) + more_m)
             if path is not None:
                 break
         else:
             return Failure.infeasible(
-                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1]
+                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1][1]
             )
         self._path, self._clearance_m = path, room_m
         return PathSteering(settings, (*path, self._goal))
