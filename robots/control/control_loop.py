@@ -274,7 +274,7 @@ class ControlLoop:
         self._sway.sense(state.v, self._gate.last.v)
         self._look_after_health()
         self._forgiven = max(0, self._forgiven - 1)
-        self._watch_arms(state)
+        self._watch_for_contact(state)
         self._walker.go_on()
         if self._walker.active:
             self._command_walk(state)
@@ -327,11 +327,12 @@ class ControlLoop:
         self._balance = Balance(self._model, stance)
         self._estimator = BaseEstimator(self._model, stance)
 
-    def _watch_arms(self, state: RobotState) -> None:
-        """When an arm pushes against something, end what moves the robot: a walk within two steps."""
+    def _watch_for_contact(self, state: RobotState) -> None:
+        """When the body pushes against something, end what moves the robot: a walk within two steps."""
         walks = self._walker.under_way
         watched = (self._streamer.carrying_out or walks) and self._forgiven == 0
         contact = self._contact.judge(state.effort, self._gate.last.tau, watched, self._walker.active)
+        contact = contact or self._walker.held_back
         if contact is None:
             return
         self._record.stop(1 if walks else 2, str(contact))
