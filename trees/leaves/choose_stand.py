@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import ClassVar
 
 from py_trees.common import Status
 
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import NoPlan, PickPlan, PickRequest, PlacePlan
+from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.support import top_m
 from kinematics.trajectory import Stance
@@ -76,18 +77,35 @@ class ChooseStand(Leaf):
             self._stands = (
                 stand
                 for stand in self.stands(
-                    body, stands_to_try(self._usual, (x, y), about, above, settings, self.TURNED_RAD)
+                    body,
+                    stands_to_try(
+                        self._usual, (x, y), about, above, settings, self.TURNED_RAD, self.reach(thing)
+                    ),
                 )
                 if sees(stand, eye_m, thing, scene)
             )
 
     def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
         """Where one would stand without knowing better."""
-        return standing_place(place, self.toolbox.world.scene, body, self.toolbox.policy.support_gap_m)
+        toolbox = self.toolbox
+        settings = toolbox.model.description.walking
+        return standing_place(place, toolbox.world.scene, body, toolbox.policy.support_gap_m, settings)
 
     def thing(self, place: Place) -> SceneObject | None:
         """What is to be within reach; None when it is no object that the scene holds."""
         return self.toolbox.world.scene.objects.get(place.name) if place.category == "object" else None
+
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that may be used."""
+        return tuple(self.toolbox.model.description.grippers)
+
+    def reach(self, thing: SceneObject) -> Callable[[PlanarPose], float] | None:
+        """How well a body that stands somewhere gets to the object; None for a robot without a map."""
+        known = self.toolbox.model.description.reachability
+        if known is None:
+            return None
+        x, y, z = (float(value) for value in thing.world_T_object[:3, 3])
+        return lambda body: known.best_from(body, self.hands(), (x, y, z))
 
     def stands(self, _here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
         """The places to ask about, in order, where there is room."""
