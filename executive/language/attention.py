@@ -252,6 +252,22 @@ def _describe_superlative(parts: Parts) -> Clause:
     return _describe(parts)
 
 
+_QUESTIONS = frozenset(
+    {"WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"}
+)
+
+
+def _asking(meaning: Callable[[Parts], Clause]) -> Callable[[Parts], Clause]:
+    """With a mark whether it begins as a question does."""
+
+    def run(parts: Parts) -> Clause:
+        first = parts[0]
+        asks = isinstance(first, Word) and first.word_class in _QUESTIONS
+        return replace(meaning(parts), question=asks)
+
+    return run
+
+
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "wave": _wave,
     "wave_hand": _wave_hand,
@@ -259,15 +275,15 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "point_hand": _attend("point_at"),
     "look": _attend("look_at"),
     "look_around": _look_around,
-    "find": _find,
-    "is_it": _is_it,
+    "find": _asking(_find),
+    "is_it": _asking(_is_it),
     "whether_at": _whether_at,
     "search": _search,
     "search_beside": _search_beside,
-    "count": _count,
-    "describe_scene": _describe_scene,
-    "describe": _describe,
-    "describe_superlative": _describe_superlative,
+    "count": _asking(_count),
+    "describe_scene": _asking(_describe_scene),
+    "describe": _asking(_describe),
+    "describe_superlative": _asking(_describe_superlative),
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -20,7 +20,7 @@ from executive.language.arranging import (
 )
 from executive.language.handled_thing import ASKER, PREVIOUS, count_of, thing, with_it
 from executive.language.lattice import Word
-from executive.language.lists import said_again, shared_adjective
+from executive.language.lists import said_again, said_twice, shared_adjective
 from executive.language.nominals import words
 from executive.language.phrases import (
     Bundle,
@@ -147,6 +147,7 @@ def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
     if loose:
         each_item = (*(pair.item for pair in pairs), *loose)
         unclear = said_again(each_item[-2].of, each_item[-1].of, parts) or shared_adjective(each_item)
+        unclear = unclear or (said_twice(each_item, parts) if len(pairs) == 1 else None)
         if unclear is not None:
             raise trouble(unclear.message, asks=True)
     result = [(_recipient(pair.person), one) for pair in pairs[:-1] for one in arranged((pair.item,))]

@@ -47,6 +47,7 @@ _SLOTS = {
     "ANOTHER": "ordinal",
 }
 _SIDES = {"left": "leftmost", "right": "rightmost"}
+_WHOSE = frozenset({"my", "your", "our", "this", "that", "these", "those"})
 _COUNTED_FROM = frozenset({"first", "second", "third", "fourth", "fifth", "sixth"})
 
 Parts = tuple[Any, ...]
@@ -153,7 +154,8 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
         return nominal
     if nominal.ordinal in _COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
-    return replace(nominal, determined=bool(words(parts, "DET", "ANOTHER")))
+    whose = next((word.said for word in words(parts, "DET") if word.said in _WHOSE), "")
+    return replace(nominal, determined=bool(words(parts, "DET", "ANOTHER")), whose=whose)
 
 
 def _several(parts: Parts) -> Nominal | Trouble | None:
@@ -169,6 +171,9 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
         return Trouble(
             f"{amount:g} things at once: a whole number from 1 to {MAX_COUNT} is understood", f"{amount:g}"
         )
+    if amount > 1 and words(parts, "DET") and not (nominal.plural or nominal.paired):
+        message = f"{amount:g} of them, or the one with the number {amount:g}?"
+        return Trouble(message, f"{amount:g}", asks=True)
     extreme = nominal.size if nominal.size in SUPERLATIVES else None
     if amount > 1 and extreme:
         return Trouble(f"{amount:g} things that are each the {extreme} one", extreme)
@@ -191,6 +196,11 @@ def _all(parts: Parts) -> Nominal | Trouble | None:
     each = bool(words(parts, "EVERY"))
     if not each and not nominal.plural:
         return None
+    if each and nominal.ordinal == "other" and not nominal.plural:
+        return Trouble("every second one, or all the others?", "other", asks=True)
+    only = nominal.size if nominal.size in SUPERLATIVES else nominal.ordinal
+    if only not in (None, "other"):
+        return Trouble(f"several things that are each the {only} one", only)
     amounts = [part for part in parts if isinstance(part, float)]
     count: int | str = int(amounts[0]) if amounts and 1 < amounts[0] <= MAX_COUNT else "all"
     return replace(nominal, count=count, counted=True, determined=True, plural=True)

@@ -200,7 +200,39 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     forms = {clause.form for clause in clauses}
     if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
         return None
-    return Sentence(tuple(clauses), unseparated)
+    if _runs_together(said):
+        return None
+    return _unclear_among(said) or Sentence(tuple(clauses), unseparated)
+
+
+def _runs_together(said: list[Further]) -> bool:
+    """Whether a stop, or a motion without an end, has nothing between it and the next: "stop pick it up"."""
+    for before, after in itertools.pairwise(said):
+        both = [one.part for one in (before, after) if isinstance(one.part, Clause)]
+        ends = all(not _stops(one) and not _is_endless(one) for one in both)
+        if after.separator is Separator.NOTHING and not ends and not all(_moves(one) for one in both):
+            return True
+    return False
+
+
+def _unclear_among(said: list[Further]) -> Trouble | None:
+    """What is a task of its own when it is said alone, and may be something else beside another one."""
+    for before, after in itertools.pairwise(said):
+        first, second = before.part, after.part
+        if not isinstance(first, Clause) or not isinstance(second, Clause):
+            continue
+        if any(one.terse and _is_endless(one) for one in (first, second)) and not (
+            _moves(first) and _moves(second)
+        ):
+            return Trouble("how far in that direction?", asks=True)  # "go home, backwards"
+        if _stops(second) and after.separator is Separator.COMMA and not _moves(first):
+            return Trouble("shall it be stopped now, or when that is done?", asks=True)
+    return None
+
+
+def _moves(clause: Clause) -> bool:
+    """Whether it says how to move, rather than where to."""
+    return bool(clause.bundles) and clause.bundles[-1][-1].action == "move"
 
 
 def _is_endless(clause: Clause) -> bool:
@@ -217,7 +249,7 @@ def _stops(clause: Clause) -> bool:
 
 def _without_separator(parts: Parts) -> Further | None:
     (part,) = parts
-    if isinstance(part, Group) or part.terse:
+    if isinstance(part, Group) or part.terse or part.question:
         return None  # "before you ..." belongs to what was said before it
     return Further(Separator.NOTHING, part)
 
