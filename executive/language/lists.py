@@ -38,7 +38,9 @@ class _Joined:
     company: bool = False
 
 
-def _joined(parts: Parts) -> _Joined:
+def _joined(parts: Parts) -> _Joined | None:
+    if any(mark.meaning in (".", "!", "?") for mark in words(parts, "PAUSE")):
+        return None  # "walk to the kitchen. The shelf": what about the shelf?
     said = [one for word in words(parts, "AND") for one in word.said.split()]
     return _Joined(not said, not _LATER.isdisjoint(said), "with" in said)
 
@@ -82,7 +84,7 @@ def said_twice(each: Iterable[Item], links: Iterable[Any]) -> Trouble | None:
 
 
 def _may_say_it_again(first: Item, second: Item, among: int) -> bool:
-    """Whether two things with a mere comma between them may be one: nothing but the two, or a sort of thing."""
+    """Whether two things with a comma between them may be one: there are but two, or it is a sort of thing."""
     if first.details or first.of.reference or first.of.is_person != second.of.is_person:
         return False
     names_a_sort = first.of.sort in ("thing", "any") and first.of.kind in (None, *_SORTS_OF_THINGS)

@@ -155,7 +155,9 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
     if nominal.ordinal in _COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
     whose = next((word.said for word in words(parts, "DET") if word.said in _WHOSE), "")
-    return replace(nominal, determined=bool(words(parts, "DET", "ANOTHER")), whose=whose)
+    indefinite = any(word.said in ("a", "an") for word in words(parts, "DET"))
+    determined = bool(words(parts, "DET", "ANOTHER"))
+    return replace(nominal, determined=determined, indefinite=indefinite, whose=whose)
 
 
 def _several(parts: Parts) -> Nominal | Trouble | None:
@@ -224,6 +226,8 @@ def _out_of(parts: Parts) -> Nominal | Trouble | None:
     result = described(nominal, parts)
     if not isinstance(result, Nominal):
         return result
+    if result.ordinal in _COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
+        return Trouble("how many of them?", result.ordinal, asks=True)  # "a third of the cups"
     return replace(result, plural=False, determined=True)
 
 
@@ -270,7 +274,7 @@ def _simple(parts: Parts) -> Nominal | None:
         case "THIS":
             return Nominal("any", reference="this", determined=True)
         case "HIM":
-            return Nominal("person", reference="him", determined=True)
+            return Nominal("person", reference="him", determined=True, said=word.said)
         case "ME":
             return Nominal("me", "me", determined=True)
         case "YOU":
@@ -336,7 +340,8 @@ def _which_is(parts: Parts) -> Feature | Relative | None:
     word = next(
         part for part in parts if isinstance(part, Word) and part.word_class not in ("REL_IS", "DET", "ONE")
     )
-    return _feature(word)
+    seen = any("you" in link.said.split() for link in words(parts, "REL_IS"))
+    return None if seen else _feature(word)  # "the cup you see first"
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -69,6 +69,7 @@ class Nominal:
         determined: Whether an article or the like was there.
         paired: Whether it is one thing with a plural name: scissors.
         said: The noun as it was said.
+        indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
     """
 
@@ -88,6 +89,7 @@ class Nominal:
     determined: bool = False
     paired: bool = False
     said: str = field(default="", compare=False)
+    indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
 
     def described(self, feature: Feature) -> Nominal | Trouble:
