@@ -84,7 +84,7 @@ def said_twice(each: Iterable[Item], links: Iterable[Any]) -> Trouble | None:
 
 
 def _may_say_it_again(first: Item, second: Item, among: int) -> bool:
-    """Whether two things with a comma between them may be one: there are but two, or it is a sort of thing."""
+    """Whether two things with a comma between may be one: there are but two, or it is a sort of thing."""
     if first.details or first.of.reference or first.of.is_person != second.of.is_person:
         return False
     names_a_sort = first.of.sort in ("thing", "any") and first.of.kind in (None, *_SORTS_OF_THINGS)
