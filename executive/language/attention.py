@@ -149,8 +149,10 @@ def _asked(
 
 
 def _find(parts: Parts) -> Clause:
-    existing = bool(words(parts, "IS_THERE", "IF_THERE"))
-    return clause(parts, _asked(parts, "find", existing=existing))
+    bundles = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
+    if any("there" in word.said.split() for word in words(parts, "IS_THERE")):
+        bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
+    return clause(parts, bundles)
 
 
 def _is_it(parts: Parts) -> Clause:
@@ -210,7 +212,8 @@ def _describe_scene(parts: Parts) -> Clause:
     nothing = Nominal("any", plural=True)
     loose = tuple(part for part in parts if not isinstance(part, Word))
     (one,) = arranged((Item(nothing, loose),))
-    if one.goal is not None or one.hand is not None or one.back:
+    for_another = one.person is not None and one.person.sort != "me"
+    if one.goal is not None or one.hand is not None or one.back or for_another:
         raise unfit()
     relation = one.object.relation
     everything = relation is None or (relation.kind == "in_front_of" and relation.to.sort == "you")

@@ -50,6 +50,7 @@ class Discourse:
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
         self._mention: Mention | None = None
+        self._stated_at: Nominal | None = None
         self._called: dict[str, str] = {}
         self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}

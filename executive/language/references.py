@@ -83,12 +83,18 @@ class Resolver(Antecedents):
         """With what a statement named in place of the first "it" or "them": "a cup is there; take it"."""
         first, *rest = bundle
         thing = first.get("object")
+        takes_place = first.action in _AT_A_PLACE
         if self._mention is None:
-            return bundle
+            another = isinstance(thing, Nominal) and thing.anaphoric and first.get("source") is None
+            if self._stated_at is None or not another:
+                return bundle
+            if not takes_place:
+                raise ask("what has the statement to do with the task?")
+            return (first.with_slot("source", self._stated_at), *rest)
         stated, self._mention = self._mention, None
         of = stated.of
         pronoun = "it" if of.is_single else "them"
-        takes_place = first.action in _AT_A_PLACE or stated.source is None
+        takes_place = takes_place or stated.source is None
         if (
             isinstance(thing, Nominal)
             and thing.anaphoric
@@ -99,6 +105,7 @@ class Resolver(Antecedents):
             if of.kind is None or not of.is_plain or self._commands or first.get("source") is not None:
                 raise ask("what has the statement to do with the task?")
             first = _replaced(first, "object", replace(thing, kind=of.kind, sort=of.sort, anaphoric=False))
+            self._stated_at = stated.source  # of "the right one" after "the left one" as well
             return (first.with_slot("source", stated.source), *rest)
         if not isinstance(thing, Nominal) or thing.reference != pronoun or not takes_place:
             raise ask("what has the statement to do with the task?")
