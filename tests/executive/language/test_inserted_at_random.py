@@ -36,12 +36,12 @@ when whenever while until because since although whether before after once again
 tomorrow yesterday tonight soon always usually sometimes often ever yet slowly quickly quietly halfway
 sideways upside together apart aside around diagonally backwards forward straight maybe perhaps probably
 possibly might could should would may was were did had been has having myself yourself himself everyone
-most some several few half other another different same next last previous second third fourth bigger
+most some several few half other different same next last previous second third fourth bigger
 smaller biggest heavy heaviest light full empty clean dirty hot cold old broken her his their mine yours
 Ana's dark bright striped wooden plastic green tall two three ten twenty dozen percent between above
-through past along against towards under behind or nor but versus minus per rather besides like unlike
+through past along against under behind or nor but versus minus per rather besides like unlike
 than more less who whom whose which why how what where pretend imagine suppose refuse avoid forget stop
-cancel throw drop pour push wash kick break simulate undo repeat bottle kitchen hand head robot's cat dog
+cancel throw drop pour push wash kick break simulate undo repeat bottle hand head robot's cat dog
 door window
 """
 MEANINGFUL = tuple(_WORDS.split())
@@ -73,6 +73,6 @@ def _done(commands):
 
 
 def _changes_nothing(said):
-    """Words of order between two commands or before one; a side said twice; "straight to"; "what else is there"."""
+    """Words of order between two commands or before one, a side said twice, "straight to", "what else"."""
     before = ("next", "second", "third", "leftmost left", "straight", "through to", "what else", "at once")
     return any(one in said for one in before)
