@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,11 +23,17 @@ def gaze_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
     pan, tilt = model.joint_index(camera.pan_joint), model.joint_index(camera.tilt_joint)
     margin = model.description.planning_margin_rad
     q = q.copy()
+    place = point.tolist()
+    bounds = [
+        (7 + index, float(model.lower_rad[index]) + margin, float(model.upper_rad[index]) - margin)
+        for index in (pan, tilt)
+    ]
     for _ in range(ITERATIONS):
-        world_T_camera = model.frame_pose(q, camera.frame)
-        x, y, z = world_T_camera[:3, :3].T @ (point - world_T_camera[:3, 3])
+        # plain numbers: calls on arrays of three would take as long as the kinematics
+        (a, b, c, p), (d, e, f, r), (g, h, i, s), _ = model.frame_pose(q, camera.frame).tolist()
+        u, v, w = place[0] - p, place[1] - r, place[2] - s
+        x, y, z = a * u + d * v + g * w, b * u + e * v + h * w, c * u + f * v + i * w
         # the optical frame: x to the right, y down, z ahead; a positive pan turns left
-        for index, turn in ((pan, -np.arctan2(x, z)), (tilt, np.arctan2(y, z))):
-            low, high = model.lower_rad[index] + margin, model.upper_rad[index] - margin
-            q[7 + index] = np.clip(q[7 + index] + turn, low, high)
+        for (column, low, high), turn in zip(bounds, (-math.atan2(x, z), math.atan2(y, z)), strict=True):
+            q[column] = min(max(float(q[column]) + turn, low), high)
     return {camera.pan_joint: float(q[7 + pan]), camera.tilt_joint: float(q[7 + tilt])}

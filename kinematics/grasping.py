@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,9 @@ OTHER_HEIGHTS = (0.28, 0.4, 0.0)
 STRADDLE_COST = 1.0
 # Half a turn about the approach: signs of a rotation's columns.
 _HALF_TURN = np.array([1.0, -1.0, -1.0])
+# A grasp as it is, and rolled by that: what its name gets, and what it costs.
+_ROLLED = ("", " rolled")
+_ROLLED_COST = (0.0, 0.3)
 # An object that stands is upright to within this; a lying one is grasped like a box.
 UPRIGHT_COSINE = math.cos(math.radians(20))
 
@@ -61,6 +65,46 @@ class GraspCandidate:
     cost: float
 
 
+@dataclass(frozen=True, slots=True)
+class GraspTable:
+    """Candidates of one hand in rows, most natural first: objects are made of those alone that are tried.
+
+    Attributes:
+        hand: The hand.
+        approach_m: Length of the straight approach.
+        world_T_tcp: Where the TCP is, shape (n, 4, 4).
+        diameter_m: Width of what is between the pads, shape (n,).
+        cost: As of ``GraspCandidate``, shape (n,).
+        label: Of each grasp, in three parts: by yaw and kind, which of them, and what follows.
+    """
+
+    hand: Hand
+    approach_m: float
+    world_T_tcp: Array
+    diameter_m: Array
+    cost: Array
+    label: tuple[tuple[tuple[str, ...], ...], NDArray[np.intp], NDArray[np.intp], Sequence[str]]
+
+    def __len__(self) -> int:
+        return len(self.cost)
+
+    def name(self, row: int) -> str:
+        """Label of a grasp."""
+        names, yaw, kind, suffix = self.label
+        return names[int(yaw[row])][int(kind[row])] + suffix[row]
+
+    def candidate(self, row: int) -> GraspCandidate:
+        """One candidate."""
+        grasp = Grasp(
+            hand=self.hand,
+            label=self.name(row),
+            world_T_tcp=self.world_T_tcp[row],
+            approach_m=self.approach_m,
+            diameter_m=float(self.diameter_m[row]),
+        )
+        return GraspCandidate(grasp, float(self.cost[row]))
+
+
 def grasp_candidates(
     item: SceneObject,
     gripper: GripperDescription,
@@ -69,6 +113,19 @@ def grasp_candidates(
     heights: Sequence[float] = (ABOVE_MIDDLE,),
     extra_cost: float = 0.0,
 ) -> list[GraspCandidate]:
+    """Candidates for one hand, most natural first; arguments as of ``grasp_table``."""
+    table = grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
+    return [table.candidate(row) for row in range(len(table))]
+
+
+def grasp_table(
+    item: SceneObject,
+    gripper: GripperDescription,
+    natural_yaw_rad: float,
+    approach_m: float,
+    heights: Sequence[float] = (ABOVE_MIDDLE,),
+    extra_cost: float = 0.0,
+) -> GraspTable:
     """Candidates for one hand, most natural first.
 
     Args:
@@ -92,31 +149,18 @@ def grasp_candidates(
     leans = np.array([poses.rotation_y(tilt) for tilt, _ in kinds])
     # (yaw, kind, 3, 3)
     rotations = headings[:, None] @ leans
-    names, costs = _names(outward, kinds)
-    found: list[GraspCandidate] = []
     if _is_round(item):
-        spots = [_round_spot(item, gripper, *kind, widest) for kind in kinds]
-        placements = (_placed_round(rotations[yaw], spots) for yaw in range(len(YAWS_RAD)))
+        placed = _round_places(rotations, [_round_spot(item, gripper, *kind, widest) for kind in kinds])
     else:
-        placements = (
-            [
-                (k, placed)
-                for k, kind in enumerate(kinds)
-                for placed in _box_placements(item, gripper, rotations[yaw, k], *kind, widest)
-            ]
-            for yaw in range(len(YAWS_RAD))
-        )
-    for yaw, placements_of_yaw in enumerate(placements):
-        for k, placed in placements_of_yaw:
-            grasp = Grasp(
-                hand=gripper.hand,
-                label=names[yaw][k] + placed.suffix,
-                world_T_tcp=placed.world_T_tcp,
-                approach_m=approach_m,
-                diameter_m=placed.diameter_m,
-            )
-            found.append(GraspCandidate(grasp, costs[yaw][k] + placed.cost + extra_cost))
-    return sorted(found, key=lambda candidate: candidate.cost)
+        placed = _box_places(item, gripper, rotations, kinds, widest)
+    names, costs = _names(outward, kinds)
+    cost = np.array(costs)[placed.yaw, placed.kind] + placed.cost + extra_cost
+    order = np.argsort(cost, kind="stable")
+    suffix = [placed.suffix[row] for row in order]
+    label = names, placed.yaw[order], placed.kind[order], suffix
+    return GraspTable(
+        gripper.hand, approach_m, placed.world_T_tcp[order], placed.diameter_m[order], cost[order], label
+    )
 
 
 @functools.lru_cache(maxsize=16)
@@ -144,12 +188,15 @@ def key_of(hand: Hand, label: str) -> str:
     return f"{hand} {label}"
 
 
-@dataclass(frozen=True, slots=True)
-class _Placement:
+class _Places(NamedTuple):
+    """Places of the TCP in rows, with the number of their yaw and of their kind; n rows each."""
+
+    yaw: NDArray[np.intp]
+    kind: NDArray[np.intp]
     world_T_tcp: Array
-    diameter_m: float
-    suffix: str
-    cost: float
+    diameter_m: Array
+    suffix: Sequence[str]
+    cost: Array
 
 
 def _is_round(item: SceneObject) -> bool:
@@ -178,10 +225,34 @@ def _round_spot(
     return None
 
 
+def _box_places(
+    item: SceneObject,
+    gripper: GripperDescription,
+    rotations: Array,
+    kinds: Sequence[tuple[float, float]],
+    limit: float,
+) -> _Places:
+    """Grasps of a box, or of a cylinder that lies; rotations by yaw and kind, shape (yaws, kinds, 3, 3)."""
+    found = [
+        (yaw, k, *placed)
+        for yaw in range(len(rotations))
+        for k, (tilt, at) in enumerate(kinds)
+        for placed in _box_placements(item, gripper, rotations[yaw, k], tilt, at, limit)
+    ]
+    return _Places(
+        yaw=np.array([row[0] for row in found], np.intp),
+        kind=np.array([row[1] for row in found], np.intp),
+        world_T_tcp=np.array([row[2] for row in found]).reshape(-1, 4, 4),
+        diameter_m=np.array([row[3] for row in found]),
+        suffix=[row[4] for row in found],
+        cost=np.array([row[5] for row in found]),
+    )
+
+
 def _box_placements(
     item: SceneObject, gripper: GripperDescription, rotation: Array, tilt: float, at: float, limit: float
-) -> Iterator[_Placement]:
-    """Grasps of a box, or of a cylinder that lies: the opening along one of the horizontal edges."""
+) -> Iterator[tuple[Array, float, str, float]]:
+    """Places, openings, names and costs: the opening is along one of the horizontal edges."""
     size = (
         np.array(item.shape.size_m)
         if isinstance(item.shape, Box)
@@ -203,10 +274,9 @@ def _box_placements(
         turned = poses.rotation_z(turn) @ rotation
         depth = _reach_in(height, at, 0.5 * float(size[3 - edge - upward]), tilt, gripper)
         centre = item.world_T_object[:3, 3] + np.array([0.0, 0.0, depth])
-        for placed in _rolled(turned, centre, float(size[edge])):
-            yield _Placement(
-                placed.world_T_tcp, placed.diameter_m, f" edge {edge}{placed.suffix}", placed.cost + abs(turn)
-            )
+        for roll, signs in enumerate((np.ones(3), _HALF_TURN)):
+            place = poses.transform(turned * signs, centre)
+            yield place, float(size[edge]), f" edge {edge}{_ROLLED[roll]}", _ROLLED_COST[roll] + abs(turn)
 
 
 def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper: GripperDescription) -> float:
@@ -238,23 +308,25 @@ def _straddled_opening(radius: float, gripper: GripperDescription) -> float:
     return radius + math.sqrt(radius**2 - (0.5 * gripper.pad_gap_m) ** 2)
 
 
-def _placed_round(
-    rotations: Array, spots: Sequence[tuple[Array, float, float] | None]
-) -> list[tuple[int, _Placement]]:
-    """Placements for one yaw, with the number of their kind; rotations by kind, shape (kinds, 3, 3)."""
-    both = np.zeros((len(spots), 2, 4, 4))
-    both[:, 0, :3, :3], both[:, 1, :3, :3] = rotations, rotations * _HALF_TURN
-    both[:, :, 3, 3] = 1.0
-    found = []
-    for k, spot in enumerate(spots):
-        if spot is not None:
-            centre, opening, cost = spot
-            both[k, :, :3, 3] = centre
-            found.append((k, _Placement(both[k, 0], opening, "", cost)))
-            found.append((k, _Placement(both[k, 1], opening, " rolled", cost + 0.3)))
-    return found
-
-
-def _rolled(rotation: Array, centre: Array, opening: float, cost: float = 0.0) -> list[_Placement]:
-    """One placement and the same turned by half a turn about the approach."""
-    return [placed for _, placed in _placed_round(rotation[None], [(centre, opening, cost)])]
+def _round_places(rotations: Array, spots: Sequence[tuple[Array, float, float] | None]) -> _Places:
+    """Places on something round; rotations by yaw and kind, shape (yaws, kinds, 3, 3), spots by kind."""
+    usable = [(k, spot) for k, spot in enumerate(spots) if spot is not None]
+    yaws, kinds = len(rotations), len(usable)
+    # (yaw, kind, roll)
+    places = np.zeros((yaws, kinds, 2, 4, 4))
+    numbers = np.array([k for k, _ in usable], np.intp)
+    turned = rotations[:, numbers]
+    places[:, :, 0, :3, :3], places[:, :, 1, :3, :3] = turned, turned * _HALF_TURN
+    places[..., 3, 3] = 1.0
+    for at, (_, spot) in enumerate(usable):
+        places[:, at, :, :3, 3] = spot[0]
+    of_spots = [np.array([spot[1:] for _, spot in usable]).reshape(-1, 2)[:, part] for part in (0, 1)]
+    cost = of_spots[1][:, None] + np.array(_ROLLED_COST)
+    return _Places(
+        yaw=np.repeat(np.arange(yaws), 2 * kinds),
+        kind=np.tile(np.repeat(numbers, 2), yaws),
+        world_T_tcp=places.reshape(-1, 4, 4),
+        diameter_m=np.tile(np.repeat(of_spots[0], 2), yaws),
+        suffix=_ROLLED * (yaws * kinds),
+        cost=np.tile(cost.ravel(), yaws),
+    )

@@ -51,7 +51,11 @@ class PathSettings:
 
 
 class PathPlanner:
-    """Plans between points of a robot's free coordinates."""
+    """Plans between points of a robot's free coordinates.
+
+    Attributes:
+        judge: Tells what is free.
+    """
 
     def __init__(
         self,
@@ -60,7 +64,7 @@ class PathPlanner:
         judge: Validity,
         settings: PathSettings = PathSettings(),
     ) -> None:
-        self._space, self._judge, self._settings = space, judge, settings
+        self._space, self.judge, self._settings = space, judge, settings
         self._model = model
         self._legs = leg_room(model)
         margin = model.description.planning_margin_rad
@@ -91,7 +95,7 @@ class PathPlanner:
     def straight(self, start: Array, goal: Array) -> Curve | None:
         """The straight line between two points, or None when it is not free."""
         ends = np.stack([start, goal])
-        if not self._judge.polyline_is_free(ends):
+        if not self.judge.polyline_is_free(ends):
             return None
         curve = RoundedPolyline(ends, self._space.weights, ROUNDINGS[0])
         return curve if self._legs_stay_apart(curve, from_start=True) else None
@@ -104,11 +108,11 @@ class PathPlanner:
         grid = curve(np.linspace(0.0, 1.0, 65))
         length = float(np.sum(np.sqrt(np.sum((np.diff(grid, axis=0) * self._space.weights) ** 2, axis=1))))
         count = max(int(np.ceil(length / RESOLUTION)), 3 * (len(curve.knots) - 1)) + 1
-        return self._judge.polyline_is_free(_without_needless(curve(np.linspace(0.0, 1.0, count))))
+        return self.judge.polyline_is_free(_without_needless(curve(np.linspace(0.0, 1.0, count))))
 
     def is_free(self, x: Array) -> bool:
         """Check one point: reach of the legs, limits, balance, collision."""
-        return self._judge.points_are_free(x[None, :])
+        return self.judge.points_are_free(x[None, :])
 
     def _legs_stay_apart(self, curve: Curve, from_start: bool = False) -> bool:
         """Look at the legs along a curve; where the robot stands already, they need not be farther apart."""
@@ -125,12 +129,12 @@ class PathPlanner:
         return from_start and bool(clearances_m.min() >= min(RESERVE_M, float(clearances_m[0])))
 
     def _edge_is_free(self, a: Array, b: Array) -> bool:
-        return self._judge.polyline_is_free(np.stack([a, b]))
+        return self.judge.polyline_is_free(np.stack([a, b]))
 
     def _polyline(
         self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
     ) -> Array | None:
-        judge, settings = self._judge, self._settings
+        judge, settings = self.judge, self._settings
         if not isinstance(judge, PathSearch):
             polyline = self._rrt_connect(start, goal, moving, rng)
             return None if polyline is None else self._shortened(polyline, rng)

@@ -54,6 +54,11 @@ class PickPlanner:
         blocked: list[Way] = []
         liftable: list[Goal] = []
         for candidate in task.candidates():
+            # what follows costs more than the best one so far: nothing to wait for
+            if straight and candidate.cost >= min(goal.cost for goal, _ in straight):
+                if (plan := _cheapest(task, straight)) is not None:
+                    return plan
+                straight.clear()
             way = task.solve(candidate)
             if way is None:
                 continue

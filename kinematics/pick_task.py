@@ -7,9 +7,10 @@ inverse kinematics; which of them are tried and taken, ``pick_planner`` says.
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +21,7 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
-from kinematics.grasping import GraspCandidate, grasp_candidates, key_of
+from kinematics.grasping import GraspCandidate, GraspTable, grasp_table, key_of
 from kinematics.ik import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
 from kinematics.ik_result import DEFAULT_TOLERANCE
 from kinematics.lead_in import lead_in
@@ -104,7 +105,6 @@ class PickTask:
         self._polygon = SupportPolygon(request.stance, model.description.soles)
         self._rng = np.random.default_rng(request.seed)
         self._hands: dict[Hand, HandJudge] = {}
-        self._hand_fits: dict[str, bool] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
@@ -121,42 +121,51 @@ class PickTask:
             else:
                 self.reasons["out of reach"] += 1
 
-    def candidates(self) -> list[GraspCandidate]:
-        """Grasps of all allowed hands, most natural first; nothing but the room for the hand is judged."""
-        found: list[GraspCandidate] = []
+    def candidates(self) -> Iterator[GraspCandidate]:
+        """Grasps of all allowed hands, most natural first; those without room for the hand are counted."""
+        tables: list[GraspTable] = []
+        ordered: list[tuple[float, int, int, bool]] = []
         excluded = self._request.excluded
-        for hand, offset in self._in_reach.items():
-            gripper = self._model.description.grippers[hand]
-            natural = float(np.arctan2(offset[1], offset[0]))
-            mine = grasp_candidates(
+        for number, (hand, offset) in enumerate(self._in_reach.items()):
+            table = grasp_table(
                 self._target,
-                gripper,
-                natural,
+                self._model.description.grippers[hand],
+                float(np.arctan2(offset[1], offset[0])),
                 APPROACH_M,
                 self._heights,
                 2.0 * math.hypot(offset[0], offset[1]),
             )
+            rows = list(range(len(table)))
             if excluded:
-                left = [c for c in mine if key_of(hand, c.grasp.label) not in excluded]
-                if len(left) < len(mine):
-                    self.reasons["tried before"] += len(mine) - len(left)
-                mine = left
-            self._judge_room(hand, mine)
-            found += mine
-        return sorted(found, key=lambda candidate: candidate.cost)
+                rows = [k for k in rows if key_of(hand, table.name(k)) not in excluded]
+                if len(rows) < len(table):
+                    self.reasons["tried before"] += len(table) - len(rows)
+            fit = self._has_room(hand, table.world_T_tcp[rows]).tolist()
+            costs = table.cost[rows].tolist()
+            ordered += zip(costs, itertools.repeat(number), rows, fit, strict=False)
+            tables.append(table)
+        for _, number, row, fits in sorted(ordered):
+            if fits:
+                yield tables[number].candidate(row)
+            else:
+                self.considered += 1
+                self.reasons["hand collides at the grasp"] += 1
 
-    def _judge_room(self, hand: Hand, candidates: Sequence[GraspCandidate]) -> None:
-        """Note for which grasps the hand alone has room: open, closed, and where the approach is solved."""
-        if not candidates:
-            return
+    def _has_room(self, hand: Hand, places: Array) -> NDArray[np.bool_]:
+        """Whether the hand alone has room, open and closed, and where the approach is solved.
+
+        Args:
+            hand: The hand.
+            places: Of the TCP at grasps, shape (n, 4, 4).
+        """
+        if not len(places):
+            return np.zeros(0, bool)
         scene = self._request.scene
         judge = hand_judge(self._model, hand, scene, self._target.name, self._reserve_m)
         self._hands[hand] = judge
-        places = np.array([candidate.grasp.world_T_tcp for candidate in candidates])
         advance_m = self._model.description.grippers[hand].closing_advance_m
         advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1].tolist()]
-        for candidate, fits in zip(candidates, judge.fits_along(places, advances_m), strict=True):
-            self._hand_fits[key_of(hand, candidate.grasp.label)] = bool(fits)
+        return judge.fits_along(places, advances_m)
 
     def solve(self, candidate: GraspCandidate) -> Way | None:
         """Find the approach to a grasp; a failure is counted with its reason."""
@@ -235,8 +244,6 @@ class PickTask:
 
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp
-        if not self._hand_fits[key_of(grasp.hand, grasp.label)]:
-            return "hand collides at the grasp"
         ik = self._ik_of(grasp.hand)
         _, near = self._grasp_planner(grasp.hand)
         first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
@@ -264,8 +271,11 @@ class PickTask:
             x[:, self._space.index(joint)] = angle
         return x
 
-    def _planner(self, scene: PlanningScene, reserve_m: float) -> PathPlanner:
-        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M)
+    def _planner(
+        self, scene: PlanningScene, reserve_m: float, like: PathPlanner | None = None
+    ) -> PathPlanner:
+        before = None if like is None else like.judge
+        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M, before)
         return PathPlanner(self._model, self._space, judge)
 
     def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
@@ -277,7 +287,7 @@ class PickTask:
         if hand not in self._grasp_planners:
             links = self._model.description.grippers[hand].touch_links
             scene = self._request.scene.allowing((link, self._target.name) for link in links)
-            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m)
+            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m, self._reach_planner)
         return self._grasp_planners[hand]
 
     def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:

@@ -76,12 +76,14 @@ class ReachIk:
         self._coordinates = standing_coordinates(model, stance)
         self._limits = standing_limits(model, stance)
         self._least = self._limits.offset - planning_reserve.COM_RESERVE_M
+        self._last_start: tuple[Array, Array, ReachSpace] | None = None
         self._margins_by_reserve: dict[float, tuple[Limits, Limits]] = {}
         self._com_margin_m, self._data = description.com_margin_m, model.pin.createData()
         self._soles = np.array([pose for _, pose in stance.soles])
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
+        self._placed = np.empty((1 + len(stance.soles), 4, 4))
         self._frames = [self._tcp_id, *(model.frame_id(name) for name, _ in stance.soles)]
         frame = model.pin.frames[self._tcp_id]
         placement = np.array(frame.placement.homogeneous)
@@ -135,9 +137,12 @@ class ReachIk:
             upright: Try only what does not bend the knees: half of the time where nothing is found.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
         """
-        seed = self._space.from_q(q_seed)
-        preferred = self._home if q_preferred is None else self._space.from_q(q_preferred)
-        where, goal = self._search(seed, preferred), self._goal(world_T_tcp)
+        if q_preferred is None:
+            seed, where = self._search_from(q_seed)
+        else:
+            seed = self._space.from_q(q_seed)
+            where = self._search(seed, self._space.from_q(q_preferred))
+        goal = self._goal(world_T_tcp)
         settings = self._settings(tolerance, iterations)
         taken = 0
         following = q_preferred is not None
@@ -215,6 +220,14 @@ class ReachIk:
             answers.append(answer)
         return answers
 
+    def _search_from(self, q_seed: Array) -> tuple[Array, ReachSpace]:
+        """Start and search near home; kept, as many grasps are tried from one start."""
+        known = self._last_start
+        if known is None or not np.array_equal(known[0], q_seed):
+            seed = self._space.from_q(q_seed)
+            known = self._last_start = q_seed.copy(), seed, self._search(seed, self._home)
+        return known[1:]
+
     def _search(self, seed: Array, preferred: Array, reserve_rad: float = 0.0) -> ReachSpace:
         """Where it is searched: what does not move stays at the seed."""
         reserve = np.where(self._is_joint, reserve_rad, 0.0)
@@ -272,22 +285,19 @@ class ReachIk:
 
     def _verified(self, q: Array, world_T_tcp: Transform, count: int) -> IkResult:
         """Measure a configuration again, with Pinocchio's kinematics instead of the kernel's."""
-        model, data = self._model.pin, self._data
+        model, data, placed = self._model.pin, self._data, self._placed
         pin.forwardKinematics(model, data, q)
-        placed = np.array(
-            [pin.updateFramePlacement(model, data, frame).homogeneous for frame in self._frames]
-        )
-        feet = bool(np.abs(placed[1:] - self._soles).max() < _SAME)
+        for row, frame in enumerate(self._frames):
+            placed[row] = pin.updateFramePlacement(model, data, frame).homogeneous
         error, turn = errors_between(placed[0], world_T_tcp)
         joints = q[7:]
-        inside = (joints >= self._least_rad).all() and (joints <= self._most_rad).all()
         return IkResult(
             q=q,
             position_error_m=error,
             orientation_error_rad=turn,
             com_margin_m=self._polygon.com_margin_m(pin.centerOfMass(model, data)),
-            limits_kept=bool(inside),
-            feet_reached=feet,
+            limits_kept=bool(np.minimum(joints - self._least_rad, self._most_rad - joints).min() >= 0.0),
+            feet_reached=bool(np.abs(placed[1:] - self._soles).max() < _SAME),
             iterations=count,
         )
 

@@ -46,6 +46,10 @@ class Validity(Protocol):
         """Tell whether the lines between neighbouring points, shape (n, size), are free."""
         ...
 
+    def allowing(self, scene: PlanningScene) -> Validity | None:
+        """A judge of the same in a scene in which other pairs may touch; None when it is better made anew."""
+        ...
+
 
 @runtime_checkable
 class PathSearch(Protocol):
@@ -104,6 +108,7 @@ def validity(
     scene: PlanningScene,
     extra_margin_m: float = 0.0,
     self_margin_m: float = 0.0,
+    like: Validity | None = None,
 ) -> Validity:
     """The judge of a robot on planted feet, or on its mount, in a planning scene.
 
@@ -113,7 +118,10 @@ def validity(
         scene: What is around, what is held, and which pairs may touch.
         extra_margin_m: Added to every margin of the scene.
         self_margin_m: Distance kept between the robot's own links.
+        like: A judge with all the same but the scene; where only allowed pairs differ, its memory is used.
     """
+    if like is not None and (adapted := like.allowing(scene)) is not None:
+        return adapted
     if not _kernel_is_there():
         return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
     # imported here: it brings the compiler
@@ -211,6 +219,9 @@ class SampledValidity:
             count = max(1, int(np.ceil(self._space.distance(a, b) / RESOLUTION)))
             pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
         return self.points_are_free(np.concatenate([*pieces, x[-1:]]))
+
+    def allowing(self, scene: PlanningScene) -> None:
+        """Nothing is shared."""
 
 
 def _bisecting(count: int) -> list[int]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
+from py_trees.blackboard import Client
 from py_trees.common import Status
 from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
 
@@ -54,6 +55,7 @@ class Leaf(BehaviourWithPorts):
         self.halt_reason = "halted"
         self._started_s = self._paused_before_s = 0.0
         self._start_error: Exception | None = None
+        self._unconnected: str | None = None
 
     # what a leaf fills in
 
@@ -106,11 +108,23 @@ class Leaf(BehaviourWithPorts):
         self.toolbox.events(Measured(self.toolbox.clock.now_s(), self.where, numbers))
 
     def wire(self, namespace: str) -> None:
-        """Connect the ports inside a tree's namespace."""
-        ports = [*self.INPUT_PORTS, *self.OUTPUT_PORTS]
-        self.setup_ports({port: self.wiring.get(port, port) for port in ports}, namespace)
+        """Note in which namespace of a tree the ports are to be.
+
+        They are connected when the leaf first uses one: of a skill's leaves most never do, because they are
+        for what seldom goes wrong, and connecting all of them was a third of the time to build a tree.
+        """
+        self._unconnected = namespace
 
     # py_trees' side
+
+    @property
+    def blackboard_client(self) -> Client:
+        """The tree's storage, as the ports see it; they are connected to it now, if they were not before."""
+        namespace, self._unconnected = self._unconnected, None
+        if namespace is not None:
+            ports = [*self.INPUT_PORTS, *self.OUTPUT_PORTS]
+            self.setup_ports({port: self.wiring.get(port, port) for port in ports}, namespace)
+        return super().blackboard_client
 
     def initialise(self) -> None:
         """Start the run; an exception is kept for ``update`` to report."""

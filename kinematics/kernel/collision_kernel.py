@@ -7,28 +7,26 @@ The meaning of margins, allowed pairs and attached bodies is that of
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.kernel import door, judge
-from kinematics.kernel.chains import with_solids
 from kinematics.kernel.coordinates import (
     Coordinates,
     Limits,
-    joint_limits,
     mounted_coordinates,
     mounted_limits,
-    plain_coordinates,
     standing_coordinates,
     standing_limits,
 )
-from kinematics.kernel.memory import Problem, pack, work_for
-from kinematics.kernel.pairs import grouped, joined, pairs_of
+from kinematics.kernel.memory import Packed
+from kinematics.kernel.packing import JUDGED_ROW, Sizes, pack
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.kernel.scene_solids import scene_solids
-from kinematics.kernel.solids import flatten, with_plain
+from kinematics.kernel.scene_solids import judged_in, scene_solids
+from kinematics.kernel.solids import Indices
 from kinematics.kernel.tuning import Tuning
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -74,6 +72,22 @@ class Refusal:
     pair: tuple[str, str] | None
 
 
+class _Shared:
+    """A problem's memory, and which pairs of it are judged at present."""
+
+    def __init__(self, packed: Packed, judged: Indices) -> None:
+        # the buffers are kept: compiled code is given where they are
+        self._packed, self.judged = packed, judged
+        self.addresses = packed.floats.ctypes.data, packed.ints.ctypes.data, packed.table
+        begin = int(packed.table[JUDGED_ROW, 0])
+        self._place = packed.ints[begin : begin + judged.size].reshape(judged.shape)
+
+    def judge(self, judged: Indices) -> None:
+        """Judge these pairs from now on."""
+        self._place[...] = judged
+        self.judged = judged
+
+
 class CollisionKernel:
     """A robot in a planning scene.
 
@@ -102,31 +116,49 @@ class CollisionKernel:
         extra_margin_m: float = 0.0,
         self_margin_m: float = 0.0,
     ) -> None:
-        tree = robot.tree
-        space = plain_coordinates(tree) if space is None else space
-        if limits is None:
-            free = np.full(len(space.columns), np.inf)
-            limits = joint_limits(-free, free, bool(space.floating))
-        chains, own = robot.alone(space, self_margin_m)
-        found = scene_solids(robot, scene, extra_margin_m)
-        bodies = [solid.body for solid in (*robot.solids, *found.held)]
-        if found.held:
-            chains = with_solids(chains, found.held)
-            own = joined(own, grouped(found.pairs, bodies, chains))
-        carriers = robot.carriers(bodies)
-        self._pairs = pairs_of(own, carriers, found.object_margin, found.judged, found.object_box)
-        held = [flatten(found.held)] if found.held else []
-        solids = with_plain(robot.flat, *held, found.around)
-        problem = Problem(tree, chains, space, limits, solids, self._pairs, TUNING)
-        self._packed = pack(problem, work_for(problem))
-        # the buffers are kept: compiled code is given where they are
-        floats, ints, table = self._packed
-        self._addresses = floats.ctypes.data, ints.ctypes.data, table
-        self._names = found.names
-        self._nq = len(limits.lower)
+        if space is None:
+            space, free = robot.every_joint
+            limits = free if limits is None else limits
+        elif limits is None:
+            limits = robot.every_joint[1]
+        alone = robot.alone(space, self_margin_m)
+        found = scene_solids(robot, alone, scene, extra_margin_m)
+        chains, self._own = found.moves.chains, found.moves.own
+        self._robot, self._scene = robot, scene
+        self._margins_m = extra_margin_m, self_margin_m
+        self._moving, objects = found.moves.carriers.moving, len(found.object_margin)
+        self._names, self._nq = found.names, len(limits.lower)
         self.size = 6 * space.floating + len(space.columns)
-        self.pair_count = len(self._pairs.first) + len(self._pairs.object_margin) * self._pairs.moving
+        self.pair_count = len(self._own.first) + objects * self._moving
+        sizes = Sizes(
+            bodies=len(robot.tree.parent),
+            depth=chains.joint.shape[1],
+            free=self.size,
+            nq=self._nq,
+            moving=self._moving,
+            objects=objects,
+            own_pairs=len(self._own.first),
+        )
+        blocks = [robot.fixed(space, limits, TUNING), found.moves.laid_out, found.laid_out]
+        self._shared = _Shared(pack(blocks, sizes), found.judged)
+        self._judged = found.judged
         self._nothing = np.empty(0)
+
+    def allowing(self, scene: PlanningScene) -> CollisionKernel | None:
+        """The same with other pairs that may touch, at no cost: it shares the memory of this one.
+
+        Args:
+            scene: One that was made of this one's scene by allowing pairs.
+
+        Returns:
+            None when the scene differs in more than that.
+        """
+        mine = self._scene
+        if scene.objects is not mine.objects or scene.attached or mine.attached:
+            return None
+        other = copy.copy(self)
+        other._scene, other._judged = scene, judged_in(self._robot, scene)
+        return other
 
     @classmethod
     def standing(
@@ -256,11 +288,11 @@ class CollisionKernel:
 
     def pair_names(self, pair: int) -> tuple[str, str]:
         """Names of the two solids of a pair."""
-        pairs = self._pairs
-        if pair < len(pairs.first):
-            return self._names[pairs.first[pair]], self._names[pairs.second[pair]]
-        thing, solid = divmod(pair - len(pairs.first), pairs.moving)
-        return self._names[solid], self._names[pairs.moving + thing]
+        own = self._own
+        if pair < len(own.first):
+            return self._names[own.first[pair]], self._names[own.second[pair]]
+        thing, solid = divmod(pair - len(own.first), self._moving)
+        return self._names[solid], self._names[self._moving + thing]
 
     def configuration(self, x: Array) -> Array | None:
         """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
@@ -273,7 +305,10 @@ class CollisionKernel:
         # one type of argument only, so that nothing is ever compiled anew
         points = np.ascontiguousarray(points, dtype=np.float64)
         found = self._nothing if found is None else found
-        return door.ask(*self._addresses, question, points, float(number), found)
+        shared = self._shared
+        if shared.judged is not self._judged:
+            shared.judge(self._judged)
+        return door.ask(*shared.addresses, question, points, float(number), found)
 
     def _refusal(self, answer: tuple[int, float, int]) -> Refusal | None:
         verdict, at, pair = answer

@@ -11,10 +11,13 @@ import pinocchio as pin
 
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.kernel.chains import Chains, Indices, chains_of, limbs_of
-from kinematics.kernel.coordinates import Coordinates
+from kinematics.kernel.coordinates import Coordinates, Limits, joint_limits, plain_coordinates
+from kinematics.kernel.packing import CARRIED_ROWS, FIXED_ROWS, Block, block
 from kinematics.kernel.pairs import Carriers, OwnPair, OwnPairs, carriers_of, grouped
+from kinematics.kernel.pairs import _meeting as meeting
 from kinematics.kernel.solids import Solid, Solids, flatten, link_solid
 from kinematics.kernel.tree import Tree, tree_of, welded_at
+from kinematics.kernel.tuning import Tuning
 from kinematics.poses import Transform
 from kinematics.robot_model import RobotModel
 
@@ -28,10 +31,41 @@ class RobotAlone(NamedTuple):
     Attributes:
         chains: Of its bodies, with balls about its solids.
         own: Its pairs, by group.
+        carriers: What carries its solids.
+        laid_out: All of them, ready for the compiled code.
+        levels: What ``levels_of`` has found so far.
     """
 
     chains: Chains
     own: OwnPairs
+    carriers: Carriers
+    laid_out: Block
+    levels: dict[tuple[int, int], tuple[int, int]]
+
+    def levels_of(self, first: int, second: int) -> tuple[int, int]:
+        """How many joints two bodies are away from the body that carries both."""
+        found = self.levels.get((first, second))
+        if found is None:
+            found = self.levels[first, second] = meeting(self.chains, first, second)
+        return found
+
+
+def carried(chains: Chains, own: OwnPairs, carriers: Carriers) -> Block:
+    """What moves, ready for the compiled code."""
+    return block([*chains, *own, *carriers], CARRIED_ROWS)
+
+
+class _Fixed(NamedTuple):
+    """What depends on a robot, its coordinates and its limits alone, with these."""
+
+    space: Coordinates
+    limits: Limits
+    tuning: Tuning
+    laid_out: Block
+
+
+# Stances that a robot is on at a time; coordinates and limits of the last ones are kept laid out.
+_KEPT = 8
 
 
 class RobotArrays:
@@ -84,6 +118,7 @@ class RobotArrays:
         self.limb: Indices = limbs_of(self.tree)
         self._rigid = self._rigid_distances()
         self._alone: dict[tuple[float, bytes], RobotAlone] = {}
+        self._fixed: list[_Fixed] = []
         self._carriers = carriers_of(self.limb, body)
 
     @cached_property
@@ -111,12 +146,30 @@ class RobotArrays:
                 if not self._rigid.get((int(i), int(j)), 0.0) > self_margin_m
             ]
             own = grouped(pairs, [solid.body for solid in self.solids], chains)
-            found = self._alone[key] = RobotAlone(chains, own)
+            laid_out = carried(chains, own, self._carriers)
+            found = self._alone[key] = RobotAlone(chains, own, self._carriers, laid_out, {})
         return found
 
-    def carriers(self, body: Sequence[int]) -> Carriers:
-        """What carries its solids and those that it holds, by the body of each."""
-        return self._carriers if len(body) == len(self.solids) else carriers_of(self.limb, body)
+    def fixed(self, space: Coordinates, limits: Limits, tuning: Tuning) -> Block:
+        """Tree, coordinates, limits and tuning ready for the compiled code; kept for the same ones."""
+        for known in self._fixed:
+            if known.space is space and known.limits is limits and known.tuning is tuning:
+                return known.laid_out
+        laid_out = block([*self.tree, *space, *limits, *tuning], FIXED_ROWS)
+        self._fixed = [*self._fixed[1 - _KEPT :], _Fixed(space, limits, tuning, laid_out)]
+        return laid_out
+
+    @cached_property
+    def every_joint(self) -> tuple[Coordinates, Limits]:
+        """Each joint on its own, without limits."""
+        space = plain_coordinates(self.tree)
+        free = np.full(len(space.columns), np.inf)
+        return space, joint_limits(-free, free, bool(space.floating))
+
+    @cached_property
+    def body_of(self) -> Indices:
+        """Body of each solid."""
+        return np.array([solid.body for solid in self.solids], np.int64)
 
     def _rigid_distances(self) -> dict[tuple[int, int], float]:
         """Lower bounds of the distances of judged pairs that never move against each other, m."""

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from kinematics.kernel.pairs import Array, Indices, OwnPair
-from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.kernel.solids import Solid, Solids, half_extents_m, plain_solid, plain_solids
+from kinematics.kernel.chains import with_solids
+from kinematics.kernel.packing import SCENE_ROWS, Block, block
+from kinematics.kernel.pairs import Array, Indices, OwnPairs, carriers_of, joined
+from kinematics.kernel.robot_arrays import RobotAlone, RobotArrays, carried
+from kinematics.kernel.solids import Solid, Solids, flatten, half_extents_m, plain_solid, plain_solids
 from kinematics.kernel.tree import WORLD
-from kinematics.scene import PlanningScene
+from kinematics.scene import PlanningScene, SceneObject
 
 
 class SceneSolids(NamedTuple):
@@ -18,72 +22,155 @@ class SceneSolids(NamedTuple):
 
     Attributes:
         names: Link or object of each solid: the robot's, what it holds, then the objects.
-        held: What it holds.
-        pairs: Pairs of the held solids among what moves.
-        around: The objects.
+        moves: The robot with what it holds.
         object_margin: What everything keeps from each object, shape (objects,), m.
         judged: 1 where a moving solid is judged against an object, shape (objects, moving).
-        object_box: Lower and upper corners of boxes along the world's axes that hold the objects, shape
-            (2, 3, objects), m.
+        laid_out: Solids, and pairs of what moves with what is around, ready for the compiled code.
     """
 
     names: tuple[str, ...]
-    held: list[Solid]
-    pairs: list[OwnPair]
-    around: Solids
+    moves: RobotAlone
     object_margin: Array
     judged: Indices
-    object_box: Array
+    laid_out: Block
 
 
 # By so much a box is larger than it has to be: rounding in coordinates of some metres.
 _ROUNDING_M = 1e-9
+# Sets of objects whose solids are kept: those of the scenes of one task, with the target and without.
+_KEPT = 8
 
 
-def scene_solids(robot: RobotArrays, scene: PlanningScene, extra_margin_m: float) -> SceneSolids:
+def scene_solids(
+    robot: RobotArrays, alone: RobotAlone, scene: PlanningScene, extra_margin_m: float
+) -> SceneSolids:
     """Solids and pairs of a scene, with the margins of ``CollisionWorld``.
+
+    Args:
+        robot: The robot.
+        alone: The same, in free coordinates.
+        scene: What it holds, what is around, and which pairs may touch.
+        extra_margin_m: Added to every margin of the scene.
 
     Raises:
         UnknownNameError: A body is attached to a frame that the robot does not have.
     """
-    names, body = list(robot.names), [solid.body for solid in robot.solids]
-    held, pairs = [], []
-    touch: dict[str, frozenset[str]] = {}
-    solids_of = {name: list(numbers) for name, numbers in robot.solids_of.items()}
-    for name, item in scene.attached.items():
-        carrier, carrier_T_frame = robot.frame(item.frame)
-        pairs += [
-            OwnPair(i, len(names), extra_margin_m)
-            for i in range(len(names))
-            if body[i] != carrier
-            and names[i] not in item.touch_links
-            and not scene.is_allowed(names[i], name)
-        ]
-        touch[name] = frozenset(item.touch_links)
-        solids_of.setdefault(name, []).append(len(names))
-        names.append(name)
-        body.append(carrier)
-        held.append(plain_solid(carrier, carrier_T_frame @ item.frame_T_object, item.body.shape))
-    objects = list(scene.objects.values())
-    row_of = {item.name: row for row, item in enumerate(objects)}
-    judged = np.ones((len(objects), len(names)), np.int64)
-    for pair in scene.allowed:
-        for thing in pair:
-            for other in pair:
-                if thing in row_of and other != thing and other in solids_of:
-                    judged[row_of[thing], solids_of[other]] = 0
-    for name, links in touch.items():
-        for thing in links & row_of.keys():
-            judged[row_of[thing], solids_of[name]] = 0
-    poses = np.array([item.world_T_object for item in objects], np.float64).reshape(-1, 4, 4)
-    around = plain_solids(WORLD, poses, [item.shape for item in objects])
-    centre, half = around.centre, half_extents_m(around) + _ROUNDING_M
+    held = [
+        plain_solid(carrier, carrier_T_frame @ item.frame_T_object, item.body.shape)
+        for item in scene.attached.values()
+        for carrier, carrier_T_frame in (robot.frame(item.frame),)
+    ]
+    moves = _holding(robot, alone, scene, held, extra_margin_m) if held else alone
+    around = _around(_Things(tuple(scene.objects.values())))
+    every = (robot.flat, flatten(held), around.solids) if held else (robot.flat, around.solids)
+    # only the robot has hulls, whose points are behind each other
+    solids = [
+        robot.flat.points if name == "points" else tuple(getattr(part, name) for part in every)
+        for name in Solids._fields
+    ]
+    margin = around.margin_m + extra_margin_m
+    judged = judged_in(robot, scene)
     return SceneSolids(
-        names=(*names, *row_of),
-        held=held,
-        pairs=pairs,
-        around=around,
-        object_margin=np.array([item.margin_m + extra_margin_m for item in objects], np.float64),
+        names=(*robot.names, *scene.attached, *scene.objects),
+        moves=moves,
+        object_margin=margin,
         judged=judged,
-        object_box=np.ascontiguousarray(np.stack([(centre - half).T, (centre + half).T])),
+        laid_out=block([*solids, margin, judged, *around.box], SCENE_ROWS),
+    )
+
+
+def judged_in(robot: RobotArrays, scene: PlanningScene) -> Indices:
+    """1 where a moving solid is judged against an object, shape (objects, moving)."""
+    row_of = {name: row for row, name in enumerate(scene.objects)}
+    judged = np.ones((len(row_of), len(robot.names) + len(scene.attached)), np.int64)
+    held = {name: [number] for number, name in enumerate(scene.attached, len(robot.names))}
+    for pair in scene.allowed:
+        for thing in pair & row_of.keys():
+            for other in pair - {thing}:
+                judged[row_of[thing], _numbers(robot, held, other)] = 0
+    for name, item in scene.attached.items():
+        for thing in item.touch_links & row_of.keys():
+            judged[row_of[thing], held[name]] = 0
+    return judged
+
+
+def _numbers(robot: RobotArrays, held: Mapping[str, list[int]], name: str) -> list[int]:
+    """The moving solids of a name."""
+    return [*robot.solids_of.get(name, ()), *held.get(name, ())]
+
+
+class _Around(NamedTuple):
+    """Objects as solids; ``margin_m`` and ``box`` as in ``Pairs``, the box's low and high corners."""
+
+    solids: Solids
+    margin_m: Array
+    box: tuple[Array, Array]
+
+
+class _Things:
+    """Objects by their identity: as values they cannot be compared cheaply."""
+
+    def __init__(self, things: tuple[SceneObject, ...]) -> None:
+        self.things = things
+        self._key = tuple(map(id, things))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Things) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+
+@functools.lru_cache(maxsize=_KEPT)
+def _around(of: _Things) -> _Around:
+    poses = np.array([item.world_T_object for item in of.things], np.float64).reshape(-1, 4, 4)
+    solids = plain_solids(WORLD, poses, [item.shape for item in of.things])
+    centre, half = solids.centre, half_extents_m(solids) + _ROUNDING_M
+    margin_m = np.array([item.margin_m for item in of.things], np.float64)
+    return _Around(solids, margin_m, ((centre - half).T, (centre + half).T))
+
+
+def _holding(
+    robot: RobotArrays,
+    alone: RobotAlone,
+    scene: PlanningScene,
+    held: list[Solid],
+    margin_m: float,
+) -> RobotAlone:
+    """The robot with what it holds."""
+    names = [*robot.names, *scene.attached]
+    body = np.array([*robot.body_of, *(solid.body for solid in held)], np.int64)
+    own = alone.own
+    for number, (name, item) in enumerate(scene.attached.items(), len(robot.names)):
+        may_touch = item.touch_links | {
+            other for pair in scene.allowed if name in pair for other in pair if other != name
+        }
+        apart = [i for i in range(number) if body[i] != body[number] and names[i] not in may_touch]
+        own = joined(own, _held_apart(alone, body, np.array(apart, np.int64), number, margin_m))
+    chains = with_solids(alone.chains, held)
+    carriers = carriers_of(robot.limb, body.tolist())
+    return RobotAlone(chains, own, carriers, carried(chains, own, carriers), alone.levels)
+
+
+def _held_apart(alone: RobotAlone, body: Indices, apart: Indices, number: int, margin_m: float) -> OwnPairs:
+    """Pairs of one held solid with others, in groups by what carries those."""
+    carrier = int(body[number])
+    bodies, first_at, group = np.unique(body[apart], return_index=True, return_inverse=True)
+    rank = np.argsort(np.argsort(first_at))
+    ordered = np.argsort(rank[group], kind="stable")
+    bodies = bodies[np.argsort(first_at)]
+    sizes = np.bincount(rank[group], minlength=len(bodies))
+    levels = np.array([alone.levels_of(int(b), carrier) for b in bodies], np.int64).reshape(-1, 2)
+    count = len(apart)
+    return OwnPairs(
+        first=apart[ordered],
+        second=np.full(count, number, np.int64),
+        margin=np.full(count, margin_m),
+        group=np.repeat(np.arange(len(bodies)), sizes).astype(np.int64),
+        group_first=bodies.astype(np.int64),
+        group_second=np.full(len(bodies), carrier, np.int64),
+        first_level=np.ascontiguousarray(levels[:, 0]),
+        second_level=np.ascontiguousarray(levels[:, 1]),
+        group_margin=np.full(len(bodies), margin_m),
+        group_start=np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
     )

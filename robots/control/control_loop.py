@@ -16,7 +16,7 @@ from kinematics.stance import stance_at
 from robots.clock import ManualClock
 from robots.control.authority import Authority
 from robots.control.balance import Balance
-from robots.control.contact_watch import WALKING_ROOM, ContactWatch
+from robots.control.contact_watch import ContactWatch
 from robots.control.control_record import ControlRecord, ControlStatistics
 from robots.control.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset, require_category
 from robots.control.events import (
@@ -350,8 +350,7 @@ class ControlLoop:
         """When an arm pushes against something, end what moves the robot: a walk within two steps."""
         walks = self._walker.under_way
         watched = (self._streamer.carrying_out or walks) and self._forgiven == 0
-        room = WALKING_ROOM if self._walker.active else 1.0
-        contact = self._contact.judge(state.effort, self._gate.last.tau, watched, room)
+        contact = self._contact.judge(state.effort, self._gate.last.tau, watched, self._walker.active)
         if contact is None:
             return
         self._record.stop(1 if walks else 2, str(contact))

@@ -30,11 +30,14 @@ Array = NDArray[np.float64]
 _REACH_M = 1.0
 """From the shoulder to the spot, on the floor, at most; the trunk turns and leans along."""
 _SPOTS = 2
+_MOST_PATIENTLY = 16
+"""Places that are asked about once more, when a quick look at all of them has found nothing."""
 
 
 class ChooseStandToPut(ChooseStand):
     """Ask the planner for a placing from place after place, from here first; take the first that has one.
 
+    Each is asked about quickly first, and only when none has a plan the best of them more patiently.
     The held object is where the arm has it now. A robot that cannot walk stands where it stands.
     """
 
@@ -56,6 +59,8 @@ class ChooseStandToPut(ChooseStand):
         self._inside: Failure | None = inside if isinstance(inside, Failure) else None
         self._spots: tuple[Spot, ...] = ()
         self._front: PlanarPose | None = None
+        self._quick = True
+        self._from: dict[PlanarPose, tuple[Spot, ...]] = {}
         if not isinstance(inside, Failure):
             held: HeldObject = self.get_input("held")
             self._spots = spots_in_fridge(held, inside, self.toolbox.world.scene)
@@ -87,10 +92,19 @@ class ChooseStandToPut(ChooseStand):
 
     def _in_sight(self, body: PlanarPose) -> tuple[Spot, ...]:
         """The spots that the eyes see from a place to stand."""
-        eye, model = body @ PlanarPose(EYE_AHEAD_M), self.toolbox.model
-        height_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
-        place = np.array([eye.x_m, eye.y_m, height_m])
-        return spots_in_sight(self._spots, self.get_input("held"), self.toolbox.world.scene, place)
+        if body not in self._from:
+            eye, model = body @ PlanarPose(EYE_AHEAD_M), self.toolbox.model
+            height_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
+            place, held = np.array([eye.x_m, eye.y_m, height_m]), self.get_input("held")
+            self._from[body] = spots_in_sight(self._spots, held, self.toolbox.world.scene, place)
+        return self._from[body]
+
+    def harder(self) -> Iterator[PlanarPose]:
+        """Those that were asked about quickly, once more."""
+        again = self._tried if self._quick else []
+        self._quick, self._tried = False, []
+        self._most = self._asked + _MOST_PATIENTLY
+        return iter(again)
 
     def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
         """The present posture, carried over to the place."""
@@ -104,6 +118,7 @@ class ChooseStandToPut(ChooseStand):
             held=self.get_input("held").name,
             spots=tuple(few_of_each(self._in_sight(body) or self._spots)),
             retreat_m=toolbox.policy.retreat_m,
+            quick=self._quick,
             seed=int(toolbox.rng.integers(2**31)),
         )
 

@@ -103,6 +103,8 @@ class Walk:
         push = self._push_watch.felt(error, loads_n, self._sample, self._period_s)
         if push is not None:
             self.pattern.catch(push)
+        if self._phase in (Phase.CLOSE, Phase.SETTLE):
+            self.pattern.step_on(self._push_watch.mean)
         sample = self._floor.under(self.pattern.advance(self._period_s), loads_n)
         motion = self._body.follow(sample)
         if self._read is not None:
