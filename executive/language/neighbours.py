@@ -25,9 +25,8 @@ def unclear_among(said: Sequence[Further]) -> Trouble | None:
         first, second = before.part, after.part
         if not isinstance(first, Clause) or not isinstance(second, Clause):
             continue
-        if any(one.terse and is_endless(one) for one in (first, second)) and not (
-            _moves(first) and _moves(second)
-        ):
+        goes_on = second.terse and is_endless(second) and not _moves(first)
+        if goes_on or (first.terse and is_endless(first)):
             return Trouble("how far in that direction?", asks=True)  # "go home, backwards"
         if stops(second) and after.separator is Separator.COMMA and not _moves(first):
             return Trouble("shall it be stopped now, or when that is done?", asks=True)
