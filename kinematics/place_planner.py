@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
-from kinematics.collision import HandCollision
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
@@ -37,7 +36,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.start_state import relaxed_at
 from kinematics.timing import Pace
-from kinematics.validity import validity
+from kinematics.validity import hand_judge, validity
 
 Array = NDArray[np.float64]
 
@@ -48,6 +47,8 @@ LOWER_PACE = Pace(velocity=0.03, acceleration=0.06)
 TURNS_RAD = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60, 80, -80, 100, -100))
 # So many goals that only a detour may come to are kept.
 MOST_BLOCKED = 5
+# The same for who asks about many places to stand.
+FEW_BLOCKED = 2
 # Postures from which a thorough search begins, besides home and the present one; and how far the joints of
 # the arm are from home there, at most.
 OTHER_SEEDS = 3
@@ -71,9 +72,11 @@ class PlacePlanner:
 
     def plan(self, request: PlaceRequest) -> PlacePlan | NoPlan:
         """Plan transfer and lowering, or say honestly why there is no plan."""
-        usual = _PlaceTask(self._model, request, RESERVE_M)
+        usual = _PlaceTask(self._model, request, RESERVE_M, 0 if request.quick else None)
         if (plan := self._first(usual, request)) is not None:
             return plan
+        if request.quick:
+            return _no_plan(request, usual, usual.considered)
         thorough = _PlaceTask(self._model, request, LEAST_RESERVE_M, OTHER_SEEDS)
         if (plan := self._first(thorough, request)) is not None:
             return plan
@@ -86,30 +89,40 @@ class PlacePlanner:
             if (plan := self._first(high, level)) is not None:
                 return plan
             considered += high.considered
-        return NoPlan(
-            f"no way to put the {request.held} down was found",
-            dict(thorough.reasons) or {"no free spot": 1},
-            {"spots": float(len(request.spots)), "considered": float(considered)},
-        )
+        return _no_plan(request, thorough, considered)
 
     def _first(self, task: _PlaceTask, request: PlaceRequest) -> PlacePlan | None:
-        """The first spot and turn that a way leads to; straight ways before detours."""
+        """The first spot and turn that a way leads to; straight ways before detours.
+
+        Where straight ways to several goals are blocked, detours to these come before further goals: who
+        reaches into a fridge from beside its door never comes to a spot on a straight way.
+        """
+        most = FEW_BLOCKED if request.quick else MOST_BLOCKED
         blocked: list[_Goal] = []
-        for index, spot in enumerate(request.spots):
-            for world_T_object in task.turned(spot):
-                goal = task.solve(index, spot, world_T_object)
-                if goal is None:
-                    continue
-                straight = task.straight(goal)
-                if straight is not None and (plan := task.timed(goal, straight)) is not None:
+        for goal in task.goals():
+            straight = task.straight(goal)
+            if straight is not None and (plan := task.timed(goal, straight)) is not None:
+                return plan
+            if straight is None and len(blocked) < most:
+                blocked.append(goal)
+                if len(blocked) == most and (plan := self._around(task, blocked)) is not None:
                     return plan
-                if straight is None and len(blocked) < MOST_BLOCKED:
-                    blocked.append(goal)
+        return self._around(task, blocked) if len(blocked) < most else None
+
+    def _around(self, task: _PlaceTask, blocked: list[_Goal]) -> PlacePlan | None:
         for goal in blocked:
             detour = task.detour(goal)
             if detour is not None and (plan := task.timed(goal, detour)) is not None:
                 return plan
         return None
+
+
+def _no_plan(request: PlaceRequest, task: _PlaceTask, considered: int) -> NoPlan:
+    return NoPlan(
+        f"no way to put the {request.held} down was found",
+        dict(task.reasons) or {"no free spot": 1},
+        {"spots": float(len(request.spots)), "considered": float(considered)},
+    )
 
 
 class _PlaceTask:
@@ -119,8 +132,8 @@ class _PlaceTask:
         model: The robot.
         request: What is to be put down, and where it may go.
         reserve_m: Kept in reserve against the checker.
-        other_seeds: Of a thorough search: the inverse kinematics are tried from the present posture, too,
-            and from so many random ones.
+        other_seeds: The inverse kinematics are tried from the present posture, too, and from so many random
+            ones; None for home alone.
 
     Attributes:
         reasons: How many poses failed for which reason so far.
@@ -142,10 +155,11 @@ class _PlaceTask:
         self._seed = self._seed_posture()
         self._rng = np.random.default_rng(request.seed)
         self._seeds = [self._seed]
-        self._thorough = other_seeds is not None
+        self._thorough = bool(other_seeds)
         if other_seeds is not None:
             self._seeds += [request.q_start, *(self._random_posture() for _ in range(other_seeds))]
-        self._hand_alone = HandCollision(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
+        self._hand_alone = hand_judge(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
+        self._touching: dict[tuple[str, ...], tuple[PlanningScene, PathPlanner]] = {}
         self._object_T_tcp = poses.inverse(self._body.frame_T_object)
         self.reasons: Counter[str] = Counter()
         self.considered = 0
@@ -166,16 +180,33 @@ class _PlaceTask:
             pose[:3, :3] = poses.rotation_z(natural + outward * turn - heading) @ pose[:3, :3]
             yield pose
 
+    def goals(self) -> Iterator[_Goal]:
+        """Ways down that are free, spot by spot and turn by turn."""
+        for index, spot in enumerate(self._request.spots):
+            for world_T_object in self.with_room_for_hand(spot):
+                goal = self.solve(index, spot, world_T_object)
+                if goal is not None:
+                    yield goal
+
+    def with_room_for_hand(self, spot: Spot) -> Iterator[Transform]:
+        """Those of ``turned`` where the hand alone collides with nothing; the others are counted."""
+        turned = np.array(list(self.turned(spot)))
+        lowest = poses.translation(0.0, 0.0, -spot.below_m) @ turned @ self._object_T_tcp
+        for pose, collides in zip(turned, self._hand_alone.collisions(lowest), strict=True):
+            self.considered += 1
+            if collides:
+                self.reasons["hand collides at the spot"] += 1
+            else:
+                yield pose
+
     def solve(self, index: int, spot: Spot, world_T_object: Transform) -> _Goal | None:
         """Find the way down to a pose; a failure is counted with its reason."""
-        self.considered += 1
-        why = "hand collides at the spot"
-        if self._hand_has_room(spot, world_T_object):
-            for seed in self._seeds:
-                goal = self._solve(index, spot, world_T_object, seed)
-                if isinstance(goal, _Goal):
-                    return goal
-                why = goal
+        why = ""
+        for seed in self._seeds:
+            goal = self._solve(index, spot, world_T_object, seed)
+            if isinstance(goal, _Goal):
+                return goal
+            why = goal
         self.reasons[why] += 1
         return None
 
@@ -210,19 +241,20 @@ class _PlaceTask:
             considered=self.considered,
         )
 
-    def _hand_has_room(self, spot: Spot, world_T_object: Transform) -> bool:
-        lowest = poses.translation(0.0, 0.0, -spot.below_m) @ world_T_object @ self._object_T_tcp
-        return not self._hand_alone.collides(lowest)
+    def _near(self, spot: Spot) -> tuple[PlanningScene, PathPlanner]:
+        """Scene and judge with what the object may touch at a spot; made once, it takes some milliseconds."""
+        if spot.touches not in self._touching:
+            scene = self._scene.allowing((self._request.held, name) for name in spot.touches)
+            self._touching[spot.touches] = scene, self._planner_in(scene)
+        return self._touching[spot.touches]
 
     def _solve(self, index: int, spot: Spot, world_T_object: Transform, seed: Array) -> _Goal | str:
-        request = self._request
         placed = world_T_object @ self._object_T_tcp
         lowest = poses.translation(0.0, 0.0, -spot.below_m) @ placed
         first = self._ik.solve(placed, seed)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the spot"
-        touching = self._scene.allowing((request.held, name) for name in spot.touches)
-        near = self._planner_in(touching)
+        touching, near = self._near(spot)
         if not near.is_free(self._space.from_q(first.q)):
             return "collision at the spot"
         hover = poses.translation(0.0, 0.0, spot.hover_m) @ placed

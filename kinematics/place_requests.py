@@ -43,6 +43,8 @@ class PlaceRequest:
         held: Name of the attached body.
         spots: Where it may go, the best first.
         retreat_m: How far the hand is drawn back along its approach, at the end.
+        quick: Look no longer than it takes where there is a plan in plain view; a "no" says little then. For
+            who asks about many places to stand.
         seed: Of everything random in the plan.
     """
 
@@ -52,4 +54,5 @@ class PlaceRequest:
     held: str
     spots: tuple[Spot, ...]
     retreat_m: float = 0.10
+    quick: bool = False
     seed: int = 0

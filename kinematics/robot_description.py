@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
 from kinematics.walking.settings import WalkingSettings
+
+if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
+    from kinematics.reachability import ReachabilityMap
 
 Hand = Literal["left", "right"]
 HANDS: tuple[Hand, Hand] = ("left", "right")
@@ -201,6 +204,7 @@ class RobotDescription:
         walking: How it walks; None for a robot that does not, or of which it is not known.
         joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
         health: From when on something counts as wrong with the body.
+        reachability: How well the hands reach what is around; None where nobody has made the map.
         planning_margin_rad: Limits are shrunk by this for planning.
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
@@ -232,6 +236,7 @@ class RobotDescription:
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cannot_grasp: str = ""
     walking: WalkingSettings | None = None
+    reachability: ReachabilityMap | None = None
     joint_viscosity_nms_rad: float = 0.0
     health: HealthLimits = field(default_factory=HealthLimits)
 

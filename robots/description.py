@@ -16,6 +16,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
+from kinematics.reachability import ReachabilityMap
 from kinematics.robot_description import (
     GROUPS,
     HANDS,
@@ -32,6 +33,7 @@ from kinematics.robot_description import (
 from kinematics.walking.settings import WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.outside import ROBOTS, outside_folders
+from robots.reachability_file import REACHABILITY, read_reachability
 from robots.urdf import (
     Table,
     add_collision_box,
@@ -148,6 +150,7 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
         cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
         walking=_walking(data.get("walking"), joints, members),
+        reachability=_reachability(folder),
         health=HealthLimits(**data.get("health", {})),
     )
     _require_consistent(description, link_names(urdf))
@@ -329,6 +332,11 @@ def _walking(data: Table | None, joints: tuple[str, ...], members: Table) -> Wal
     by_kind = data["joint_acceleration"]
     by_joint = {joint: by_kind[kind] for joint in joints if (kind := _kind(joint, members)) in by_kind}
     return WalkingSettings(**{**data, "joint_acceleration": by_joint})
+
+
+def _reachability(folder: Traversable) -> ReachabilityMap | None:
+    file = folder / REACHABILITY
+    return read_reachability(file.read_text("utf-8")) if file.is_file() else None
 
 
 def _camera(data: Table | None) -> CameraDescription | None:

@@ -7,11 +7,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
+from py_trees.blackboard import Client
 from py_trees.common import Status
 from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
 
 from trees.contract import Contract
-from trees.events import LeafFailed, Measured
+from trees.events import LeafFailed, Measured, NotSo
 from trees.failure_chain import place_of
 from trees.failures import Failure, FailureKind, Number
 from trees.leaf_settings import settings_of
@@ -30,6 +31,7 @@ class Leaf(BehaviourWithPorts):
     started is released when the leaf ends in any way but success.
 
     Attributes:
+        ASKS: Whether it only asks if something is so: that it is not is an answer then, no failure to people.
         failure: Why it failed or was cancelled, since its last start; None otherwise.
         halt_reason: What a halt is reported with; set by whoever halts the tree.
         wiring: Port name to the key it is wired to; ports that are left out have a key of their name.
@@ -38,6 +40,7 @@ class Leaf(BehaviourWithPorts):
     INPUT_PORTS: dict[str, PortInformation]
     OUTPUT_PORTS: dict[str, PortInformation]
     CONTRACT: ClassVar[Contract]
+    ASKS: ClassVar[bool] = False
     _made_with: tuple[tuple[Any, ...], Mapping[str, Any]]
 
     def __new__(cls, *arguments: Any, **named: Any) -> Self:
@@ -54,6 +57,7 @@ class Leaf(BehaviourWithPorts):
         self.halt_reason = "halted"
         self._started_s = self._paused_before_s = 0.0
         self._start_error: Exception | None = None
+        self._unconnected: str | None = None
 
     # what a leaf fills in
 
@@ -106,11 +110,23 @@ class Leaf(BehaviourWithPorts):
         self.toolbox.events(Measured(self.toolbox.clock.now_s(), self.where, numbers))
 
     def wire(self, namespace: str) -> None:
-        """Connect the ports inside a tree's namespace."""
-        ports = [*self.INPUT_PORTS, *self.OUTPUT_PORTS]
-        self.setup_ports({port: self.wiring.get(port, port) for port in ports}, namespace)
+        """Note in which namespace of a tree the ports are to be.
+
+        They are connected when the leaf first uses one: of a skill's leaves most never do, because they are
+        for what seldom goes wrong, and connecting all of them was a third of the time to build a tree.
+        """
+        self._unconnected = namespace
 
     # py_trees' side
+
+    @property
+    def blackboard_client(self) -> Client:
+        """The tree's storage, as the ports see it; they are connected to it now, if they were not before."""
+        namespace, self._unconnected = self._unconnected, None
+        if namespace is not None:
+            ports = [*self.INPUT_PORTS, *self.OUTPUT_PORTS]
+            self.setup_ports({port: self.wiring.get(port, port) for port in ports}, namespace)
+        return super().blackboard_client
 
     def initialise(self) -> None:
         """Start the run; an exception is kept for ``update`` to report."""
@@ -141,7 +157,9 @@ class Leaf(BehaviourWithPorts):
         if isinstance(outcome, Failure):
             self.failure = outcome if outcome.where else outcome.at(self.where)
             self.feedback_message = outcome.message
-            self.toolbox.events(LeafFailed(self.toolbox.clock.now_s(), self.failure))
+            answered = self.ASKS and outcome.kind is FailureKind.POSTCONDITION
+            told = NotSo if answered else LeafFailed
+            self.toolbox.events(told(self.toolbox.clock.now_s(), self.failure))
             return Status.FAILURE
         return outcome
 

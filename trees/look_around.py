@@ -14,6 +14,7 @@ from trees.failures import Failure
 from trees.glimpse_of import glimpse_of
 from trees.handles import without_moved_parts
 from trees.in_hand import not_in_hand
+from trees.in_plain_sight import in_plain_sight
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.scene_update import updated_scene
 
@@ -51,11 +52,12 @@ class LookAround(LookLeaf):
         estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
         glimpse = glimpse_of(self.toolbox, views[-1])
         camera, near_m = self.toolbox.model.description.camera, policy.hidden_by_hand_m
+        others = tuple(world.scene.objects.values())
         update = updated_scene(
             without_moved_parts(world.scene, estimates),
             estimates,
             policy,
-            lambda point: self.keeping or not glimpse.shows(camera, point, near_m),
+            lambda item: self.keeping or not in_plain_sight(item, glimpse, camera, others, near_m),
             may_have_moved=not self.LOOKING_ON,
         )
         world.update(update.scene)

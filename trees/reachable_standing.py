@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -28,6 +28,8 @@ _TURN_COST_M = 0.25
 """A turn of 1 rad is as bad as so many metres beside the usual place."""
 _FARTHEST_M = 1.15
 """Of the object from the middle between the feet."""
+_REACH_COST_M = 0.5
+"""Where the hand gets there in none of the directions is as bad as so far beside the usual place."""
 _SEEN_ASIDE_RAD = 1.2
 """The head turns so far that what is in this direction is well inside the picture."""
 EYE_AHEAD_M = 0.12
@@ -75,8 +77,11 @@ def stands_to_try(
     tall: Sequence[Footprint],
     settings: WalkingSettings,
     turned_rad: Sequence[float] = TURNED_RAD,
+    reach: Callable[[PlanarPose], float] | None = None,
 ) -> Iterator[PlanarPose]:
-    """Poses of the body around the usual one, nearest to it first, where the robot has room to stand.
+    """Poses of the body around the usual one where the robot has room to stand, the most promising first.
+
+    Those are near to the usual one, and the hands get to the object from them in many directions.
 
     Args:
         usual: Where one would stand without knowing better.
@@ -85,11 +90,17 @@ def stands_to_try(
         tall: What of it is as tall as the hands of the home posture.
         settings: The robot's sizes.
         turned_rad: How far it may be turned out of the usual heading.
+        reach: The share of directions in which a hand gets to the object from a pose; where it is 0 nobody
+            stands. Left out, all poses count alike.
     """
-    ways = sorted(product(_AHEAD_M, _ASIDE_M, turned_rad), key=_cost)
     low, high = _inside(settings, settings.half_width_m), _inside(settings, settings.hands_half_width_m)
-    for ahead_m, aside_m, turn_rad in ways:
-        body = usual @ PlanarPose(ahead_m, aside_m, turn_rad)
+    ways = [(way, usual @ PlanarPose(*way)) for way in product(_AHEAD_M, _ASIDE_M, turned_rad)]
+    shares = [1.0 if reach is None else reach(body) for _, body in ways]
+    ranked = sorted(
+        ((_cost(way, share), body) for (way, body), share in zip(ways, shares, strict=True) if share > 0.0),
+        key=lambda one: one[0],
+    )
+    for (_, ahead_m, aside_m, turn_rad), body in ranked:
         if math.hypot(thing_m[0] - body.x_m, thing_m[1] - body.y_m) > _FARTHEST_M:
             continue
         at_usual = ahead_m == aside_m == turn_rad == 0.0  # it keeps its own distance from what is low
@@ -134,9 +145,10 @@ def stance_of(stance: Stance, here: PlanarPose, there: PlanarPose) -> Stance:
     return Stance(tuple((frame, moved @ sole) for frame, sole in stance.soles))
 
 
-def _cost(way: tuple[float, float, float]) -> tuple[float, ...]:
+def _cost(way: tuple[float, float, float], share: float) -> tuple[float, float, float, float]:
     ahead_m, aside_m, turned_rad = way
-    return (abs(ahead_m) + abs(aside_m) + _TURN_COST_M * abs(turned_rad), *way)
+    beside_m = abs(ahead_m) + abs(aside_m) + _TURN_COST_M * abs(turned_rad)
+    return (beside_m + _REACH_COST_M * (1.0 - share), *way)
 
 
 def _inside(settings: WalkingSettings, half_width_m: float) -> Array:

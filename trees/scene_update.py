@@ -6,14 +6,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +39,7 @@ def updated_scene(
     scene: PlanningScene,
     estimates: Iterable[ObjectEstimate],
     policy: TreePolicy,
-    could_be_unseen: Callable[[Array], bool],
+    could_be_unseen: Callable[[SceneObject], bool],
     may_have_moved: bool = True,
 ) -> SceneUpdate:
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
@@ -55,7 +52,7 @@ def updated_scene(
         scene: What was believed before.
         estimates: What this look saw, in the odometry frame.
         policy: Margins, and how far apart two sightings of one object may be.
-        could_be_unseen: Whether something at a point, shape (3,), could be there without being seen.
+        could_be_unseen: Whether a thing could be where it is believed to be without being seen.
         may_have_moved: Whether one that appears may be one that was elsewhere before; not while the head
             merely looks around.
     """
@@ -75,7 +72,7 @@ def updated_scene(
             if name in matched:
                 continue
             moved = bool(strangers) and may_have_moved
-            stays = not item.movable or (not moved and could_be_unseen(item.world_T_object[:3, 3]))
+            stays = not item.movable or (not moved and could_be_unseen(item))
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached}

@@ -128,12 +128,16 @@ class TaskTree:
         return " and ".join(f"the {hand} hand still holds something" for hand in hands)
 
     def _tell_changes(self) -> None:
+        """Tell of each node whose status is another one than it was when this was last asked."""
+        statuses = [node.status for node in self._nodes]
+        if statuses == self._told:
+            return
         now_s = self._toolbox.clock.now_s()
-        for index, (node, told) in enumerate(zip(self._nodes, self._told, strict=True)):
-            if told is not node.status:
+        for node, told, status in zip(self._nodes, self._told, statuses, strict=True):
+            if told is not status:
                 message = node.feedback_message
                 self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
-                self._told[index] = node.status
+        self._told = statuses
 
     def _written(self, port: str) -> Any | None:
         """What some leaf wrote to a port, or None."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from kinematics.scene import PlanningScene
+from kinematics.scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.hand_at_handle import HandAtHandle
 from trees.sight import Glimpse
@@ -25,6 +25,8 @@ class WorldModel:
         sightings: The newest estimate of each thing by its name, for those that are still believed.
         glimpses: From where it was looked at, the newest last; what no look shows is unknown.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
+        put_down: What a hand of this robot let go of, by its name, until a hand takes it up again: where a
+            look has shown it since, else where the hand had it.
         at_handle: A hand that is about the handle of a door or drawer; None once it has drawn back. A task
             that was cancelled leaves it there, and the next one has to let go first.
     """
@@ -34,6 +36,7 @@ class WorldModel:
         self.sightings: Mapping[str, ObjectEstimate] = {}
         self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
+        self.put_down: Mapping[str, SceneObject] = {}
         self.at_handle: HandAtHandle | None = None
 
     @property
@@ -56,8 +59,14 @@ class WorldModel:
         ]
         self.glimpses = (*near, glimpse)[-_MOST_GLIMPSES:]
 
+    def note_put_down(self, name: str) -> None:
+        """Remember that a hand let go of something; the scene has it already."""
+        self.put_down = {**self.put_down, name: self._scene.objects[name]}
+
     def update(self, scene: PlanningScene) -> None:
         """Replace the scene by a newer one.
+
+        What was put down and is not in it any more is remembered where it was: a look may have missed it.
 
         Raises:
             ValueError: Its version is not higher.
@@ -65,3 +74,8 @@ class WorldModel:
         if scene.version <= self._scene.version:
             raise ValueError(f"scene version {scene.version} is not newer than {self._scene.version}")
         self._scene = scene
+        self.put_down = {
+            name: scene.objects.get(name, item)
+            for name, item in self.put_down.items()
+            if name not in scene.attached
+        }

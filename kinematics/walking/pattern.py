@@ -8,6 +8,7 @@ arrives where the landings that follow need it, beginning where it is: nothing j
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from kinematics.robot_description import Hand, SoleDescription
 from kinematics.walking.com_motion import ComMotion, ComSample, SettlingCom, SteeredCom
@@ -19,9 +20,12 @@ from kinematics.walking.planar import PlanarPose, wrapped
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.sole_points import SolePoints
 from kinematics.walking.steering import Halt, SlippingTurn, Steering, VelocitySteering
+from kinematics.walking.step_on import SHIFT_S, SteppingOn, stepping_on
 from kinematics.walking.swing import Swing
 from kinematics.walking.zmp_route import ZmpRoute
 
+_TIPS_INSET_M = 0.01
+"""Nothing nearer to the edge of both soles can be held: the ZMP goes no farther out."""
 _SLIP_SHARE = 0.4
 """Of the newest step's twist in the mean that turns are corrected by."""
 
@@ -93,10 +97,13 @@ class WalkingPattern:
         """Go somewhere else, from the next landing on; from rest: start."""
         self._steering = steering
         if self.phase is Phase.REST:
-            self._begin()
+            self._begin(self._settings.first_shift_s)
 
     def finish(self) -> None:
         """Stop as soon as the feet can be brought side by side; nothing more happens at rest."""
+        if isinstance(self._steering, SteppingOn):  # to stop in the middle of that is to fall
+            self._steering = replace(self._steering, then=Halt())
+            return
         self._steering = Halt()
         if self.phase is Phase.SHIFT:
             self._close()
@@ -116,6 +123,30 @@ class WalkingPattern:
         if step is None:
             return False
         return self._move_landing(self._mover.caught(step, error, self._steering, self.odom_T_plan))
+
+    def step_on(self, error: Point) -> bool:
+        """At the end of a walk: step towards where the DCM is, if both soles cannot hold it there.
+
+        Args:
+            error: The DCM as measured, less the plan's, m.
+
+        Returns:
+            Whether the walk goes on.
+        """
+        if self.phase not in (Phase.CLOSE, Phase.SETTLE):
+            return False
+        dcm = self._now.dcm[0] + error[0], self._now.dcm[1] + error[1]
+        if self._points.held_by_both(dcm, self.feet, _TIPS_INSET_M):
+            return False
+        middle, rest = (
+            PlanarPose.between(self.feet["left"], self.feet["right"]),
+            self._points.resting(self.feet),
+        )
+        seen, at_rest = middle.to(PlanarPose(*dcm)), middle.to(PlanarPose(*rest))
+        beyond = seen.x_m - at_rest.x_m, seen.y_m - at_rest.y_m
+        self._body, self._before = middle, PlanarPose()
+        self._steering = stepping_on(self._settings, self.odom_T_plan @ middle, beyond, self._steering)
+        return self._begin(SHIFT_S)
 
     @property
     def goal(self) -> PlanarPose | None:
@@ -166,20 +197,22 @@ class WalkingPattern:
             self._motion, self._since_s = SettlingCom(rest, rest.com, 1.0, self._omega), 0.0
             self.phase = Phase.REST
             self._before = PlanarPose()
-            self._begin()
+            self._begin(self._settings.first_shift_s)
 
-    def _begin(self) -> None:
+    def _begin(self, shift_s: float) -> bool:
+        """Set out, if there is anywhere to go; whether there is."""
         side = self._planner.first_side(self._steering, self.feet, self.odom_T_plan)
         self._standing = OTHER[side]
         steps = self._plan()
         if not steps:
-            return
+            return False
         zmp, route = self._points.middle(self._standing, self.feet[self._standing]), self._route
         first = route.swing(zmp, self.feet[steps[0].side], steps[0].pose)
         after = route.after_swing(self.feet, steps)
         goal = dcm_before([*first, *after], route.end(self.feet, steps), self._omega)
         self.phase = Phase.SHIFT
-        self._bend(goal, zmp, self._settings.first_shift_s)
+        self._bend(goal, zmp, shift_s)
+        return True
 
     def _lift(self) -> None:
         steps = self._plan()

@@ -42,3 +42,21 @@ class SolePoints:
             return zmp
         pose = foot @ PlanarPose(x, y)
         return pose.x_m, pose.y_m
+
+    def held_by_both(self, dcm: Point, feet: Mapping[Hand, PlanarPose], inset_m: float) -> bool:
+        """Whether both soles, side by side and less an inset, have a point under a DCM: what holds it.
+
+        Between feet that do not stand side by side the rectangle around them is taken.
+        """
+        seen = PlanarPose.between(feet["left"], feet["right"]).to(PlanarPose(*dcm))
+        middle = PlanarPose.between(feet["left"], feet["right"])
+        x: list[float] = []
+        y: list[float] = []
+        for side, sole in self._soles.items():
+            for corner_x in sole.x_m:
+                for corner_y in sole.y_m:
+                    corner = middle.to(feet[side] @ PlanarPose(corner_x, corner_y))
+                    x.append(corner.x_m)
+                    y.append(corner.y_m)
+        inside_x = min(x) + inset_m <= seen.x_m <= max(x) - inset_m
+        return inside_x and min(y) + inset_m <= seen.y_m <= max(y) - inset_m

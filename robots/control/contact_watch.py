@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 PERIODS = 5
 WALKING_ROOM = 2.0
 """Bounds of a walk, by those of a motion: arms that a walk swings and jolts were seen at 0.9 of those."""
+WALKING_PERIODS = 75
+"""The same for how long: a lurch, when a sole slips off a plate, is over sooner (28 Nm for 50 ms)."""
 # A push that was there before the motion may grow by this: what is picked up has a weight.
 GROWTH_NM = 2.0
 
@@ -40,7 +42,7 @@ class ContactWatch:
         self._outside = np.zeros(len(self._joints))
         self._periods = 0
 
-    def judge(self, effort: Array, expected: Array, moving: bool, room: float = 1.0) -> Refusal | None:
+    def judge(self, effort: Array, expected: Array, moving: bool, walks: bool = False) -> Refusal | None:
         """Judge one period.
 
         Args:
@@ -48,20 +50,20 @@ class ContactWatch:
             expected: What the motion needs, Nm, shape (n,).
             moving: Whether a planned motion runs; at rest, a push is only noted, so that the motion
                 that ends it is not taken for its cause.
-            room: Bounds are multiplied by this.
+            walks: Whether the robot walks: arms swing, and are jolted.
 
         Returns:
             What pushes too hard, or None.
         """
         outside, bound = self._outside, self._scaled
-        np.multiply(self._bound, room, out=bound)
+        np.multiply(self._bound, WALKING_ROOM if walks else 1.0, out=bound)
         excess_nm = largest_excess(effort, expected, self._indices, bound, outside)
         if not moving:
             self._bound = np.maximum(self._allowed, outside + GROWTH_NM)
             self._periods = 0
             return None
         self._periods = self._periods + 1 if excess_nm > 0.0 else 0
-        if self._periods < PERIODS:
+        if self._periods < (WALKING_PERIODS if walks else PERIODS):
             return None
         self._periods = 0
         worst = int(np.argmax(outside - bound))

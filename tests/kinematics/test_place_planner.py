@@ -1,5 +1,7 @@
 """Putting down: ways down that are free, and what is tried when none is found at first."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -73,6 +75,20 @@ def test_out_of_reach_there_is_no_plan_and_the_reasons_are_counted(talos, stance
     assert isinstance(answer, NoPlan)
     assert answer.reasons["no inverse kinematics at the spot"] > 0
     assert answer.numbers["spots"] == 1.0
+
+
+def test_who_asks_quickly_gets_the_plain_plans_and_a_short_no(talos, stance, make):
+    high = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.04))
+    plain = request(talos, stance, make, 0.85, (0.42, -0.34), high)
+    hard = request(talos, stance, make, 0.995, (0.52, -0.25))
+    planner = PlacePlanner(talos)
+
+    short = planner.plan(dataclasses.replace(hard, quick=True))
+
+    assert isinstance(planner.plan(dataclasses.replace(plain, quick=True)), PlacePlan)
+    assert isinstance(short, NoPlan)
+    assert short.numbers["considered"] == len(place_planner.TURNS_RAD)
+    assert isinstance(planner.plan(hard), PlacePlan)
 
 
 @pytest.mark.requirement("M3")

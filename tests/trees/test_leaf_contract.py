@@ -2,9 +2,12 @@
 
 Leaves are found in ``trees.leaves``, taken out of the trees of the skills that use them, and put on a
 stage with the inputs and the posture that they had in a real run of the skill. A leaf is then halted at
-each of its ticks, and everything around it fails, hangs, raises, is stale or is missing.
+each of its ticks, and everything around it fails, hangs, raises, is stale or is missing. Everything around
+it is what it asks for or sets going when nothing is wrong: a fault of what a leaf never turns to is the
+undisturbed run over again, tick by tick, and is left out.
 """
 
+import contextlib
 import dataclasses
 import functools
 import importlib
@@ -266,6 +269,21 @@ class Trial:
     def finger_positions(self):
         return [gripper.position_rad for gripper in self.stage.fake.grippers.values()]
 
+    def note_what_it_turns_to(self):
+        """Notes from now on in ``turned_to`` which parts of the robot the leaf asks or sets going."""
+        self.turned_to = set()
+        for part, objects, names in parts_of(self.stage.fake):
+            for item in objects:
+                for name in names:
+                    setattr(item, name, self._noting(part, getattr(item, name)))
+
+    def _noting(self, part, function):
+        def noted(*arguments):
+            self.turned_to.add(part)
+            return function(*arguments)
+
+        return noted
+
     def run(self, ticks=LONGEST):
         """Tick until the leaf ends, or so often; returns how often it was ticked."""
         for tick in range(1, ticks + 1):
@@ -301,6 +319,43 @@ class Trial:
         if kinds:
             assert self.leaf.failure.kind in kinds, self.leaf.failure
         self.require_kept()
+
+
+def parts_of(fake):
+    """What a leaf can turn to: a part's name, its objects, and their functions that a leaf calls."""
+    yield "planning", (fake.planning,), ("submit",)
+    yield "motion", (fake.motion,), ("start", "note")
+    yield "gripper", tuple(fake.grippers.values()), ("open", "close", "reading")
+    yield "camera", (fake.detector,), ("latest",)
+    yield "sensing", (fake.sensing,), ("state", "state_at")
+
+
+@pytest.fixture(scope="module")
+def turned_to(new_stage, contexts):
+    """Tells which parts of the robot a leaf turns to while nothing is wrong, however long a tick is."""
+
+    @functools.cache
+    def parts(kind):
+        found = set()
+        for options in ({}, {"period_s": LONG_PERIOD_S}):
+            run = Trial(new_stage(*around_the_robot(), **options), kind, contexts[kind])
+            run.note_what_it_turns_to()
+            run.run()
+            found |= run.turned_to
+            Blackboard.clear()
+        return frozenset(found)
+
+    return parts
+
+
+@contextlib.contextmanager
+def noted_as(fault):
+    """What fails in here says with which fault."""
+    try:
+        yield
+    except BaseException as error:
+        error.add_note(f"with the fault {fault.__name__}")
+        raise
 
 
 @pytest.fixture
@@ -364,19 +419,31 @@ def empty_hand(fake):
         gripper.empty = True
 
 
-FAILING = (no_plan, motion_refused, motion_refused_midway, blind, empty_hand)
+FAILING = {
+    no_plan: "planning",
+    motion_refused: "motion",
+    motion_refused_midway: "motion",
+    blind: "camera",
+    empty_hand: "gripper",
+}
 
 
 @pytest.mark.requirement("S7")
-@pytest.mark.parametrize("fault", FAILING, ids=lambda fault: fault.__name__)
 @every_leaf
-def test_a_leaf_around_which_something_fails_ends_and_leaves_the_robot_at_rest(trial, kind, fault):
-    run = trial(kind)
-    fault(run.stage.fake)
-    run.run()
+def test_a_leaf_around_which_something_fails_ends_and_leaves_the_robot_at_rest(trial, turned_to, kind):
+    for fault in meeting(turned_to(kind), FAILING):
+        with noted_as(fault):
+            run = trial(kind)
+            fault(run.stage.fake)
+            run.run()
 
-    assert run.leaf.status is not Status.RUNNING
-    run.require_kept()
+            assert run.leaf.status is not Status.RUNNING
+            run.require_kept()
+
+
+def meeting(parts, faults):
+    """Those of the faults that a leaf meets which turns to these parts of the robot."""
+    return [fault for fault, part in faults.items() if part in parts]
 
 
 def planning_hangs(fake):
@@ -396,23 +463,29 @@ def camera_hangs(fake):
     fake.detector.frozen = True
 
 
-HANGING = (planning_hangs, motion_hangs, fingers_hang, camera_hangs)
+HANGING = {
+    planning_hangs: "planning",
+    motion_hangs: "motion",
+    fingers_hang: "gripper",
+    camera_hangs: "camera",
+}
 
 
 @pytest.mark.requirement("S7")
-@pytest.mark.parametrize("fault", HANGING, ids=lambda fault: fault.__name__)
 @every_leaf
-def test_a_leaf_that_hangs_gives_up_at_its_deadline_and_leaves_the_robot_at_rest(trial, kind, fault):
-    run = trial(kind, period_s=LONG_PERIOD_S)
-    fault(run.stage.fake)
-    began_s = run.stage.fake.clock.now_s()
-    run.run(round((run.leaf.deadline_s + 2.0) / LONG_PERIOD_S))
+def test_a_leaf_that_hangs_gives_up_at_its_deadline_and_leaves_the_robot_at_rest(trial, turned_to, kind):
+    for fault in meeting(turned_to(kind), HANGING):
+        with noted_as(fault):
+            run = trial(kind, period_s=LONG_PERIOD_S)
+            fault(run.stage.fake)
+            began_s = run.stage.fake.clock.now_s()
+            run.run(round((run.leaf.deadline_s + 2.0) / LONG_PERIOD_S))
 
-    assert run.leaf.status is not Status.RUNNING
-    assert run.stage.fake.clock.now_s() - began_s <= run.leaf.deadline_s + 2 * LONG_PERIOD_S
-    if run.leaf.status is Status.FAILURE:
-        run.require_failed()
-    run.require_kept()
+            assert run.leaf.status is not Status.RUNNING
+            assert run.stage.fake.clock.now_s() - began_s <= run.leaf.deadline_s + 2 * LONG_PERIOD_S
+            if run.leaf.status is Status.FAILURE:
+                run.require_failed()
+            run.require_kept()
 
 
 def boom(*_arguments):
@@ -444,22 +517,29 @@ def sensing_raises(fake):
     fake.sensing.state = fake.sensing.state_at = boom
 
 
-RAISING = (
-    planning_raises,
-    submitting_raises,
-    starting_raises,
-    gripper_raises,
-    camera_raises,
-    sensing_raises,
-)
+RAISING = {
+    planning_raises: "planning",
+    submitting_raises: "planning",
+    starting_raises: "motion",
+    gripper_raises: "gripper",
+    camera_raises: "camera",
+    sensing_raises: "sensing",
+}
 
 
 @pytest.mark.requirement("S8")
-@pytest.mark.parametrize("fault", RAISING, ids=lambda fault: fault.__name__)
 @every_leaf
-def test_what_raises_becomes_the_leafs_failure_and_the_robot_is_at_rest(trial, kind, fault):
-    run = trial(kind)
-    fault(run.stage.fake)
+def test_what_raises_becomes_the_leafs_failure_and_the_robot_is_at_rest(trial, turned_to, kind):
+    for fault in meeting(turned_to(kind), RAISING):
+        with noted_as(fault):
+            run = trial(kind)
+            fault(run.stage.fake)
+            run_without_sensing(run)
+            require_the_cause_told(run)
+
+
+def run_without_sensing(run):
+    """Tick it to its end in a world that keeps no states, which would raise by itself."""
     for _ in range(LONGEST):
         run.leaf.tick_once()
         if run.leaf.status is not Status.RUNNING:
@@ -469,12 +549,20 @@ def test_what_raises_becomes_the_leafs_failure_and_the_robot_is_at_rest(trial, k
         for gripper in run.stage.fake.grippers.values():
             gripper.advance(0.02)
 
+
+def require_the_cause_told(run):
     assert run.leaf.status is not Status.RUNNING
     assert not run.stage.fake.motion.moving
     if run.leaf.status is Status.FAILURE and run.leaf.failure.kind is FailureKind.ERROR:
         # a leaf to which nothing on the fake robot leads begins without its inputs, and says so
         causes = ("the cable is out", "has no data available")
         assert any(cause in run.leaf.failure.message for cause in causes)
+
+
+def test_every_fault_is_met_by_some_leaf(turned_to):
+    met = set().union(*(turned_to(kind) for kind in LEAVES))
+
+    assert met == {part for faults in (FAILING, HANGING, RAISING) for part in faults.values()}
 
 
 @pytest.mark.requirement("S8")

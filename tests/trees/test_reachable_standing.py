@@ -47,6 +47,26 @@ def test_no_place_is_farther_from_the_object_than_an_arm_reaches():
     assert all(body.distance_m(PlanarPose(*BOTTLE_M)) <= 1.15 for body in tried())
 
 
+def test_a_place_from_which_hands_get_there_better_is_asked_about_sooner():
+    def reach(body):
+        return 1.0 if body.to(USUAL).y_m > 0.05 else 0.1
+
+    places = list(stands_to_try(USUAL, BOTTLE_M, (), (), SETTINGS, reach=reach))
+
+    assert places[0].to(USUAL).y_m > 0.05
+    assert USUAL in places
+
+
+def test_where_no_hand_gets_there_nobody_is_asked_to_stand():
+    def reach(body):
+        return 0.0 if body.distance_m(USUAL) > 0.15 else 0.5
+
+    places = list(stands_to_try(USUAL, BOTTLE_M, (), (), SETTINGS, reach=reach))
+
+    assert places[0] == USUAL
+    assert all(body.distance_m(USUAL) <= 0.15 for body in places)
+
+
 def test_a_stand_moves_with_the_thing_that_it_is_for():
     seen = Place("bottle", "object", Cylinder(0.03, 0.2), poses.translation(5.74, 0.9, 1.2), 0.9)
     again = Place("bottle", "object", Cylinder(0.03, 0.2), poses.translation(5.76, 0.87, 1.2), 0.9)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import ClassVar
 
 from py_trees.common import Status
 
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import NoPlan, PickPlan, PickRequest, PlacePlan
+from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.support import top_m
 from kinematics.trajectory import Stance
@@ -57,7 +58,8 @@ class ChooseStand(Leaf):
         place: Place = self.get_input("place")
         body = feet_pose(toolbox)
         scene = toolbox.world.scene
-        self._place, self._here, self._job, self._asked = place, body, None, 0
+        self._place, self._here, self._job, self._asked, self._most = place, body, None, 0, _MOST
+        self._tried: list[PlanarPose] = []
         self._usual = self.usual(place, body)
         self._stands: Iterator[PlanarPose] = iter(())
         self._stand, self._sure = self._usual, 0
@@ -75,18 +77,35 @@ class ChooseStand(Leaf):
             self._stands = (
                 stand
                 for stand in self.stands(
-                    body, stands_to_try(self._usual, (x, y), about, above, settings, self.TURNED_RAD)
+                    body,
+                    stands_to_try(
+                        self._usual, (x, y), about, above, settings, self.TURNED_RAD, self.reach(thing)
+                    ),
                 )
                 if sees(stand, eye_m, thing, scene)
             )
 
     def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
         """Where one would stand without knowing better."""
-        return standing_place(place, self.toolbox.world.scene, body, self.toolbox.policy.support_gap_m)
+        toolbox = self.toolbox
+        settings = toolbox.model.description.walking
+        return standing_place(place, toolbox.world.scene, body, toolbox.policy.support_gap_m, settings)
 
     def thing(self, place: Place) -> SceneObject | None:
         """What is to be within reach; None when it is no object that the scene holds."""
         return self.toolbox.world.scene.objects.get(place.name) if place.category == "object" else None
+
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that may be used."""
+        return tuple(self.toolbox.model.description.grippers)
+
+    def reach(self, thing: SceneObject) -> Callable[[PlanarPose], float] | None:
+        """How well a body that stands somewhere gets to the object; None for a robot without a map."""
+        known = self.toolbox.model.description.reachability
+        if known is None:
+            return None
+        x, y, z = (float(value) for value in thing.world_T_object[:3, 3])
+        return lambda body: known.best_from(body, self.hands(), (x, y, z))
 
     def stands(self, _here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
         """The places to ask about, in order, where there is room."""
@@ -104,6 +123,10 @@ class ChooseStand(Leaf):
             lift_m=toolbox.policy.lift_m,
             seed=int(toolbox.rng.integers(2**31)),
         )
+
+    def harder(self) -> Iterator[PlanarPose]:
+        """Places to ask about once more, and more patiently, when none had a plan; none here."""
+        return iter(())
 
     def without_any(self) -> Status | Failure:
         """What follows when there is a plan from nowhere."""
@@ -127,10 +150,14 @@ class ChooseStand(Leaf):
                 self._ask(self._stand @ self.BESIDE[self._sure])
                 self._sure += 1
                 return RUNNING
-        following = next(self._stands, None) if self._asked < _MOST else None
+        following = next(self._stands, None) if self._asked < self._most else None
+        if following is None:
+            self._stands = self.harder()
+            following = next(self._stands, None)
         if following is None:
             return self.without_any()
         self._stand, self._sure = following, 0
+        self._tried.append(following)
         self._ask(following)
         return RUNNING
 

@@ -82,7 +82,7 @@ class Detect(LookLeaf):
             without_moved_parts(world.scene, estimates),
             estimates,
             policy,
-            lambda point: self._unseen(views[-1], point),
+            lambda item: self._unseen(views[-1], item.world_T_object[:3, 3]),
             may_have_moved=self.part == "alone",
         )
         world.update(update.scene)

@@ -45,7 +45,9 @@ class DetectHandle(LookLeaf):
         for name in [name for name in scene.objects if kind_of(name) in fresh]:
             scene = scene.without_object(name)  # unlike other furniture, these move
         camera, pose = self.toolbox.model.description.camera, views[-1].odom_T_camera
-        update = updated_scene(scene, estimates, policy, lambda point: not in_view(camera, pose, point))
+        update = updated_scene(
+            scene, estimates, policy, lambda item: not in_view(camera, pose, item.world_T_object[:3, 3])
+        )
         world.update(update.scene)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         task: OpenTask | CloseTask = self.get_input("task")

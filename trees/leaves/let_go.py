@@ -66,5 +66,6 @@ class LetGo(MotionLeaf):
         if held.name in world.scene.attached:
             tcp = model.frame_pose(self.toolbox.sensing.state().q, gripper.tcp_frame)
             world.update(world.scene.with_detached(held.name, tcp @ held.tcp_T_object))
+            world.note_put_down(held.name)
         self.feedback_message = f"{opening_m * 1000:.0f} mm open"
         return DONE

@@ -1,4 +1,4 @@
-"""Tell, before anything is picked up, when it is to go into a drawer that is shut."""
+"""Tell, before anything is picked up, when it is to go into a drawer or behind a door that is shut."""
 
 from __future__ import annotations
 
@@ -10,15 +10,18 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.drawer_inside import inside_of_drawer
 from trees.failures import Failure, FailureKind
-from trees.handles import DRAWER, MEANT_BY
+from trees.fridge_inside import inside_of_fridge
+from trees.handles import DOOR, DRAWER, MEANT_BY
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
 from trees.tasks import ObjectDescription, PutInTask
 
+_INSIDE = {DRAWER: inside_of_drawer, DOOR: inside_of_fridge}
+
 
 class NotShut(LookAround):
-    """Look whether the drawer that the task names is open; succeeds at once for what does not open.
+    """Look whether the drawer or door that the task names is open; succeeds at once for what does not open.
 
     What is not seen from here is left to a later look.
     """
@@ -27,19 +30,23 @@ class NotShut(LookAround):
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the head is at rest",
-        postcondition="the task names no drawer that was seen to be shut",
+        postcondition="the task names nothing that is believed to be shut, or less open than an arm needs",
         deadline_s=2.0,
     )
+    LOOKING_ON = True
 
     def step(self) -> Status | Failure:
         """Look only when it matters."""
-        to = self.get_input("task").to
-        noun = to.kind if isinstance(to, ObjectDescription) else to
-        return super().step() if MEANT_BY.get(str(noun)) == DRAWER else DONE
+        return super().step() if self._opens() in _INSIDE else DONE
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """What was seen before counts as well."""
         del seen
-        inside = inside_of_drawer(self.toolbox.world.scene)
+        inside = _INSIDE[self._opens()](self.toolbox.world.scene)
         shut = isinstance(inside, Failure) and inside.kind is FailureKind.INFEASIBLE
         return inside if isinstance(inside, Failure) and shut else DONE
+
+    def _opens(self) -> str:
+        """What there is to open, as perception calls it; nothing for a box or a bowl."""
+        to = self.get_input("task").to
+        return MEANT_BY.get(to.kind or "" if isinstance(to, ObjectDescription) else str(to), "")

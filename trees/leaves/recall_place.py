@@ -1,35 +1,41 @@
-"""Recall where something that stays where it is was seen."""
+"""Recall where something is that stays where it is, or that this robot put down itself."""
 
 from __future__ import annotations
 
 from py_trees.common import Status
 
+from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 from robots.perception.detector import Category
+from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.destination import Place, aim_of
 from trees.failures import Failure
+from trees.grounding import Found, ground
 from trees.leaf import DONE, Leaf
+from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.tasks import ObjectDescription
+from trees.tasks import Destination, ObjectDescription
 
 _CONFIDENCE = 0.5
 """Of what is out of view: a person may have gone."""
 
 
 class RecallPlace(Leaf):
-    """Take a piece of furniture or a person from the world model; nothing is looked at.
+    """Take a piece of furniture, a person, or what a hand put down from the world model, without a look.
 
-    It is where to go and look again. Objects are not recalled: a hand may have moved them.
+    It is where to go and look again. Other objects are not recalled: a hand may have moved them.
     """
 
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(place=Place)
     CONTRACT = Contract(
         precondition="none",
-        postcondition="furniture or a person of that name, where it was last seen",
+        postcondition="furniture or a person of that name, where it was last seen; or the only thing that "
+        "this robot put down and that fits, where it was last seen or let go of",
         deadline_s=1.0,
     )
+    ASKS = True
 
     def step(self) -> Status | Failure:
         """Look it up."""
@@ -37,7 +43,29 @@ class RecallPlace(Leaf):
         wanted = (aim.name or aim.kind) if isinstance(aim, ObjectDescription) else str(aim)
         for name, item in self.toolbox.world.scene.objects.items():
             if not item.movable and wanted is not None and name.casefold() == wanted.casefold():
-                category: Category = "furniture" if isinstance(item.shape, Box) else "person"
-                self._set_output("place", Place(name, category, item.shape, item.world_T_object, _CONFIDENCE))
-                return DONE
+                return self._recall(item, "furniture" if isinstance(item.shape, Box) else "person")
+        put_down = self._put_down(aim)
+        if put_down is not None:
+            return self._recall(put_down, "object")
         return Failure.postcondition(f"no {wanted} was seen before")
+
+    def _recall(self, item: SceneObject, category: Category) -> Status:
+        self._set_output("place", Place(item.name, category, item.shape, item.world_T_object, _CONFIDENCE))
+        self.feedback_message = f"{item.name} where it was {'put' if category == 'object' else 'seen'}"
+        return DONE
+
+    def _put_down(self, aim: Destination | None) -> SceneObject | None:
+        """The only thing that was put down and fits; None when there is none, or several."""
+        world = self.toolbox.world
+        if isinstance(aim, str):
+            return world.put_down.get(aim)
+        if not isinstance(aim, ObjectDescription):
+            return None
+        scene = world.scene.with_objects([*world.scene.objects.values(), *world.put_down.values()])
+        here = feet_pose(self.toolbox).transform()
+        around = surroundings(scene, here, self.toolbox.policy.support_gap_m, world.last_acted_on)
+        match ground(aim, around.only(tuple(world.put_down))):
+            case Found((name,)):
+                return world.put_down[name]
+            case _:
+                return None

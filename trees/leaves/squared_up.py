@@ -40,7 +40,8 @@ class SquaredUp(Leaf):
         if stand is not None and stand.name == place.name:
             goal = stand.body(place)
         else:
-            goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m)
+            settings = toolbox.model.description.walking
+            goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m, settings)
         left = body.to(goal)
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)

@@ -22,7 +22,7 @@ from trees.own_load import without_held
 from trees.ports import optional, ports
 from trees.reachable_standing import Stand
 from trees.seen_points import SeenPoints, apart_from
-from trees.standing_place import TURN_ROOM_M, standing_place
+from trees.standing_place import hands_wider_m, standing_place, turn_room_m
 from trees.walking_leaf import WalkingLeaf
 
 Array = NDArray[np.float64]
@@ -32,8 +32,9 @@ _APPROACH_M = 0.45
 _TURNING_HANDS_M = 0.08
 """Fingers that are 0.77 m aside and 0.31 m ahead go around in a circle of 0.83 m, and the body sways."""
 _BACK_M_S = 0.25
-_CLEARANCES_M = (0.72, 0.62)
-"""Of the path, the first one that leaves a way; more where something is as tall as the hands are."""
+_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.62, 0.47))
+"""Of the path, the first ones that leave a way: from what is as tall as the hands are, which takes more room
+by itself, and from what is lower. Below the hands nothing of TALOS is farther from its middle than 0.32 m."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
@@ -84,7 +85,8 @@ class WalkTo(WalkingLeaf):
         stand: Stand | None = self.optional("stand")
         if stand is not None and stand.name == self._place.name:
             return stand.body(self._place)
-        return standing_place(self._place, toolbox.world.scene, body, toolbox.policy.support_gap_m)
+        settings = toolbox.model.description.walking
+        return standing_place(self._place, toolbox.world.scene, body, toolbox.policy.support_gap_m, settings)
 
     def step(self) -> Status | Failure:
         """Choose the goal, walk, and measure."""
@@ -132,9 +134,9 @@ class WalkTo(WalkingLeaf):
         obstacles = self._obstacles(settings)
         self._look(obstacles)
         turning = self._obstacles(settings, _TURNING_HANDS_M)
-        near_m = clearance_m(turning, body)
-        if near_m < TURN_ROOM_M and not self._backing:
-            back = body @ PlanarPose(-(TURN_ROOM_M - near_m + 0.1))
+        near_m, room_m = clearance_m(turning, body), turn_room_m(settings)
+        if near_m < room_m and not self._backing:
+            back = body @ PlanarPose(-(room_m - near_m + 0.1))
             if clearance_m(turning, back) > near_m:
                 self._backing = True
                 return StretchSteering(settings, body, -_BACK_M_S, body.distance_m(back))
@@ -146,19 +148,21 @@ class WalkTo(WalkingLeaf):
     ) -> Steering | Failure:
         before = self._goal @ PlanarPose(-self._straight_m)
         points = self._seen.beside(obstacles)
-        for room_m in _CLEARANCES_M:
-            path = plan_path(body, before, obstacles, room_m, points, _hands_m(settings))
+        for room_m, low_m in _CLEARANCES_M:
+            more_m = room_m - low_m
+            around = self._obstacles(settings, more_m) if more_m > 0.0 else obstacles
+            path = plan_path(body, before, around, low_m, points, hands_wider_m(settings) + more_m)
             if path is not None:
                 break
         else:
             return Failure.infeasible(
-                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1]
+                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1][1]
             )
         self._path, self._clearance_m = path, room_m
         return PathSteering(settings, (*path, self._goal))
 
     def _obstacles(self, settings: WalkingSettings, more_m: float = 0.0) -> tuple[Footprint, ...]:
-        return footprints(self.toolbox.world.scene, settings.hands_from_m, _hands_m(settings) + more_m)
+        return footprints(self.toolbox.world.scene, settings.hands_from_m, hands_wider_m(settings) + more_m)
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""
@@ -177,7 +181,7 @@ class WalkTo(WalkingLeaf):
         new = self._look(obstacles)
         if self._seen.silent:
             return Failure.execution(_SILENT)
-        room_m = self._clearance_m + _hands_m(settings) - _IN_THE_WAY_M
+        room_m = self._clearance_m + hands_wider_m(settings) - _IN_THE_WAY_M
         if not blocked(self._path, new, room_m):
             return None
         steering = self._way(settings, body_pose(toolbox), obstacles)
@@ -191,8 +195,3 @@ class WalkTo(WalkingLeaf):
         left = feet_pose(self.toolbox).to(self._goal)
         self.measured(off_m=math.hypot(left.x_m, left.y_m), off_rad=abs(left.yaw_rad))
         return DONE
-
-
-def _hands_m(settings: WalkingSettings) -> float:
-    """How much farther than all else the hands stand out."""
-    return settings.hands_half_width_m - settings.half_width_m

@@ -8,14 +8,14 @@ from py_trees.composites import Sequence
 from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
 from trees.leaves.ask_for_hand import AskForHand
-from trees.leaves.door_not_shut import DoorNotShut
 from trees.leaves.draw_back import DrawBack
 from trees.leaves.find_board_room import FindBoardRoom
 from trees.leaves.go_home import GoHome
+from trees.leaves.is_held import IsHeld
 from trees.leaves.look_at_board import LookAtBoard
 from trees.leaves.look_at_placement import LookAtPlacement
+from trees.leaves.not_shut import NotShut
 from trees.leaves.survey import Survey
-from trees.leaves.take_held import TakeHeld
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.subtrees.come_to_board import come_to_board
 from trees.subtrees.have_it import fetched, have_it, no_pick_helps
@@ -30,12 +30,12 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     carry: list[Behaviour] = [
         _have_it(toolbox),
-        DoorNotShut("is it open after all", toolbox),
+        NotShut("is it open after all", toolbox),
         come_to_board(toolbox),
         bring(toolbox, find_board_room),
     ]
     children: list[Behaviour] = [
-        DoorNotShut("is it open", toolbox),
+        NotShut("is it open", toolbox),
         regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
@@ -73,5 +73,5 @@ def _have_it(toolbox: Toolbox) -> Behaviour:
     Who stands beside an open door reaches in with that hand; with the other one hardly.
     """
     fetch = fetched("fetch it with that hand", AskForHand("say which hand", toolbox), toolbox)
-    ways: list[Behaviour] = [TakeHeld("is it held already", toolbox), fetch, have_it(toolbox)]
+    ways: list[Behaviour] = [IsHeld("is it held already", toolbox), fetch, have_it(toolbox)]
     return Alternatives("have it", ways, hopeless=no_pick_helps)

@@ -23,6 +23,11 @@ class PushWatch:
         """Nothing was felt."""
         self._x = self._y = 0.0
 
+    @property
+    def mean(self) -> Point:
+        """Of the DCM's error, m."""
+        return self._x, self._y
+
     def felt(
         self, error: Point, loads_n: Mapping[Hand, float], plan: PatternSample | None, period_s: float
     ) -> Point | None:

@@ -136,6 +136,68 @@ def test_the_soles_are_where_the_pattern_has_them(model):
             assert PlanarPose.of(found).distance_m(wanted) < 1e-3
 
 
+def at_its_end(model, phase):
+    """A walk that was told to finish, in its last phases."""
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.4, 0.0))
+    walk.samples(2000)
+    walk.pattern.finish()
+    while walk.pattern.phase is not phase:
+        walk.pattern.advance(PERIOD_S)
+    return walk
+
+
+def middle(walk):
+    return PlanarPose.between(walk.pattern.feet["left"], walk.pattern.feet["right"])
+
+
+@pytest.mark.parametrize("phase", [Phase.CLOSE, Phase.SETTLE])
+@pytest.mark.parametrize("error", [(0.13, 0.02), (-0.13, 0.0), (0.0, 0.21), (0.02, -0.21)])
+def test_a_body_that_tips_over_both_soles_at_the_end_of_a_walk_steps_on_to_that_side(model, phase, error):
+    walk = at_its_end(model, phase)
+    stood, landed = middle(walk), walk.pattern.steps
+
+    went_on = walk.pattern.step_on(error)
+    samples = walk.samples(4000)
+    gone = stood.to(middle(walk))
+
+    assert went_on
+    assert samples[-1].phase is Phase.REST
+    assert 2 <= walk.pattern.steps - landed <= 4
+    assert gone.x_m * error[0] + gone.y_m * error[1] > 0.012
+    dcm = np.array([sample.com.dcm for sample in samples])
+    assert np.abs(np.diff(dcm, axis=0)).max() < 1.5 * PERIOD_S
+
+
+@pytest.mark.parametrize("phase", [Phase.CLOSE, Phase.SETTLE])
+def test_a_body_that_both_soles_hold_comes_to_rest_where_it_is(model, phase):
+    walk = at_its_end(model, phase)
+    landed = walk.pattern.steps
+
+    assert not walk.pattern.step_on((0.05, 0.03))
+    walk.samples(4000)
+
+    assert walk.pattern.steps == landed
+
+
+def test_a_foot_in_the_air_is_left_to_what_moves_landings(model):
+    walk = at_its_end(model, Phase.SWING)
+
+    assert not walk.pattern.step_on((0.2, 0.0))
+
+
+def test_who_steps_on_is_not_stopped_in_the_middle_of_that(model):
+    walk = at_its_end(model, Phase.CLOSE)
+    landed = walk.pattern.steps
+    walk.pattern.step_on((0.13, 0.0))
+    walk.samples(20)
+
+    samples = walk.samples(4000, finish_after=0)
+
+    assert samples[-1].phase is Phase.REST
+    assert walk.pattern.steps - landed >= 2
+
+
 @pytest.mark.parametrize(
     "goal", [PlanarPose(1.0, 0.4, 1.0), PlanarPose(-0.2, 0.1, -0.3), PlanarPose(0.05, 0.0, 0.0)]
 )

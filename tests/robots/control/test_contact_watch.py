@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from robots.control.contact_watch import PERIODS, ContactWatch
+from robots.control.contact_watch import PERIODS, WALKING_PERIODS, ContactWatch
 from robots.control.refusal import Limit
 from robots.description import load_description
 
@@ -9,11 +9,11 @@ TALOS = load_description("talos")
 ELBOW = TALOS.actuated.index("arm_left_4_joint")
 
 
-def pushed(watch, push_nm, moving=True, periods=PERIODS):
+def pushed(watch, push_nm, moving=True, periods=PERIODS, walks=False):
     expected = np.linspace(-20.0, 20.0, len(TALOS.actuated))
     effort = expected.copy()
     effort[ELBOW] += push_nm
-    refusals = [watch.judge(effort, expected, moving) for _ in range(periods)]
+    refusals = [watch.judge(effort, expected, moving, walks) for _ in range(periods)]
     return next((refusal for refusal in refusals if refusal is not None), None)
 
 
@@ -38,6 +38,14 @@ def test_a_push_that_was_there_before_does_not_hinder_the_motion_that_ends_it():
 
     assert pushed(watch, 40.0, periods=50) is None
     assert pushed(watch, 45.0).limit is Limit.CONTACT
+
+
+def test_on_a_walk_an_arm_that_is_jolted_is_no_contact_and_one_that_goes_on_pushing_is():
+    watch = ContactWatch(TALOS)
+
+    assert pushed(watch, 18.0, periods=200, walks=True) is None
+    assert pushed(watch, 21.0, periods=WALKING_PERIODS - 1, walks=True) is None
+    assert pushed(ContactWatch(TALOS), 21.0, periods=WALKING_PERIODS, walks=True).limit is Limit.CONTACT
 
 
 def test_legs_which_balance_are_not_watched():

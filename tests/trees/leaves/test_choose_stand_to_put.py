@@ -106,6 +106,22 @@ def test_a_place_has_to_serve_on_both_sides_of_where_one_arrives(before_the_frid
     assert stage.output("stand").body(place).distance_m(body_of(asked[0])) > 0.01
 
 
+def test_all_places_are_asked_about_quickly_before_any_is_asked_about_patiently(before_the_fridge):
+    stage, run = before_the_fridge
+    plan = stage.fake.planning.answer
+
+    def answers(request):
+        return NoPlan("out of reach", {}) if request.quick else plan(request)
+
+    status, asked, place = run(answers)
+
+    patient = [request for request in asked if not request.quick]
+    assert status is Status.SUCCESS
+    assert asked[-len(patient) :] == patient
+    assert len(patient) == 3  # the best place, and what is beside it
+    assert stage.output("stand").body(place).distance_m(body_of(asked[0])) < 0.01
+
+
 def test_where_nothing_has_a_plan_nobody_walks(before_the_fridge):
     _, run = before_the_fridge
 

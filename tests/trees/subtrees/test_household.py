@@ -145,6 +145,8 @@ def test_a_cup_is_picked_up_and_put_down_beside_another(stage_with):
     assert place[2, 3] == pytest.approx(0.955, abs=0.01)
     assert -0.35 < place[1, 3] - 0.1 < -0.06
     assert stage.fake.world.carried_by("red cup") is None
+    remembered = stage.told.put_down["red cup"].world_T_object
+    assert remembered[:2, 3] == pytest.approx(place[:2, 3], abs=0.02)
 
 
 def test_where_there_is_no_room_beside_a_thing_is_said(stage_with):

@@ -1,0 +1,78 @@
+"""The way that a walk takes between a low thing and a tall one, where the arms go over the low one."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+from kinematics import poses
+from kinematics.scene import SceneObject
+from kinematics.shapes import Box
+from robots.control.motion_handle import MotionHandle
+from trees.destination import Place
+from trees.leaves.walk_to import WalkTo
+
+_ACROSS_M = 1.5
+_FAR_M = 6.0
+
+
+class FeetThatSetOut:
+    """Walking that notes what it is asked for, and never arrives."""
+
+    active = False
+
+    def __init__(self):
+        self.asked = []
+
+    def walk(self, steering, name):
+        self.asked.append(steering)
+        return MotionHandle(name, "feet")
+
+
+@pytest.fixture
+def between(stage):
+    """Walks through a gap between two walls of given heights, too long to go around."""
+
+    def run(left_m, right_m, gap_m=1.4):
+        walls = [
+            SceneObject(
+                name,
+                Box((0.1, _FAR_M, height_m)),
+                poses.translation(_ACROSS_M, side * 0.5 * (gap_m + _FAR_M), 0.5 * height_m),
+                0.015,
+                movable=False,
+            )
+            for name, side, height_m in (("counter", 1.0, left_m), ("wall", -1.0, right_m))
+        ]
+        stage.told.update(stage.told.scene.with_objects(walls))
+        feet = FeetThatSetOut()
+        toolbox = dataclasses.replace(stage.toolbox, walking=feet, ranging=None)
+        leaf = WalkTo("walk", toolbox)
+        aim = Box((0.4, 0.4, 0.9))
+        place = Place("table", "furniture", aim, poses.translation(3.2, 0.0, 0.45), 0.9)
+        stage.ready(leaf, place=place)
+        status = stage.tick(leaf)
+        way = feet.asked[0].path if feet.asked else ()
+        return status, np.array([(one.x_m, one.y_m) for one in way])
+
+    return run
+
+
+def across(way):
+    """Where a way passes between the walls."""
+    return float(np.interp(_ACROSS_M, way[:, 0], way[:, 1]))
+
+
+def test_between_a_low_and_a_tall_thing_the_way_is_nearer_to_the_low_one(between):
+    status, way = between(0.9, 1.6)
+
+    assert status is Status.RUNNING
+    assert 0.82 - 0.05 < across(way) + 0.7 < 1.4 - 0.47 + 0.05
+
+
+@pytest.mark.parametrize("left_m", [0.9, 1.6])
+def test_a_gap_for_which_arms_are_too_wide_is_not_walked_through(between, left_m):
+    status, _ = between(left_m, 1.6, gap_m=1.2)
+
+    assert status is Status.FAILURE
