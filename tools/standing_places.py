@@ -36,7 +36,7 @@ from trees.standing_place import standing_place
 
 THING = "thing"
 KINDS = ("table", "beside a wall", "fridge")
-_MOST = 40
+MOST = 40
 """Places that are asked about in each order."""
 _GAP_M = 0.05
 
@@ -47,7 +47,7 @@ class Count:
 
     Attributes:
         scenes: In which there was a place with room and sight.
-        asked: Places that were asked about, ``_MOST`` at most in each.
+        asked: Places that were asked about, ``MOST`` at most in each.
         served: Those from which a pick had a plan.
         first: Scenes in which the first place served.
         found: Scenes in which one of them did.
@@ -95,7 +95,8 @@ def _fridge(rng: np.random.Generator) -> PlanningScene:
     size_x, size_y, _ = board.shape.size_m if isinstance(board.shape, Box) else (0.4, 0.4, 0.0)
     deep, aside = float(rng.uniform(0.06, 0.18)), float(rng.uniform(-0.5, 0.5)) * (size_y - 0.2)
     place = poses.translation(x - 0.5 * size_x + deep, y + aside, top_m(board) + 0.5 * tall + 0.001)
-    return scene.with_objects([SceneObject(THING, Cylinder(float(rng.uniform(0.028, 0.036)), tall), place)])
+    thing = SceneObject(THING, Cylinder(float(rng.uniform(0.028, 0.036)), tall), place)
+    return scene.with_objects([*scene.objects.values(), thing])
 
 
 class Comparison:
@@ -122,7 +123,7 @@ class Comparison:
         """Ask about the places in both orders; ``counts`` are those with the map and without."""
         answers: dict[PlanarPose, bool] = {}
         for mapped, count in counts.items():
-            places = list(islice(self._places(scene, mapped), _MOST))
+            places = list(islice(self._places(scene, mapped), MOST))
             for place in places:
                 if place not in answers:
                     answers[place] = self._serves(place, scene, seed)
