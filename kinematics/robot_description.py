@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
-from kinematics.reachability import ReachabilityMap
 from kinematics.walking.settings import WalkingSettings
+
+if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
+    from kinematics.reachability import ReachabilityMap
 
 Hand = Literal["left", "right"]
 HANDS: tuple[Hand, Hand] = ("left", "right")

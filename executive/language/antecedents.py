@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from executive.language.discourse import Discourse, Entity, UnresolvedError, ask, is_them
+from executive.language.genders import may_be
 from executive.language.phrases import Nominal, Relative, Trouble, Where
 from trees import tasks
 from trees.tasks import ObjectDescription, ObjectOf
@@ -223,6 +224,8 @@ class Antecedents(Discourse):
             people = list(dict.fromkeys(self._people))
             if len(people) != 1 or (is_them(value) and self._is_several()):
                 raise ask("who is meant?", [str(person.kind) for person in people])
+            if not may_be(value.said, people[0]):
+                raise ask(f"who is meant by {value.said!r}?")
             return self._destination(people[0])
         if value.reference in ("it", "this"):
             raise ask("who is meant?")

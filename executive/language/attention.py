@@ -149,8 +149,10 @@ def _asked(
 
 
 def _find(parts: Parts) -> Clause:
-    existing = bool(words(parts, "IS_THERE", "IF_THERE"))
-    return clause(parts, _asked(parts, "find", existing=existing))
+    bundles = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
+    if any("there" in word.said.split() for word in words(parts, "IS_THERE")):
+        bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
+    return clause(parts, bundles)
 
 
 def _is_it(parts: Parts) -> Clause:
@@ -210,7 +212,8 @@ def _describe_scene(parts: Parts) -> Clause:
     nothing = Nominal("any", plural=True)
     loose = tuple(part for part in parts if not isinstance(part, Word))
     (one,) = arranged((Item(nothing, loose),))
-    if one.goal is not None or one.hand is not None or one.back:
+    for_another = one.person is not None and one.person.sort != "me"
+    if one.goal is not None or one.hand is not None or one.back or for_another:
         raise unfit()
     relation = one.object.relation
     everything = relation is None or (relation.kind == "in_front_of" and relation.to.sort == "you")
@@ -252,6 +255,22 @@ def _describe_superlative(parts: Parts) -> Clause:
     return _describe(parts)
 
 
+_QUESTIONS = frozenset(
+    {"WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"}
+)
+
+
+def _asking(meaning: Callable[[Parts], Clause]) -> Callable[[Parts], Clause]:
+    """With a mark whether it begins as a question does."""
+
+    def run(parts: Parts) -> Clause:
+        first = parts[0]
+        asks = isinstance(first, Word) and first.word_class in _QUESTIONS
+        return replace(meaning(parts), question=asks)
+
+    return run
+
+
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "wave": _wave,
     "wave_hand": _wave_hand,
@@ -259,15 +278,15 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "point_hand": _attend("point_at"),
     "look": _attend("look_at"),
     "look_around": _look_around,
-    "find": _find,
-    "is_it": _is_it,
+    "find": _asking(_find),
+    "is_it": _asking(_is_it),
     "whether_at": _whether_at,
     "search": _search,
     "search_beside": _search_beside,
-    "count": _count,
-    "describe_scene": _describe_scene,
-    "describe": _describe,
-    "describe_superlative": _describe_superlative,
+    "count": _asking(_count),
+    "describe_scene": _asking(_describe_scene),
+    "describe": _asking(_describe),
+    "describe_superlative": _asking(_describe_superlative),
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -50,7 +50,9 @@ class Discourse:
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
         self._mention: Mention | None = None
+        self._stated_at: Nominal | None = None
         self._called: dict[str, str] = {}
+        self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._clause = 0
 
@@ -84,6 +86,10 @@ class Discourse:
         """
         if nominal.kind is None or nominal.anaphoric or nominal.sort not in _NAMED or not nominal.said:
             return
+        if nominal.whose:
+            whose = self._whose.setdefault(nominal, nominal.whose)
+            if whose != nominal.whose:
+                raise ask(f"'{whose} {nominal.said}' and '{nominal.whose} {nominal.said}': which is which?")
         before = self._called.setdefault(nominal.kind, nominal.said)
         if not _is_one_name(before, nominal.said):
             raise ask(f"{before!r} and {nominal.said!r} are both called {nominal.kind!r}: which is which?")

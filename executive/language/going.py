@@ -258,7 +258,8 @@ def _wait(parts: Parts) -> Clause:
 
 
 def _go_home(parts: Parts) -> Clause:
-    return clause(parts, [(draft("go_home"),)])
+    bare = words(parts, "GO_HOME")[0].said in ("home", "homing")
+    return replace(clause(parts, [(draft("go_home"),)]), terse=bare)
 
 
 def _stop(parts: Parts) -> Clause:

@@ -13,6 +13,12 @@ from executive.language.nominals import described, nominal_of, words
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
 
 Parts = tuple[Any, ...]
+_SORTS_OF_THINGS = frozenset(
+    {"thing", "fruit", "vegetable", "utensil", "tool", "toy", "drink", "snack", "container", "food"}
+    | {"cutlery", "silverware", "crockery", "clothes", "jewelry", "medicine", "game", "present", "gift"}
+)
+"""What a noun after a comma may say more exactly: "the blue thing, the cup"; "my drink, the juice"."""
+
 _LATER = frozenset({"then", "after", "finally", "followed"})
 
 
@@ -32,7 +38,9 @@ class _Joined:
     company: bool = False
 
 
-def _joined(parts: Parts) -> _Joined:
+def _joined(parts: Parts) -> _Joined | None:
+    if any(mark.meaning in (".", "!", "?") for mark in words(parts, "PAUSE")):
+        return None  # "walk to the kitchen. The shelf": what about the shelf?
     said = [one for word in words(parts, "AND") for one in word.said.split()]
     return _Joined(not said, not _LATER.isdisjoint(said), "with" in said)
 
@@ -52,7 +60,7 @@ def _items(parts: Parts) -> Items | Trouble:
         for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
             if unclear is None and _may_be_one(first.of, second.of):
                 unclear = said_again(first.of, second.of, (link,))
-        unclear = unclear or _told_later(each, links)
+        unclear = unclear or said_twice(each, links) or _told_later(each, links)
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(each)
@@ -64,6 +72,23 @@ def _may_be_one(before: Nominal, last: Nominal) -> bool:
     return last.anaphoric and all(
         getattr(last, name) is None or getattr(before, name) in (None, getattr(last, name)) for name in told
     )
+
+
+def said_twice(each: Iterable[Item], links: Iterable[Any]) -> Trouble | None:
+    """The question whether two things of a list, with no more than a comma between, are one."""
+    items, joined = tuple(each), [link for link in links if isinstance(link, _Joined)]
+    for (first, second), link in zip(itertools.pairwise(items), joined, strict=False):
+        if link.commas and _may_say_it_again(first, second, len(items)):
+            return _one_or_two(first.of, second.of)
+    return None
+
+
+def _may_say_it_again(first: Item, second: Item, among: int) -> bool:
+    """Whether two things with a comma between may be one: there are but two, or it is a sort of thing."""
+    if first.details or first.of.reference or first.of.is_person != second.of.is_person:
+        return False
+    names_a_sort = first.of.sort in ("thing", "any") and first.of.kind in (None, *_SORTS_OF_THINGS)
+    return names_a_sort or (among == 2 and not second.details)
 
 
 def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:
@@ -80,6 +105,10 @@ def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble 
     commas = any(isinstance(link, _Joined) and link.commas for link in links)
     if not commas or not (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
         return None
+    return _one_or_two(before, last)
+
+
+def _one_or_two(before: Nominal, last: Nominal) -> Trouble:
     question = "is this one thing or two? say 'and' between two"
     return Trouble(f"{spoken(before)}, {spoken(last)}: {question}", asks=True)
 

@@ -47,6 +47,7 @@ _SLOTS = {
     "ANOTHER": "ordinal",
 }
 _SIDES = {"left": "leftmost", "right": "rightmost"}
+_WHOSE = frozenset({"my", "your", "our", "this", "that", "these", "those"})
 _COUNTED_FROM = frozenset({"first", "second", "third", "fourth", "fifth", "sixth"})
 
 Parts = tuple[Any, ...]
@@ -153,7 +154,10 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
         return nominal
     if nominal.ordinal in _COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
-    return replace(nominal, determined=bool(words(parts, "DET", "ANOTHER")))
+    whose = next((word.said for word in words(parts, "DET") if word.said in _WHOSE), "")
+    indefinite = any(word.said in ("a", "an") for word in words(parts, "DET"))
+    determined = bool(words(parts, "DET", "ANOTHER"))
+    return replace(nominal, determined=determined, indefinite=indefinite, whose=whose)
 
 
 def _several(parts: Parts) -> Nominal | Trouble | None:
@@ -169,6 +173,9 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
         return Trouble(
             f"{amount:g} things at once: a whole number from 1 to {MAX_COUNT} is understood", f"{amount:g}"
         )
+    if amount > 1 and words(parts, "DET") and not (nominal.plural or nominal.paired):
+        message = f"{amount:g} of them, or the one with the number {amount:g}?"
+        return Trouble(message, f"{amount:g}", asks=True)
     extreme = nominal.size if nominal.size in SUPERLATIVES else None
     if amount > 1 and extreme:
         return Trouble(f"{amount:g} things that are each the {extreme} one", extreme)
@@ -191,6 +198,11 @@ def _all(parts: Parts) -> Nominal | Trouble | None:
     each = bool(words(parts, "EVERY"))
     if not each and not nominal.plural:
         return None
+    if each and nominal.ordinal == "other" and not nominal.plural:
+        return Trouble("every second one, or all the others?", "other", asks=True)
+    only = nominal.size if nominal.size in SUPERLATIVES else nominal.ordinal
+    if only not in (None, "other"):
+        return Trouble(f"several things that are each the {only} one", only)
     amounts = [part for part in parts if isinstance(part, float)]
     count: int | str = int(amounts[0]) if amounts and 1 < amounts[0] <= MAX_COUNT else "all"
     return replace(nominal, count=count, counted=True, determined=True, plural=True)
@@ -214,6 +226,8 @@ def _out_of(parts: Parts) -> Nominal | Trouble | None:
     result = described(nominal, parts)
     if not isinstance(result, Nominal):
         return result
+    if result.ordinal in _COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
+        return Trouble("how many of them?", result.ordinal, asks=True)  # "a third of the cups"
     return replace(result, plural=False, determined=True)
 
 
@@ -260,7 +274,7 @@ def _simple(parts: Parts) -> Nominal | None:
         case "THIS":
             return Nominal("any", reference="this", determined=True)
         case "HIM":
-            return Nominal("person", reference="him", determined=True)
+            return Nominal("person", reference="him", determined=True, said=word.said)
         case "ME":
             return Nominal("me", "me", determined=True)
         case "YOU":
@@ -326,7 +340,8 @@ def _which_is(parts: Parts) -> Feature | Relative | None:
     word = next(
         part for part in parts if isinstance(part, Word) and part.word_class not in ("REL_IS", "DET", "ONE")
     )
-    return _feature(word)
+    seen = any("you" in link.said.split() for link in words(parts, "REL_IS"))
+    return None if seen else _feature(word)  # "the cup you see first"
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

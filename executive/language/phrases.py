@@ -69,6 +69,8 @@ class Nominal:
         determined: Whether an article or the like was there.
         paired: Whether it is one thing with a plural name: scissors.
         said: The noun as it was said.
+        indefinite: Whether "a" or "an" was before it.
+        whose: The word before it that tells one of its kind from another: "my", "that".
     """
 
     sort: Sort
@@ -87,6 +89,8 @@ class Nominal:
     determined: bool = False
     paired: bool = False
     said: str = field(default="", compare=False)
+    indefinite: bool = field(default=False, compare=False)
+    whose: str = field(default="", compare=False)
 
     def described(self, feature: Feature) -> Nominal | Trouble:
         """With one more feature; a contradiction is trouble."""
@@ -242,6 +246,8 @@ class Clause:
         terse: Whether it stands only where a clause begins, because its first words could belong to what is
             said before it: "forward 2 m", "the cup, take it".
         number: Which one of a numbered list it is.
+        question: Whether it begins as a question does, and so may be meant for "which is ..." where nothing
+            stands before it: "bring me the cup what is on the table".
     """
 
     bundles: tuple[Bundle, ...]
@@ -251,6 +257,7 @@ class Clause:
     mention: Mention | None = None
     terse: bool = False
     number: int | None = None
+    question: bool = False
 
 
 def draft(action: str, **slots: Any) -> Draft:

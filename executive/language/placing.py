@@ -21,6 +21,9 @@ _SURFACES = frozenset(
 )
 """Furniture at which a thing is put by putting it onto it."""
 
+_LEAVES = frozenset({"leave", "leaving", "left"})
+"""Verbs that may as well say that nothing is to be moved."""
+
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
 
@@ -69,6 +72,7 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
 def _put(parts: Parts) -> Clause:
     each = arranged(parts, goes=True)
     down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
+    stays = any(word.said in _LEAVES for word in words(parts, "PUT"))
     bundles: list[Bundle] = []
     for one in each:
         nominal = thing(one, "putting down")
@@ -86,6 +90,8 @@ def _put(parts: Parts) -> Clause:
             )
         else:
             raise unfit()
+    if stays:
+        bundles = [tuple(each.with_slot("stays", True) for each in bundle) for bundle in bundles]
     return clause(parts, bundles)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from executive.language.antecedents import PUTS_DOWN, Antecedents
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
 from executive.language.handled_thing import PREVIOUS
-from executive.language.phrases import Bundle, Clause, Draft, Nominal, Trouble
+from executive.language.phrases import Bundle, Clause, Draft, Nominal, Relative, Trouble
 from executive.meaning import Command, StopCommand
 from trees import tasks
 from trees.tasks import ObjectOf
@@ -44,6 +44,13 @@ def _is_movable(place: Any) -> bool:
     return isinstance(place, Nominal) and place.sort in ("thing", "any") and place.reference is None
 
 
+def _is_beside_itself(thing: Nominal, one: Draft) -> bool:
+    """Whether a thing goes to what is described in the very same words: "put the cup in the cup"."""
+    goal = one.get("to") or one.get("on")
+    goal = goal.to if isinstance(goal, Relative) else goal
+    return isinstance(goal, Nominal) and thing.kind is not None and goal == thing
+
+
 class Resolver(Antecedents):
     """Turns clauses into commands, remembering what was named.
 
@@ -76,12 +83,18 @@ class Resolver(Antecedents):
         """With what a statement named in place of the first "it" or "them": "a cup is there; take it"."""
         first, *rest = bundle
         thing = first.get("object")
+        takes_place = first.action in _AT_A_PLACE
         if self._mention is None:
-            return bundle
+            another = isinstance(thing, Nominal) and thing.anaphoric and first.get("source") is None
+            if self._stated_at is None or not another:
+                return bundle
+            if not takes_place:
+                raise ask("what has the statement to do with the task?")
+            return (first.with_slot("source", self._stated_at), *rest)
         stated, self._mention = self._mention, None
         of = stated.of
         pronoun = "it" if of.is_single else "them"
-        takes_place = first.action in _AT_A_PLACE or stated.source is None
+        takes_place = takes_place or stated.source is None
         if (
             isinstance(thing, Nominal)
             and thing.anaphoric
@@ -92,6 +105,7 @@ class Resolver(Antecedents):
             if of.kind is None or not of.is_plain or self._commands or first.get("source") is not None:
                 raise ask("what has the statement to do with the task?")
             first = _replaced(first, "object", replace(thing, kind=of.kind, sort=of.sort, anaphoric=False))
+            self._stated_at = stated.source  # of "the right one" after "the left one" as well
             return (first.with_slot("source", stated.source), *rest)
         if not isinstance(thing, Nominal) or thing.reference != pronoun or not takes_place:
             raise ask("what has the statement to do with the task?")
@@ -165,13 +179,19 @@ class Resolver(Antecedents):
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
+        if one.action == "hand_over" and named is not None and self._is_given(named):
+            raise ask(f"the {named.kind or 'one'} is given away by then: is another one meant?")
         slots: dict[str, Any] = {}
         if one.get("there_are") and one.get("source") is None and self._places:
             raise ask("only there, or in all that is in view?", [f"the {self._places[-1].kind}"])
+        if one.get("stays") and root not in self._held and root not in self._placed:
+            raise ask("shall it be put there, or stay where it is?")  # "leave the cup on the table"
+        if one.action in ("place", "put_in") and named is not None and _is_beside_itself(named, one):
+            raise ask(f"is it the same {named.kind} twice? say how they differ")
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
         for name, value in one.slots:
-            if name in ("there_are", "again"):
+            if name in ("there_are", "again", "stays"):
                 continue
             if name == "object":
                 slots["object"] = resolved
@@ -240,6 +260,10 @@ class Resolver(Antecedents):
             ),
             None,
         )
+
+    def _is_given(self, thing: Nominal) -> bool:
+        """Whether a task before gives away what is described in the very same words."""
+        return any(entity.task in self._given and entity.of == thing for entity in self._entities)
 
     def _was_opened(self, what: Any) -> bool:
         """Whether a task before opens it, so that to close it "again" is to close it."""

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from executive.language import attention, going, handling, lists, nominals, places, placing, speech
+from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 
@@ -191,33 +192,23 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
         return UNCLEAR_ORDER  # "2. open the drawer 1. go to the kitchen"
     unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])
     revoked = next((one.revokes for one in clauses if one.revokes), None)
-    if len(clauses) > 1 and all(_stops(clause) for clause in clauses):
+    if len(clauses) > 1 and all(stops(clause) for clause in clauses):
         return Sentence(tuple(clauses[:1]))
     if revoked is not None and len(clauses) > 1:
         return Trouble(f"{revoked!r} takes back what was said; nothing is done", revoked)
-    if any(after.terse and _is_endless(before) for before, after in itertools.pairwise(clauses)):
+    if any(after.terse and is_endless(before) for before, after in itertools.pairwise(clauses)):
         return None  # "turn left, then right 90 degrees": how far to the left?
     forms = {clause.form for clause in clauses}
     if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
         return None
-    return Sentence(tuple(clauses), unseparated)
-
-
-def _is_endless(clause: Clause) -> bool:
-    """Whether it ends with a motion of which nobody says how long it takes."""
-    last = clause.bundles[-1][-1] if clause.bundles else None
-    measured = last is not None and (last.get("duration_s") or last.get("distance_m"))
-    return last is not None and last.action == "move" and not measured
-
-
-def _stops(clause: Clause) -> bool:
-    """Whether it says nothing but to stop: "whoa, stop right there" is one stop."""
-    return bool(clause.bundles) and all(one.action == "stop" for bundle in clause.bundles for one in bundle)
+    if runs_together(said):
+        return None
+    return unclear_among(said) or Sentence(tuple(clauses), unseparated)
 
 
 def _without_separator(parts: Parts) -> Further | None:
     (part,) = parts
-    if isinstance(part, Group) or part.terse:
+    if isinstance(part, Group) or part.terse or part.question:
         return None  # "before you ..." belongs to what was said before it
     return Further(Separator.NOTHING, part)
 

@@ -31,6 +31,9 @@ _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
 _LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
 """The end of a line without a mark."""
 
+_NOT = re.compile(r"(?<!\S)!(?=\w)")
+"""A mark that denies what follows, as people write who program."""
+
 _MARKS = frozenset(".,;:!?")
 
 
@@ -84,6 +87,8 @@ def normalise(text: str) -> str:
     plain = " ".join(unicodedata.normalize("NFKC", text).translate(_PLAIN).split())
     if len(plain) > 1 and plain[0] == plain[-1] and plain[0] in "\"'" and plain.count(plain[0]) == 2:
         plain = plain[1:-1].strip()
+    if _NOT.search(_QUOTATION.sub(" ", plain)):
+        raise MalformedTextError("'!' before a word may deny it; say only what to do", "!")
     if not plain:
         raise MalformedTextError("the sentence is empty")
     if len(plain) > MAX_LENGTH:
