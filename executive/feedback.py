@@ -28,7 +28,7 @@ from robots.control.events import (
     SetpointRefused,
     StopStarted,
 )
-from trees.events import LeafFailed, Measured, NodeChanged, Said
+from trees.events import LeafFailed, Measured, NodeChanged, NotSo, Said
 from trees.failures import Failure, Number
 
 _UNITS = (
@@ -67,6 +67,8 @@ def line_for(event: Event) -> str | None:
         case LeafFailed(failure=failure) if failure.choices:
             return None  # the question is told
         case LeafFailed(failure=failure) if looks_on(failure):
+            return failure.root.message
+        case NotSo(failure=failure):
             return failure.root.message
         case LeafFailed():
             return f"failed: {sentence(event.failure)}"

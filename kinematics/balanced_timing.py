@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
-from kinematics.timing import Pace, time_curve
+from kinematics.timing import CurveTimer, Pace
 from kinematics.trajectory import Stance, Trajectory
 from kinematics.trajectory_sampler import MotionSample
 from kinematics.zmp import balance_margins_m
+
+Array = NDArray[np.float64]
 
 ZMP_RESERVE_M = 0.03
 """The ZMP stays this far inside the support polygon; the checker asks for less."""
@@ -18,6 +21,8 @@ ZMP_BESIDE_COM_M = 0.01
 """Where the CoM itself is nearer to the edge, the ZMP may be nearer by this."""
 SLOWER = (1.0, 0.8, 0.62, 0.48, 0.36, 0.26)
 """Shares of the pace that are tried. The ZMP leaves the CoM by the square of the speed."""
+_DOUBT_M = 0.002
+"""A pace is left out where the margins of a faster one say that it lacks more than this."""
 _EVERY = 4
 """Samples between two looks at the ZMP; the checker looks twice as often."""
 
@@ -30,20 +35,35 @@ def time_in_balance(
     Returns:
         The trajectory, or None when the legs cannot follow, or the robot would tip at any pace.
     """
+    timer = CurveTimer(model, space, stance, curve)
+    hopeless = 1.0
     for share in SLOWER:
-        slower = Pace(pace.velocity * share, pace.acceleration * share * share)
-        trajectory = time_curve(model, space, stance, curve, slower)
+        if share > hopeless:
+            continue
+        trajectory = timer.at(Pace(pace.velocity * share, pace.acceleration * share * share))
         if trajectory is None:
             return None
-        if _in_balance(model, trajectory):
+        zmp, com = _margins_m(model, trajectory)
+        if _least_room(zmp, com) >= 0.0:
             return trajectory
+        # slower, the ZMP is nearer to the CoM by the square of the speed
+        less = [other for other in SLOWER if other < share]
+        rooms = [_least_room(com + (zmp - com) * (other / share) ** 2, com) for other in less]
+        hopeless = next(
+            (other for other, room in zip(less, rooms, strict=True) if room > -_DOUBT_M), SLOWER[-1]
+        )
     return None
 
 
-def _in_balance(model: RobotModel, trajectory: Trajectory) -> bool:
+def _least_room(zmp: Array, com: Array) -> float:
+    """How much nearer the ZMP might come to the edge, m; negative where it is too near."""
+    return float(zmp.min()) - min(ZMP_RESERVE_M, float(com.min()) - ZMP_BESIDE_COM_M)
+
+
+def _margins_m(model: RobotModel, trajectory: Trajectory) -> tuple[Array, Array]:
+    """Distances of ZMP and CoM to the edge of the support polygon at some instants."""
     t_s, v = trajectory.t_s, trajectory.v
     some = np.arange(1, len(t_s) - 1, _EVERY)
     acceleration = (v[some + 1] - v[some - 1]) / (t_s[some + 1] - t_s[some - 1])[:, None]
     motion = MotionSample(trajectory.q[some], v[some], acceleration)
-    zmp, com = balance_margins_m(model, trajectory.stance, motion)
-    return bool(zmp.min() >= min(ZMP_RESERVE_M, com.min() - ZMP_BESIDE_COM_M))
+    return balance_margins_m(model, trajectory.stance, motion)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kinematics.check_certificate import Limbs, PairList, certify
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_course import Course, running_lengths
+from kinematics.check_kinematics import WORLD
 from kinematics.check_pairs import Pairs
 from kinematics.check_poses import CompiledKinematics
 from kinematics.check_settings import CheckSettings
@@ -22,6 +23,10 @@ from kinematics.trajectory import Finding
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+# In longer intervals hardly anything near is proven: motions are cut beforehand into such parts of the
+# longest way of a joint.
+_CUT_RAD = 0.1
+_MOST_CUTS = 100
 # A contact's depth is the deepest of this many looks after it, and of as many around the deepest.
 _DEPTH_LOOKS = 16
 # So much may Coal's distance and the kernel's depart from each other where both say touching.
@@ -65,13 +70,15 @@ class ContactFinder:
         contact = np.full(len(pairs.first), np.inf)
         least = np.array([np.inf])
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
+        course = _course(timeline)
+        cuts = min(_MOST_CUTS, max(1, int(np.ceil(course.so_far[-1].max() / _CUT_RAD))))
         certify(
-            _course(timeline),
+            course,
             self._kinematics.links,
             limbs,
             solids,
             listed,
-            np.unique(np.concatenate([[0.0], inside, [timeline.duration_s]])),
+            np.unique(np.concatenate([np.linspace(0.0, timeline.duration_s, cuts + 1), inside])),
             np.ascontiguousarray(jumps_s),
             self._settings.collision_m,
             contact,
@@ -137,12 +144,15 @@ class ContactFinder:
         if self._last is None or self._last[0] is not pairs:
             limbs, solids, rest = *self._robot, pairs.solids[self._own :]
             if rest:
-                more = self._limbs(rest)
-                limbs = Limbs(*(np.concatenate(two) for two in zip(limbs, more, strict=True)))
+                held = [solid for solid in rest if solid.body != WORLD]
+                around = rest[len(held) :]
                 # what follows has no points, so its rows need no shift
-                solids = kernel.Solids(
-                    *(np.concatenate(two) for two in zip(solids, self._flat(rest), strict=True))
-                )
+                parts = [solids, *([self._flat(held)] if held else []), _plain(around)]
+                solids = kernel.Solids(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+                still = np.zeros((len(around), limbs.body.shape[1]))
+                nothing = Limbs(still.astype(np.int64), still, np.zeros(len(around), np.int64))
+                all_limbs = [limbs, *([self._limbs(held)] if held else []), nothing]
+                limbs = Limbs(*(np.concatenate(part) for part in zip(*all_limbs, strict=True)))
             bodies = solids.body
             levels = self._levels[bodies[pairs.first], bodies[pairs.second]]
             listed = PairList(
@@ -174,6 +184,12 @@ class ContactFinder:
                 for solid in solids
             ]
         )
+
+
+def _plain(solids: Sequence[Solid]) -> kernel.Solids:
+    """Solids in the world, in which there are no hulls."""
+    poses = np.array([solid.body_T_solid for solid in solids]).reshape(-1, 4, 4)
+    return kernel.plain_solids(WORLD, poses, [solid.shape for solid in solids if solid.shape is not None])
 
 
 def _course(timeline: Timeline) -> Course:

@@ -8,6 +8,8 @@ any wrench: there, torques are judged alone.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -19,6 +21,9 @@ from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Finding, FindingKind, Stance, Trajectory
 
 Array = NDArray[np.float64]
+
+Efforts = Callable[[BodyPoses, Array, Array], Array]
+"""Maps poses, velocities and accelerations to generalised forces; see ``CompiledKinematics.efforts``."""
 
 _FIRST_JOINT = 2
 # moments under a sole are dearer than forces: they are limited by its size
@@ -97,8 +102,22 @@ class _Standing:
 class DynamicsCheck:
     """Balance and effort of trajectories of one robot."""
 
-    def __init__(self, model: RobotModel, kinematics: BatchedKinematics, settings: CheckSettings) -> None:
-        self._model = model
+    def __init__(
+        self,
+        model: RobotModel,
+        kinematics: BatchedKinematics,
+        settings: CheckSettings,
+        efforts: Efforts | None = None,
+    ) -> None:
+        """Prepare.
+
+        Args:
+            model: The robot.
+            kinematics: Of the robot.
+            settings: Tolerances and fineness.
+            efforts: Compiled inverse dynamics; Pinocchio's when left out.
+        """
+        self._model, self._efforts = model, efforts
         self._kinematics = kinematics
         self._settings = settings
         self._data = model.pin.createData()
@@ -123,7 +142,7 @@ class DynamicsCheck:
         margin = polygon.margin_m(self._kinematics.com(placed)[:, :2])
         least = self._model.description.com_margin_m
         findings = _first_below("CoM", times, margin, least, least - settings.com_tolerance_m)
-        efforts = self._inverse_dynamics(trajectory, times, q)
+        efforts = self._inverse_dynamics(trajectory, times, q, placed)
         force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
         lift = np.maximum(force[:, 2], 1e-6)
         zmp = np.column_stack([-moment[:, 1], moment[:, 0]]) / lift[:, None]
@@ -133,13 +152,17 @@ class DynamicsCheck:
         findings += self._effort(times, torques)
         return findings, float(margin.min())
 
-    def _inverse_dynamics(self, trajectory: Trajectory, times: Array, q: Array) -> Array:
+    def _inverse_dynamics(
+        self, trajectory: Trajectory, times: Array, q: Array, placed: BodyPoses | None = None
+    ) -> Array:
         """Generalised forces without contacts, shape (n, nv)."""
         window = self._settings.acceleration_window_s
         end = trajectory.duration_s
         before, after = np.maximum(times - window, 0.0), np.minimum(times + window, end)
         v, early, late = (_interpolate(trajectory, t) for t in (times, before, after))
         a = (late - early) / np.maximum(after - before, 1e-9)[:, None]
+        if placed is not None and self._efforts is not None:
+            return self._efforts(placed, v, a)
         model, data = self._model.pin, self._data
         forces = np.empty((len(times), model.nv))
         for i in range(len(times)):
@@ -149,8 +172,10 @@ class DynamicsCheck:
     @staticmethod
     def _ground_wrench(base: Array, rotation: Array, position: Array) -> tuple[Array, Array]:
         """Force and moment about the world's origin that the ground has to give."""
-        force = np.einsum("nij,nj->ni", rotation, base[:, :3])
-        moment = np.einsum("nij,nj->ni", rotation, base[:, 3:]) + np.cross(position, force)
+        force = np.matmul(rotation, base[:, :3, None])[..., 0]
+        moment = np.matmul(rotation, base[:, 3:, None])[..., 0]
+        (x, y, z), (fx, fy, fz) = position.T, force.T
+        moment += np.column_stack([y * fz - z * fy, z * fx - x * fz, x * fy - y * fx])
         return force, moment
 
     def _torques(

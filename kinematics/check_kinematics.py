@@ -46,6 +46,7 @@ class BatchedKinematics:
             sine and one less the cosine of its joint's angle, shape (bodies, 3, 3).
         mass_kg, lever_m: Mass of each body and its centre in the body's frame, shapes (bodies,) and
             (bodies, 3).
+        inertia: Of each body about that centre, in the body's axes, shape (bodies, 3, 3), kg m^2.
 
     Raises:
         ModelError: A joint other than the floating base is not a hinge.
@@ -75,6 +76,7 @@ class BatchedKinematics:
             self.versine[body] = placement @ skew @ skew
         self.mass_kg = np.array([float(inertia.mass) for inertia in tree.inertias])
         self.lever_m = np.array([np.array(inertia.lever) for inertia in tree.inertias])
+        self.inertia = np.array([np.array(inertia.inertia) for inertia in tree.inertias])
 
     def chain(self, body: int) -> list[int]:
         """Bodies from ``body`` up to the floating base, both included; empty for the world."""

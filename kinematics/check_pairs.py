@@ -20,6 +20,8 @@ Indices = NDArray[np.intp]
 
 # rows of a rate: the base's path and turn, then the hinges; a hinge's row is its body's index
 _BASE_PATH, _BASE_TURN = 0, 1
+# what is not the robot alone: by whether something that it holds is one of the two
+_BETWEEN = np.array([FindingKind.SCENE_COLLISION, FindingKind.HELD_OBJECT_COLLISION], dtype=object)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,36 +125,34 @@ class PairBuilder:
         names = [solid.name for solid in solids]
         allowed = scene.allowed
         own = np.arange(len(self._self_pairs))
-        if allowed:
+        if any(pair <= self._solids_of.keys() for pair in allowed):
             own = own[[pair not in allowed for pair in self._self_names]]
         may_touch: dict[str, set[str]] = {}
         for pair in allowed:
             for name in pair:
                 may_touch.setdefault(name, set()).update(pair)
-        solids_of = {name: list(numbers) for name, numbers in self._solids_of.items()}
-        for i in range(first_held, first_world):
-            solids_of.setdefault(names[i], []).append(i)
-        others: list[Indices] = []
-        clearance = [np.zeros(len(own))]
-        kinds = [FindingKind.SELF_COLLISION] * len(own)
-        for i in range(first_held, len(solids)):
-            held_one = i < first_world
+        solids_of = self._solids_of
+        if held:
+            solids_of = {name: list(numbers) for name, numbers in solids_of.items()}
+            for i in range(first_held, first_world):
+                solids_of.setdefault(names[i], []).append(i)
+        # which moving solids each of the others has to stay apart from
+        apart = np.ones((len(solids) - first_held, first_world), dtype=bool)
+        for row, i in enumerate(range(first_held, len(solids))):
             free = set(may_touch.get(names[i], ()))
-            if held_one:
-                free |= touching[i - first_held].touch_links
+            if i < first_world:
+                free |= touching[row].touch_links
+                apart[row, i:] = False
             elif names[i] == FLOOR:
                 free |= self._sole_links
-            with_it = np.ones(min(i, first_world), dtype=bool)
             for name in free & solids_of.keys():
-                with_it[[number for number in solids_of[name] if number < i]] = False
-            those = np.flatnonzero(with_it)
-            others.append(np.column_stack([those, np.full(len(those), i)]))
-            margin_m = 0.0 if held_one else things[i - first_world].margin_m
-            clearance.append(np.full(len(those), margin_m))
-            by_arm = 0 if held_one else int(np.count_nonzero(those < first_held))
-            kinds += [FindingKind.SCENE_COLLISION] * by_arm
-            kinds += [FindingKind.HELD_OBJECT_COLLISION] * (len(those) - by_arm)
-        more = np.concatenate(others).astype(np.intp)
+                apart[row, solids_of[name]] = False
+        row_of, those = np.nonzero(apart)
+        more = np.column_stack([those, row_of + first_held])
+        margins_m = np.array([0.0] * len(held) + [item.margin_m for item in things])
+        clearance = [np.zeros(len(own)), margins_m[row_of]]
+        with_held = (row_of < len(held)) | (those >= first_held)
+        kinds = [FindingKind.SELF_COLLISION] * len(own) + _BETWEEN[with_held.astype(np.intp)].tolist()
         index = np.concatenate([self._self_index[own], more])
         return Pairs(
             tuple(solids),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.check_effort import efforts_of
 from kinematics.check_kinematics import WORLD, BatchedKinematics, BodyPoses
 from kinematics.check_placing import Links, place_all
 from kinematics.check_timeline import Configurations
@@ -53,3 +54,24 @@ class CompiledKinematics(BatchedKinematics):
         )
         com = moment / self.mass_kg.sum() if bodies is None else None
         return BodyPoses(rotation, origin, com)
+
+    def efforts(self, poses: BodyPoses, v: Array, a: Array) -> Array:
+        """Generalised forces without contacts, shape (n, nv).
+
+        Args:
+            poses: Of all bodies at n instants.
+            v, a: Velocities and accelerations there, in Pinocchio's convention, shape (n, nv).
+        """
+        found = np.empty_like(v)
+        efforts_of(
+            self.links,
+            self.mass_kg,
+            self.lever_m,
+            self.inertia,
+            poses.rotation,
+            poses.origin_m,
+            np.ascontiguousarray(v),
+            np.ascontiguousarray(a),
+            found,
+        )
+        return found

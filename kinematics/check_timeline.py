@@ -74,7 +74,10 @@ class Timeline:
 
     def at(self, t_s: Array) -> Configurations:
         """Configurations at some times within the trajectory, shape (m,)."""
-        values, _, quaternions = self._evaluate(t_s)
+        if t_s is self.t_s:
+            values, quaternions = self._values, self.quaternions
+        else:
+            values, _, quaternions = self._evaluate(t_s)
         return Configurations(t_s, values[:, :3], quaternions, rotations(quaternions), values[:, 3:])
 
     def knots(self, spacing_s: float) -> Array:
@@ -153,9 +156,14 @@ class Timeline:
 def rotations(quaternions: Array) -> Array:
     """Rotation matrices, shape (n, 3, 3), of unit quaternions (x, y, z, w), shape (n, 4)."""
     x, y, z, w = quaternions.T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), 2, 0)
+    found = np.empty((len(quaternions), 3, 3))
+    found[:, 0, 0] = 1 - 2 * (y * y + z * z)
+    found[:, 0, 1] = 2 * (x * y - z * w)
+    found[:, 0, 2] = 2 * (x * z + y * w)
+    found[:, 1, 0] = 2 * (x * y + z * w)
+    found[:, 1, 1] = 1 - 2 * (x * x + z * z)
+    found[:, 1, 2] = 2 * (y * z - x * w)
+    found[:, 2, 0] = 2 * (x * z - y * w)
+    found[:, 2, 1] = 2 * (y * z + x * w)
+    found[:, 2, 2] = 1 - 2 * (x * x + y * y)
+    return found

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 # Intervals of the curve: so many between two knots, and no fewer in all.
 PER_PIECE = 8
-AT_LEAST = 160
+AT_LEAST = 96
 # Joints that change by less than this along a curve, rad, stand still.
 STILL = 1e-9
 # The least time for a curve along which nothing moves, s.

@@ -33,6 +33,8 @@ _STEEPEST_RAD = math.radians(70)
 OPENING_RESERVE_M = 0.006
 # The pads reach at least this far over an object's edge, and a palm keeps this from its top.
 PAD_OVERLAP_M = 0.02
+# Over the edge of what is so low that fingers which reach over it like this come too near to its support.
+LEAST_OVERLAP_M = 0.016
 PALM_GAP_M = 0.012
 # Pointing down, the TCP stays this far above the object's foot: the fingertips reach 2 to 3 cm beyond,
 # and farther as they close.
@@ -40,7 +42,8 @@ TIP_GAP_M = 0.057
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
 # Where else, when that does not go: nearer to the top over a high table, lower under an overhang.
-OTHER_HEIGHTS = (0.28, 0.4, 0.0)
+NEAR_TOP = 0.4
+OTHER_HEIGHTS = (0.28, NEAR_TOP, 0.0)
 # Flat pads along the object hold it better than the edges of two pads that it stands between.
 STRADDLE_COST = 1.0
 # Half a turn about the approach: signs of a rotation's columns.
@@ -142,8 +145,8 @@ def grasp_table(
     kinds = tuple(
         (tilt, height)
         for tilt, height in product(TILTS_RAD, heights)
-        # from above, palm and fingertips leave no choice of height
-        if height == ABOVE_MIDDLE or tilt <= _STEEPEST_RAD
+        # from above, palm and fingertips leave little choice of height
+        if height in (ABOVE_MIDDLE, NEAR_TOP) or tilt <= _STEEPEST_RAD
     )
     headings = np.array([poses.rotation_z(natural_yaw_rad + outward * yaw) for yaw in YAWS_RAD])
     leans = np.array([poses.rotation_y(tilt) for tilt, _ in kinds])
@@ -287,7 +290,9 @@ def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper:
     """
     side = at * height
     deepest = gripper.palm_distance_m - PALM_GAP_M
-    overlap = max(PAD_OVERLAP_M, min(0.45 * height, height - TIP_GAP_M))
+    shallow = at == NEAR_TOP and tilt > _STEEPEST_RAD
+    least = LEAST_OVERLAP_M if shallow else PAD_OVERLAP_M
+    overlap = max(least, min(0.45 * height, height - TIP_GAP_M))
     above = 0.5 * height - min(overlap, deepest)
     share = math.sin(tilt) ** 2
     blended = (1.0 - share) * side + share * above

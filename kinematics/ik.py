@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
-from typing import Protocol, runtime_checkable
+from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,6 +73,12 @@ def _make_solver(model: RobotModel, stance: Stance, hand: Hand) -> InverseKinema
         return PlacoIk(model, stance, hand)
 
 
+@functools.cache
+def _follows(kind: type[InverseKinematics]) -> bool:
+    """Whether a solver takes many poses at once; to ask a protocol takes as long as a step of the solver."""
+    return issubclass(kind, FollowingKinematics)
+
+
 inverse_kinematics = StanceTable(_make_solver)
 """The solver of a hand: compiled where the legs have a closed form, else PlaCo's."""
 
@@ -101,9 +108,9 @@ def along_line(
     Returns:
         Shape (points, nq), or None when one of them is not reached within the tolerance.
     """
-    targets = [poses.interpolate(start, end, k / (points - 1)) for k in range(1, points)]
-    if isinstance(ik, FollowingKinematics):
-        answers = ik.follow(targets, q, reserve_rad=reserve_rad)
+    targets = list(poses.line(start, end, points)[1:])
+    if _follows(type(ik)):
+        answers = cast(FollowingKinematics, ik).follow(targets, q, reserve_rad=reserve_rad)
         return np.array([q, *(answer.q for answer in answers)]) if len(answers) == len(targets) else None
     found = [q]
     for target in targets:

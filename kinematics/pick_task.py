@@ -124,7 +124,8 @@ class PickTask:
     def candidates(self) -> Iterator[GraspCandidate]:
         """Grasps of all allowed hands, most natural first; those without room for the hand are counted."""
         tables: list[GraspTable] = []
-        ordered: list[tuple[float, int, int, bool]] = []
+        rows_of: list[tuple[int, int, bool]] = []
+        costs: list[Array] = [np.empty(0)]
         excluded = self._request.excluded
         for number, (hand, offset) in enumerate(self._in_reach.items()):
             table = grasp_table(
@@ -141,10 +142,11 @@ class PickTask:
                 if len(rows) < len(table):
                     self.reasons["tried before"] += len(table) - len(rows)
             fit = self._has_room(hand, table.world_T_tcp[rows]).tolist()
-            costs = table.cost[rows].tolist()
-            ordered += zip(costs, itertools.repeat(number), rows, fit, strict=False)
+            rows_of += zip(itertools.repeat(number), rows, fit, strict=False)
+            costs.append(table.cost[rows])
             tables.append(table)
-        for _, number, row, fits in sorted(ordered):
+        for place in np.argsort(np.concatenate(costs), kind="stable").tolist():
+            number, row, fits = rows_of[place]
             if fits:
                 yield tables[number].candidate(row)
             else:

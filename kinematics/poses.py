@@ -139,6 +139,17 @@ def interpolate(a: Transform, b: Transform, fraction: float) -> Transform:
     return transform(rotation, place)
 
 
+def line(a: Transform, b: Transform, points: int) -> NDArray[np.float64]:
+    """``interpolate`` at evenly spaced fractions, both ends included, shape (points, 4, 4)."""
+    if not np.array_equal(a[:3, :3], b[:3, :3]):
+        return np.array([interpolate(a, b, k / (points - 1)) for k in range(points)])
+    found = np.empty((points, 4, 4))
+    found[:] = a
+    fraction = np.arange(points)[:, None] / (points - 1)
+    found[:, :3, 3] = (1.0 - fraction) * a[:3, 3] + fraction * b[:3, 3]
+    return found
+
+
 def yaw_of(rotation: NDArray[np.float64]) -> float:
     """Heading in radians: the angle of the x axis in the horizontal plane."""
     return math.atan2(float(rotation[1, 0]), float(rotation[0, 0]))

@@ -83,7 +83,6 @@ class ReachIk:
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
-        self._placed = np.empty((1 + len(stance.soles), 4, 4))
         self._frames = [self._tcp_id, *(model.frame_id(name) for name, _ in stance.soles)]
         frame = model.pin.frames[self._tcp_id]
         placement = np.array(frame.placement.homogeneous)
@@ -169,7 +168,7 @@ class ReachIk:
                 break
             unbalanced, at_lowest = self._memory.noted.tolist()
             tried.append((limits, lower, bool(unbalanced), bool(at_lowest)))
-        return self._verified(self._memory.q.copy(), world_T_tcp, taken)
+        return self._measured(self._memory.q[None].copy(), np.asarray(world_T_tcp)[None], [taken])[0]
 
     def follow(
         self,
@@ -212,13 +211,8 @@ class ReachIk:
             found,
             self._memory,
         )
-        answers = []
-        for q, target in zip(found[:reached], targets, strict=False):
-            answer = self._verified(q, target, 0)
-            if not answer.within(tolerance):
-                break
-            answers.append(answer)
-        return answers
+        answers = self._measured(found[:reached], targets[:reached], [0] * reached)
+        return list(itertools.takewhile(lambda answer: answer.within(tolerance), answers))
 
     def _search_from(self, q_seed: Array) -> tuple[Array, ReachSpace]:
         """Start and search near home; kept, as many grasps are tried from one start."""
@@ -283,23 +277,33 @@ class ReachIk:
         for share in () if starts is None else starts:
             yield farthest, where.lower, where.lower + share * (where.upper - where.lower)
 
-    def _verified(self, q: Array, world_T_tcp: Transform, count: int) -> IkResult:
-        """Measure a configuration again, with Pinocchio's kinematics instead of the kernel's."""
-        model, data, placed = self._model.pin, self._data, self._placed
-        pin.forwardKinematics(model, data, q)
-        for row, frame in enumerate(self._frames):
-            placed[row] = pin.updateFramePlacement(model, data, frame).homogeneous
-        error, turn = errors_between(placed[0], world_T_tcp)
-        joints = q[7:]
-        return IkResult(
-            q=q,
-            position_error_m=error,
-            orientation_error_rad=turn,
-            com_margin_m=self._polygon.com_margin_m(pin.centerOfMass(model, data)),
-            limits_kept=bool(np.minimum(joints - self._least_rad, self._most_rad - joints).min() >= 0.0),
-            feet_reached=bool(np.abs(placed[1:] - self._soles).max() < _SAME),
-            iterations=count,
-        )
+    def _measured(self, q: Array, world_T_tcp: Array, counts: Sequence[int]) -> list[IkResult]:
+        """Measure configurations again, with Pinocchio's kinematics instead of the kernel's.
+
+        Args:
+            q: Shape (n, nq).
+            world_T_tcp: What was asked for, shape (n, 4, 4).
+            counts: Steps taken for each.
+        """
+        model, data = self._model.pin, self._data
+        placed = np.empty((len(q), len(self._frames), 4, 4))
+        com = np.empty((len(q), 3))
+        for row, posture in enumerate(q):
+            pin.forwardKinematics(model, data, posture)
+            for k, frame in enumerate(self._frames):
+                placed[row, k] = pin.updateFramePlacement(model, data, frame).homogeneous
+            com[row] = pin.centerOfMass(model, data)
+        joints = q[:, 7:]
+        room = np.minimum(joints - self._least_rad, self._most_rad - joints).min(axis=1).tolist()
+        stray = np.abs(placed[:, 1:] - self._soles).max(axis=(1, 2, 3)).tolist()
+        margins = self._polygon.margins_m(com[:, :2]).tolist()
+        answers = []
+        for row, count in enumerate(counts):
+            error, turn = errors_between(placed[row, 0], world_T_tcp[row])
+            answers.append(
+                IkResult(q[row], error, turn, margins[row], room[row] >= 0.0, stray[row] < _SAME, count)
+            )
+        return answers
 
 
 def _same_way(

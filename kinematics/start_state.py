@@ -26,10 +26,13 @@ Array = NDArray[np.float64]
 SLACK_M = 0.001
 # Of the distance at the start that has to be kept: hardly any motion leads straight away from a thing.
 KEPT_SHARE = 0.6
+# A start that keeps its margin by less than this is stuck as well: a way is judged in pieces, and the first
+# of them counts as too near whichever way it leads.
+ROOM_M = 0.002
 
 
 def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: float = 0.0) -> PlanningScene:
-    """Lower the margins that a configuration breaks.
+    """Lower the margins that a configuration breaks, or just keeps.
 
     Args:
         model: The robot.
@@ -50,11 +53,14 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         keep_m = item.margin_m + reserve_m
         distances = {
             parts.links[k]: _distance(geometry.geometryObjects[k], placed.oMg[k], item)
-            for k in _near(centres, parts.radii_m, item, keep_m)
+            for k in _near(centres, parts.radii_m, item, keep_m + ROOM_M)
             if not scene.is_allowed(parts.links[k], item.name)
         }
         nearest = min(distances.values(), default=np.inf)
+        if nearest >= keep_m + ROOM_M:
+            continue
         if nearest >= keep_m:
+            relaxed = relaxed.with_object(replace(item, margin_m=max(0.0, nearest - ROOM_M - reserve_m)))
             continue
         margin = max(0.0, KEPT_SHARE * nearest - reserve_m - SLACK_M)
         relaxed = relaxed.with_object(replace(item, margin_m=margin))

@@ -89,23 +89,38 @@ Configurations = Callable[[Array], Array | None]
 """Maps coordinates, shape (n, size), to configurations, shape (n, nq), or None when one has none."""
 
 
+class CurveTimer:
+    """Gives one curve its time, at as many paces as are asked for."""
+
+    def __init__(self, model: RobotModel, space: FreeCoordinates, stance: Stance, curve: Curve) -> None:
+        self._model, self._space, self._stance = model, space, stance
+        self._configurations = _standing(model, space)
+        self._placed = placed_curve(curve, self._configurations)
+
+    def at(self, pace: Pace) -> Trajectory | None:
+        """Make the trajectory that runs the curve from rest to rest within all limits.
+
+        Between its ends it may leave the curve by ``FOLLOWING``, where the curve bends.
+
+        Returns:
+            The trajectory, or None when the legs cannot follow somewhere on the curve.
+        """
+        model = self._model
+        if self._placed is None:
+            return None
+        limits = JointLimits(model.velocity, model.acceleration, model.jerk).at(pace)
+        timed = _timed(self._placed, self._configurations, limits, self._space.weights)
+        if timed is None:
+            return None
+        v = _velocity(timed.q, timed.rate)
+        return Trajectory(joints=model.joints, stance=self._stance, t_s=timed.t_s, q=timed.q, v=v)
+
+
 def time_curve(
     model: RobotModel, space: FreeCoordinates, stance: Stance, curve: Curve, pace: Pace
 ) -> Trajectory | None:
-    """Make the trajectory that runs a curve from rest to rest within all limits.
-
-    Between its ends it may leave the curve by ``FOLLOWING``, where the curve bends.
-
-    Returns:
-        The trajectory, or None when the legs cannot follow somewhere on the curve.
-    """
-    limits = JointLimits(model.velocity, model.acceleration, model.jerk).at(pace)
-    timed = time_coordinates(curve, _standing(model, space), limits, space.weights)
-    if timed is None:
-        return None
-    return Trajectory(
-        joints=model.joints, stance=stance, t_s=timed.t_s, q=timed.q, v=_velocity(timed.q, timed.rate)
-    )
+    """The trajectory of one curve at one pace; see ``CurveTimer``."""
+    return CurveTimer(model, space, stance, curve).at(pace)
 
 
 def time_coordinates(
@@ -122,11 +137,23 @@ def time_coordinates(
     Returns:
         The motion, or None when a point has no configuration, or limits cannot be held at any speed.
     """
+    placed = placed_curve(curve, configurations)
+    return None if placed is None else _timed(placed, configurations, limits, weights)
+
+
+def placed_curve(curve: Curve, configurations: Configurations) -> tuple[CurveGrid, Array] | None:
+    """A curve's grid and the configurations there, or None when a point has none."""
     grid = CurveGrid.along(curve)
-    k = len(limits.velocity)
     q = configurations(grid.points)
-    if q is None:
-        return None
+    return None if q is None else (grid, q)
+
+
+def _timed(
+    placed: tuple[CurveGrid, Array], configurations: Configurations, limits: JointLimits, weights: Array
+) -> TimedCurve | None:
+    """``time_coordinates`` of a curve whose configurations are known."""
+    grid, q = placed
+    k = len(limits.velocity)
     window_s = max(float(np.max(2.0 * limits.acceleration / limits.jerk)), LEAST_WINDOW * SAMPLE_S)
     # a cubic between samples overshoots what comes to rest at a limit there: accelerations by up to 8/27
     # of jerk times spacing (see CheckSettings), speeds by less than this
@@ -141,10 +168,10 @@ def time_coordinates(
         x, v, stray = running_mean(grid.points, grid.step, rates, times, window_s, count, weights, FOLLOWING)
         t_s = np.linspace(0.0, times[-1] + window_s, count)
         x[0], x[-1], v[0], v[-1] = grid.points[0], grid.points[-1], 0.0, 0.0
-        q = configurations(np.concatenate([x, x + STEP_S * v, x - STEP_S * v]))
-        if q is None:
+        beside = configurations(np.concatenate([x, x + STEP_S * v, x - STEP_S * v]))
+        if beside is None:
             return None
-        q, ahead, behind = q.reshape(3, count, -1)
+        q, ahead, behind = beside.reshape(3, count, -1)
         rate = (ahead - behind) / (2.0 * STEP_S)
         joints, speeds = np.ascontiguousarray(q[:, -k:]), np.ascontiguousarray(rate[:, -k:])
         factor = excess(joints, speeds, t_s[1], limits.velocity, limits.acceleration, limits.jerk)

@@ -21,6 +21,10 @@ Array = NDArray[np.float64]
 
 # A slope below this, with limits scaled to 1, does not tell how the parameter may accelerate.
 FLAT = 1e-9
+# The squared rate is at least this share of what it may be at the next grid point, and of what it was at the
+# last one. Where limits leave the parameter hardly any acceleration, the greatest rate may be one from which
+# it can only fall to 0: a motion that takes it stops there.
+LEAST_KEPT = 0.25
 # Newton steps; each leaves a corner of the concave function behind, three are usual.
 STEPS = 100
 
@@ -53,7 +57,9 @@ def fastest_rates(first: Array, last: Array, bend: Array, share: Array, top: Arr
                 b = c / r
         for _ in range(STEPS):
             # accelerations that keep the limits: from low to high, both linear in b around here
-            low, low_slope = -b / twice, -1.0 / twice
+            low, low_slope = (LEAST_KEPT * most[i + 1] - b) / twice, -1.0 / twice
+            if b < most[i + 1]:
+                low, low_slope = (LEAST_KEPT - 1.0) * b / twice, (LEAST_KEPT - 1.0) / twice
             high, high_slope = (most[i + 1] - b) / twice, -1.0 / twice
             for j in range(k):
                 r = bend[i, j]

@@ -50,7 +50,7 @@ class TrajectoryChecker:
     ) -> None:
         self._model = model
         self._settings = settings
-        self._finder = None
+        self._finder, efforts = None, None
         if readiness.usable() if compiled is None else compiled:
             # imported here: they bring the compiler
             from kinematics.check_contacts import ContactFinder
@@ -60,10 +60,11 @@ class TrajectoryChecker:
             self._kinematics: BatchedKinematics = kinematics
             self._pairs = PairBuilder(model, kinematics)
             self._finder = ContactFinder(kinematics, self._pairs.robot, settings)
+            efforts = kinematics.efforts
         else:
             self._kinematics = BatchedKinematics(model)
             self._pairs = PairBuilder(model, self._kinematics)
-        self._dynamics = DynamicsCheck(model, self._kinematics, settings)
+        self._dynamics = DynamicsCheck(model, self._kinematics, settings, efforts)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from kinematics.kernel import cache, readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -25,6 +27,8 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     from kinematics.ik import along_line, inverse_kinematics
     from kinematics.timing import Pace
     from kinematics.trajectory_check import TrajectoryChecker
+    from kinematics.trajectory_sampler import MotionSample
+    from kinematics.zmp import compiled_loads
 
     tell("motion kernel: compiling reach, timing and checker (part 3 of 3)")
     stance = stance_at(model, model.q_home)
@@ -37,6 +41,8 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     ends[1, space.index(model.description.groups[f"{hand}_arm"][-1])] += 0.1
     ends[1, :1] += 0.001
     trajectory = time_in_balance(model, space, stance, PolynomialCurve(ends), Pace(0.5, 0.5))
+    rest = np.zeros((1, model.nv))
+    compiled_loads(model, MotionSample(model.q_home[None], rest, rest))
     if trajectory is not None:
         TrajectoryChecker(model, compiled=True).check(trajectory, PlanningScene())
     cache.mark_complete()

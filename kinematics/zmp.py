@@ -6,15 +6,22 @@ et al., "Introduction to Humanoid Robotics", Springer 2014, section 3.3.
 
 from __future__ import annotations
 
+import functools
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
 from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, cross, rotate
+
+if TYPE_CHECKING:
+    from kinematics.kernel.tree import Tree
 
 Array = NDArray[np.float64]
 
@@ -46,8 +53,7 @@ def zmp_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> Ar
     wrench = np.array([pin.rnea(model.pin, ground.data, q[k], v[k], a[k])[:6] for k in range(len(q))])
     force, moment = rotate(q[:, 3:7], wrench[:, :3]), rotate(q[:, 3:7], wrench[:, 3:])
     moment += cross(q[:, :3], force)
-    up = np.maximum(force[:, 2], 1e-6)
-    return ground.polygon.margins_m(np.column_stack([-moment[:, 1] / up, moment[:, 0] / up]))
+    return ground.polygon.margins_m(_zmp(force, moment))
 
 
 def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> tuple[Array, Array]:
@@ -63,5 +69,38 @@ def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -
         welded robot.
     """
     ground = _ground(model, stance)
-    com = np.array([pin.centerOfMass(model.pin, ground.data, q)[:2] for q in motion.q])
-    return zmp_margins_m(model, stance, motion), ground.polygon.margins_m(com)
+    if model.description.welded or not readiness.usable():
+        com = np.array([pin.centerOfMass(model.pin, ground.data, q)[:2] for q in motion.q])
+        return zmp_margins_m(model, stance, motion), ground.polygon.margins_m(com)
+    force, moment, com = compiled_loads(model, motion)
+    return ground.polygon.margins_m(_zmp(force, moment)), ground.polygon.margins_m(com[:, :2])
+
+
+def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Array, Array]:
+    """Force and moment of the ground about the world's origin, and the CoM, shape (k, 3) each.
+
+    Args:
+        model: A robot whose base floats.
+        motion: Instants of a motion, arrays with k rows.
+    """
+    # imported here: it brings the compiler
+    from kinematics.ground_loads import ground_loads
+
+    force, moment, com = (np.empty((len(motion.q), 3)) for _ in range(3))
+    ground_loads(*_masses(model), motion.q, motion.v, motion.a, force, moment, com)
+    return force, moment, com
+
+
+@functools.lru_cache(maxsize=4)
+def _masses(model: RobotModel) -> tuple[Tree, Array]:
+    """The robot's tree, and the inertia of each body about its centre of mass, shape (bodies, 3, 3)."""
+    # imported here: it brings the compiler
+    from kinematics.kernel.tree import tree_of
+
+    return tree_of(model.pin), np.array([np.array(inertia.inertia) for inertia in model.pin.inertias])
+
+
+def _zmp(force: Array, moment: Array) -> Array:
+    """Where on the floor a wrench about the world's origin acts, shape (k, 2)."""
+    up = np.maximum(force[:, 2], 1e-6)
+    return np.column_stack([-moment[:, 1] / up, moment[:, 0] / up])

@@ -27,6 +27,14 @@ class LeafFailed:
 
 
 @dataclass(frozen=True, slots=True)
+class NotSo:
+    """A leaf that only asks whether something is so has found that it is not."""
+
+    t_s: float
+    failure: Failure
+
+
+@dataclass(frozen=True, slots=True)
 class Measured:
     """A leaf measured something worth keeping as evidence or timing."""
 
@@ -44,5 +52,5 @@ class Said:
     to: str = ""
 
 
-TreeEvent = NodeChanged | LeafFailed | Measured | Said
+TreeEvent = NodeChanged | LeafFailed | NotSo | Measured | Said
 TreeSink = Callable[[TreeEvent], None]

@@ -12,7 +12,7 @@ from py_trees.common import Status
 from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
 
 from trees.contract import Contract
-from trees.events import LeafFailed, Measured
+from trees.events import LeafFailed, Measured, NotSo
 from trees.failure_chain import place_of
 from trees.failures import Failure, FailureKind, Number
 from trees.leaf_settings import settings_of
@@ -31,6 +31,7 @@ class Leaf(BehaviourWithPorts):
     started is released when the leaf ends in any way but success.
 
     Attributes:
+        ASKS: Whether it only asks if something is so: that it is not is an answer then, no failure to people.
         failure: Why it failed or was cancelled, since its last start; None otherwise.
         halt_reason: What a halt is reported with; set by whoever halts the tree.
         wiring: Port name to the key it is wired to; ports that are left out have a key of their name.
@@ -39,6 +40,7 @@ class Leaf(BehaviourWithPorts):
     INPUT_PORTS: dict[str, PortInformation]
     OUTPUT_PORTS: dict[str, PortInformation]
     CONTRACT: ClassVar[Contract]
+    ASKS: ClassVar[bool] = False
     _made_with: tuple[tuple[Any, ...], Mapping[str, Any]]
 
     def __new__(cls, *arguments: Any, **named: Any) -> Self:
@@ -155,7 +157,9 @@ class Leaf(BehaviourWithPorts):
         if isinstance(outcome, Failure):
             self.failure = outcome if outcome.where else outcome.at(self.where)
             self.feedback_message = outcome.message
-            self.toolbox.events(LeafFailed(self.toolbox.clock.now_s(), self.failure))
+            answered = self.ASKS and outcome.kind is FailureKind.POSTCONDITION
+            told = NotSo if answered else LeafFailed
+            self.toolbox.events(told(self.toolbox.clock.now_s(), self.failure))
             return Status.FAILURE
         return outcome
 

@@ -31,7 +31,7 @@ _FROM_BORDER_M = 0.4
 """Who stands in a room stands so far inside it."""
 _ROOM_M = 0.8
 _GRID_M = 0.25
-_TURN_SPARE_M, _TURNING_HANDS_M = 0.02, 0.05
+_TURN_SPARE_M, TURNING_HANDS_M = 0.02, 0.05
 """Who turns takes so much more room than who stands: elbows, and fingers, go around in a circle and sway."""
 _ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
 _TIGHT_COST_RAD_M = 20.0
@@ -87,7 +87,7 @@ def _around(
         return PlanarPose(x - away_m * math.cos(direct), y - away_m * math.sin(direct), direct)
     if place.name in scene.objects:
         scene = scene.without_object(place.name)
-    others = footprints(scene, settings.hands_from_m, hands_wider_m(settings) + _TURNING_HANDS_M)
+    others = footprints(scene, settings.hands_from_m, hands_wider_m(settings) + TURNING_HANDS_M)
     room_m = turn_room_m(settings)
     best = (math.inf, PlanarPose())
     for aside in sorted(_ASIDE_RAD, key=abs):

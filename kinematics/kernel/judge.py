@@ -13,7 +13,7 @@ from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.coordinates import Limits
 from kinematics.kernel.forward_kinematics import centre_of_mass
 from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
-from kinematics.kernel.motion_bound import bound_motion
+from kinematics.kernel.motion_bound import base_drift, bound_motion
 from kinematics.kernel.pair_judge import OPEN, TOUCHING, judge_pair, pair_distance, pair_slack
 from kinematics.kernel.placing import need_all, need_pair, place
 from kinematics.kernel.posture import com_room, configuration, leg_ranges, limits_kept
@@ -187,9 +187,10 @@ def judge_edge(
         work.spans[0, span, 0] = index
         work.spans[0, span, 3] = 1
     work.rate[:] = 0.0
-    if step > 0.0 or turn > 0.0:
-        # the base and planted legs do not turn about an axis at one speed
-        work.rate[1] = math.nan
+    moving_base = step > 0.0 or turn > 0.0
+    if moving_base:
+        work.rate[1] = 1.0
+        # planted legs do not turn at one speed
         for leg in range(space.leg_bodies.shape[0]):
             for k in range(6):
                 work.rate[space.leg_bodies[leg, k]] = math.nan
@@ -210,6 +211,8 @@ def judge_edge(
                 work.x[k] = a[k] + (b[k] - a[k]) * t
             if not configuration(space, tree, work.x, work.q, work.base_R):
                 return REACH, t, -1
+            if moving_base:
+                base_drift(work.x, a, b, half, work.drift)
             for k in range(space.columns.shape[0]):
                 work.rate[space.bodies[k]] = (b[first + k] - a[first + k]) * half
                 work.reach[space.bodies[k]] = abs(work.rate[space.bodies[k]])

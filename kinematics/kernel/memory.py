@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
 from kinematics.kernel.chains import Chains
 from kinematics.kernel.compiler import inlined
 from kinematics.kernel.coordinates import Coordinates, Limits
@@ -60,6 +58,7 @@ class Work(NamedTuple):
         away: Scratch: squared distances to the objects' boxes.
         near: Scratch: objects that are near a limb.
         direction: Scratch of a separating direction.
+        drift: How the base moves in the present interval, as ``motion_bound.base_drift`` writes it.
     """
 
     x: Array
@@ -92,54 +91,7 @@ class Work(NamedTuple):
     away: Array
     near: Indices
     direction: Array
-
-
-def work_for(problem: Problem, open_pairs: int = 32768, spans: int = 4096) -> Work:
-    """Memory for a problem: arrays whose shapes count, to which ``pack`` gives other memory."""
-    tree, pairs = problem.tree, problem.pairs
-    n = len(tree.parent)
-    size = 6 * problem.space.floating + len(problem.space.columns)
-    count = len(pairs.first) + len(pairs.object_margin) * pairs.moving
-    return Work(
-        x=_floats(size),
-        q=_floats(len(problem.limits.lower)),
-        base_R=_floats(3, 3),
-        R=_floats(n, 3, 3),
-        p=_floats(n, 3),
-        com=_floats(3),
-        needed=_ints(n),
-        ball=_floats(n, 3),
-        centre=_floats(pairs.moving, 3),
-        reach=_floats(n),
-        moved=_floats(n, problem.chains.joint.shape[1] + 1),
-        axis=_floats(count, 3),
-        S=_floats(4, 3),
-        v=_floats(3),
-        first_R=_floats(3, 3),
-        first_p=_floats(3),
-        second_R=_floats(3, 3),
-        second_p=_floats(3),
-        R_between=_floats(3, 3),
-        p_between=_floats(3),
-        open_pairs=_ints(2, max(open_pairs, count)),
-        spans=_ints(2, spans, 4),
-        rate=_floats(n),
-        spin=_floats(n, 3),
-        sweep=_floats(pairs.moving, 7),
-        sweep_look=_ints(pairs.moving),
-        look=_ints(1),
-        away=_floats(len(pairs.object_margin)),
-        near=_ints(len(pairs.object_margin)),
-        direction=_floats(3),
-    )
-
-
-def _floats(*shape: int) -> Array:
-    return np.empty(shape)
-
-
-def _ints(*shape: int) -> Indices:
-    return np.empty(shape, np.int64)
+    drift: Array
 
 
 class Packed(NamedTuple):
@@ -153,26 +105,6 @@ class Packed(NamedTuple):
     floats: Array
     ints: Indices
     table: Indices
-
-
-def pack(problem: Problem, work: Work) -> Packed:
-    """Put everything into two buffers; the memory of ``work`` is zero, whatever it holds."""
-    given = [
-        value if isinstance(value, np.ndarray) else np.atleast_1d(value) for part in problem for value in part
-    ]
-    rows: list[tuple[int, ...]] = []
-    end = {"f": 0, "i": 0}
-    parts: dict[str, list[Array | Indices]] = {"f": [], "i": []}
-    for number, array in enumerate((*given, *work)):
-        kind = array.dtype.kind
-        rows.append((end[kind], *array.shape, 0, 0, 0)[:4])
-        end[kind] += array.size
-        if number < len(given):
-            parts[kind].append(array.ravel())
-    floats, ints = np.zeros(end["f"]), np.zeros(end["i"], np.int64)
-    for buffer, kind in ((floats, "f"), (ints, "i")):
-        np.concatenate(parts[kind], out=buffer[: sum(map(len, parts[kind]))])
-    return Packed(floats, ints, np.array(rows, np.int64))
 
 
 class Memory(NamedTuple):
@@ -205,7 +137,7 @@ def work_at(memory: Memory) -> Work:
 
 @inlined
 def _problem_in(floats: int, ints: int, table: Indices) -> Problem:
-    """Views of the problem, in the order of ``pack``; addresses of the two buffers."""
+    """Views of the problem, in the order of ``packing.pack``; addresses of the two buffers."""
     return Problem(
         tree=Tree(
             parent=ints1(ints, table[0]),
@@ -295,7 +227,7 @@ def _problem_in(floats: int, ints: int, table: Indices) -> Problem:
 
 @inlined
 def _work_in(floats: int, ints: int, table: Indices) -> Work:
-    """Views of the memory, in the order of ``pack``; addresses of the two buffers."""
+    """Views of the memory, in the order of ``packing.pack``; addresses of the two buffers."""
     return Work(
         x=floats1(floats, table[69]),
         q=floats1(floats, table[70]),
@@ -327,4 +259,5 @@ def _work_in(floats: int, ints: int, table: Indices) -> Work:
         away=floats1(floats, table[96]),
         near=ints1(ints, table[97]),
         direction=floats1(floats, table[98]),
+        drift=floats1(floats, table[99]),
     )

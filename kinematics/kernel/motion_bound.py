@@ -87,10 +87,11 @@ def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, 
     Joints move at one speed each. Then the velocity of a point is the sum of ``rate * axis x lever`` over
     the joints, and its acceleration the sum of ``rate_i * rate_k * axis_i x (axis_k x lever_k)`` over
     all pairs of them, ``k`` being the outer one; a slide has its axis in place of ``axis x lever``.
-    No lever grows by more than what the joints outside of it move the point.
+    No lever grows by more than what the joints outside of it move the point. The base is one more joint,
+    whose axis and speed change by as much as ``drift`` says.
 
     Args:
-        memory: Bodies, ``rate``, ``spin`` and ``moved`` in place.
+        memory: Bodies, ``rate``, ``spin``, ``moved`` and ``drift`` in place.
         body, levels: The ball's body, and how many joints to cross.
         x, y, z, radius: The ball, m.
 
@@ -110,6 +111,21 @@ def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, 
             continue
         if math.isnan(rate):
             return v0, v1, v2, o0, o1, o2, math.nan
+        if tree.kind[k] == FLOATING:
+            base = work.drift
+            d0 = x - work.p[k, 0]
+            d1 = y - work.p[k, 1]
+            d2 = z - work.p[k, 2]
+            v0 += base[0] + base[4] * d2 - base[5] * d1
+            v1 += base[1] + base[5] * d0 - base[3] * d2
+            v2 += base[2] + base[3] * d1 - base[4] * d0
+            o0 += base[3]
+            o1 += base[4]
+            o2 += base[5]
+            lever = base[6] * (math.sqrt(d0 * d0 + d1 * d1 + d2 * d2) + radius + work.moved[body, crossed])
+            bend += base[6] * (lever * (1.0 + base[7]) + 2.0 * levers)
+            levers += lever
+            continue
         a0 = rate * work.spin[k, 0]
         a1 = rate * work.spin[k, 1]
         a2 = rate * work.spin[k, 2]
@@ -135,6 +151,42 @@ def swept(memory: Memory, body: int, levels: int, x: float, y: float, z: float, 
         bend += abs(rate) * (lever + 2.0 * levers)
         levers += lever
     return v0, v1, v2, o0, o1, o2, 0.5 * bend
+
+
+@inlined
+def base_drift(x: Array, start: Array, end: Array, half: float, drift: Array) -> None:
+    """How the base moves in half an interval of a line of free coordinates.
+
+    Its place moves at one speed, its rotation vector ``r`` changes by ``d`` at one speed. The angular
+    velocity is ``J(r) d``, ``J`` the left Jacobian ``1 + A [r] + B [r]^2`` with ``A = (1 - cos t) / t^2``,
+    ``B = (t - sin t) / t^3``, ``t = |r|``. It is no larger than ``|d|``, and as ``[d] d = 0`` its derivative
+    is no larger than ``|d|^2 (|A'| t + |B'| t^2 + B t)``. ``|A'| <= t / 12``, ``|B'| <= t / 60``,
+    ``B <= 1 / 6``.
+
+    Args:
+        x: The middle of the interval, free coordinates.
+        start, end: Of the whole line.
+        half: Half the interval's share of the line.
+        drift: Result: displacement (m) and turn (rad) of first order, how far the base turns at most, and
+            by which share of its square the turn can change.
+    """
+    for r in range(3):
+        drift[r] = (end[r] - start[r]) * half
+    r0, r1, r2 = x[3], x[4], x[5]
+    d0, d1, d2 = (end[3] - start[3]) * half, (end[4] - start[4]) * half, (end[5] - start[5]) * half
+    t = math.sqrt(r0 * r0 + r1 * r1 + r2 * r2)
+    a = 0.5 - t * t / 24.0 if t < 1e-3 else (1.0 - math.cos(t)) / (t * t)
+    b = (1.0 - t * t / 20.0) / 6.0 if t < 1e-3 else (t - math.sin(t)) / (t * t * t)
+    c0 = r1 * d2 - r2 * d1
+    c1 = r2 * d0 - r0 * d2
+    c2 = r0 * d1 - r1 * d0
+    drift[3] = d0 + a * c0 + b * (r1 * c2 - r2 * c1)
+    drift[4] = d1 + a * c1 + b * (r2 * c0 - r0 * c2)
+    drift[5] = d2 + a * c2 + b * (r0 * c1 - r1 * c0)
+    angle = math.sqrt(d0 * d0 + d1 * d1 + d2 * d2)
+    widest = t + angle
+    drift[6] = angle
+    drift[7] = widest * (1.0 / 6.0 + widest / 12.0 + widest * widest / 60.0)
 
 
 @inlined

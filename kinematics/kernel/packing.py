@@ -162,6 +162,7 @@ def _lay_out_memory(sizes: Sizes, floats: int, ints: int, table: Indices) -> tup
         "sweep": (moving, 7),
         "away": (objects,),
         "direction": (3,),
+        "drift": (8,),
     }
     int_shapes: dict[str, tuple[int, ...]] = {
         "needed": (n,),

@@ -101,7 +101,7 @@ def grouped(own: Sequence[OwnPair], body: Sequence[int], chains: Chains) -> OwnP
         groups.setdefault((body[pair.first], body[pair.second]), []).append(pair)
     ordered = [pair for group in groups.values() for pair in group]
     sizes = [len(group) for group in groups.values()]
-    levels = [_meeting(chains, i, j) for i, j in groups]
+    levels = [meeting(chains, i, j) for i, j in groups]
     return OwnPairs(
         first=np.array([pair.first for pair in ordered], np.int64),
         second=np.array([pair.second for pair in ordered], np.int64),
@@ -181,7 +181,7 @@ def _starts(counts: NDArray[np.intp]) -> Indices:
     return np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
 
 
-def _meeting(chains: Chains, first: int, second: int) -> tuple[int, int]:
+def meeting(chains: Chains, first: int, second: int) -> tuple[int, int]:
     """How many joints each of two bodies is away from the body that carries both."""
     a = list(chains.joint[first, : chains.length[first]])
     b = list(chains.joint[second, : chains.length[second]])

@@ -13,8 +13,7 @@ from kinematics.errors import ModelError, UnknownNameError
 from kinematics.kernel.chains import Chains, Indices, chains_of, limbs_of
 from kinematics.kernel.coordinates import Coordinates, Limits, joint_limits, plain_coordinates
 from kinematics.kernel.packing import CARRIED_ROWS, FIXED_ROWS, Block, block
-from kinematics.kernel.pairs import Carriers, OwnPair, OwnPairs, carriers_of, grouped
-from kinematics.kernel.pairs import _meeting as meeting
+from kinematics.kernel.pairs import Carriers, OwnPair, OwnPairs, carriers_of, grouped, meeting
 from kinematics.kernel.solids import Solid, Solids, flatten, link_solid
 from kinematics.kernel.tree import Tree, tree_of, welded_at
 from kinematics.kernel.tuning import Tuning

@@ -192,6 +192,11 @@ class LeggedEstimator:
         odom_R_sole = self.odom_R_base.dot(self._sole_R[k])
         return PlanarPose(float(place[0]), float(place[1]), poses.yaw_of(odom_R_sole))
 
+    def sole_tilt(self, side: Hand) -> Array:
+        """How a sole leans: its rotation without its heading, shape (3, 3)."""
+        odom_R_sole = self.odom_R_base.dot(self._sole_R[self._index[side]])
+        return np.asarray(poses.rotation_z(-poses.yaw_of(odom_R_sole)) @ odom_R_sole)
+
     def _turn(self, dt: float, force: Array) -> None:
         """Integrate the gyro, then correct a little."""
         self.odom_R_base = turned(

@@ -19,9 +19,8 @@ Array = NDArray[np.float64]
 PERIODS = 5
 WALKING_ROOM = 2.0
 """Bounds of a walk, by those of a motion: arms that a walk swings and jolts were seen at 0.9 of those."""
-WALKING_PERIODS = 25
-"""The same for how long: a jolt, when a sole slips off a plate, is over sooner (21 Nm, allowed 20); who is
-pressed on is let go one step later."""
+WALKING_PERIODS = 75
+"""The same for how long: a lurch, when a sole slips off a plate, is over sooner (28 Nm for 50 ms)."""
 # A push that was there before the motion may grow by this: what is picked up has a weight.
 GROWTH_NM = 2.0
 

@@ -18,24 +18,17 @@ from robots.control.authority import Authority
 from robots.control.balance import Balance
 from robots.control.contact_watch import ContactWatch
 from robots.control.control_record import ControlRecord, ControlStatistics
-from robots.control.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset, require_category
-from robots.control.events import (
-    ControlSink,
-    EmergencyReset,
-    EmergencyStopped,
-    MotionPaused,
-    MotionResumed,
-    ResetRefused,
-)
+from robots.control.emergency_stop import EmergencyStop, PersonsReset, require_category
+from robots.control.events import ControlSink, MotionPaused, MotionResumed
 from robots.control.grip_keeper import GripKeeper
 from robots.control.gripper_control import GripperControl
-from robots.control.health.finding import Response
 from robots.control.health.health_monitor import HealthMonitor
 from robots.control.motion_handle import MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
 from robots.control.refusal import Refusal
 from robots.control.resting_start import resting_start
+from robots.control.safeguards import Safeguards
 from robots.control.setpoint_gate import SetpointGate
 from robots.control.state_history import StateHistory
 from robots.control.sway_damping import SwayDamping
@@ -108,9 +101,9 @@ class ControlLoop:
         self._stuck = False
         self._limp = False
         self._walker = Walker(model, self._streamer, authority, clock, sink, period_s)
-        self._latch = EmergencyLatch()
         self._forgiven = 0
-        self._health = HealthMonitor(model, period_s)
+        health = HealthMonitor(model, period_s)
+        self._safeguards = Safeguards(health, self._streamer, self._record, clock, sink)
         self.model = model
         self.motion = self._streamer
         self.walking = self._walker
@@ -190,7 +183,7 @@ class ControlLoop:
         if category == 0:
             self._limp = True
             self._walker.abandon()
-            self._streamer.latch(f"the power was taken away: {reason}")
+            self._safeguards.lose_power(reason)
 
     def pause(self, reason: str) -> None:
         """Brake, and hold until ``resume``; what is under way stays under way, and balance goes on.
@@ -221,7 +214,7 @@ class ControlLoop:
     @property
     def emergency(self) -> EmergencyStop | None:
         """The emergency stop that is engaged, or None."""
-        return self._latch.engaged
+        return self._safeguards.engaged
 
     @property
     def still(self) -> bool:
@@ -231,16 +224,16 @@ class ControlLoop:
     @property
     def defects(self) -> tuple[str, ...]:
         """What is wrong with the robot now, so that it must not move, for people."""
-        return self._health.reasons(Response.STOP)
+        return self._safeguards.defects
 
     @property
     def reservations(self) -> tuple[str, ...]:
         """What is wrong so that no new task should be begun, for people."""
-        return self._health.reasons(Response.REFUSE)
+        return self._safeguards.reservations
 
     def note_late(self, late_s: float) -> None:
         """Tell by how much the coming period begins too late, s; never in lockstep."""
-        self._health.note_late(late_s)
+        self._safeguards.note_late(late_s)
 
     def emergency_stop(self, reason: str, category: int = 1) -> None:
         """Stop, and refuse every motion with the reason until a person's ``reset``.
@@ -254,9 +247,7 @@ class ControlLoop:
         Raises:
             ValueError: There is no such category.
         """
-        if self._latch.engage(self._clock.now_s(), category, reason) and self._latch.engaged is not None:
-            self._close_or_open()
-            self._sink(EmergencyStopped(self._clock.now_s(), category, reason))
+        if self._safeguards.engage(category, reason):
             self.stop(category, reason)
 
     def reset(self, request: PersonsReset) -> str | None:
@@ -271,17 +262,7 @@ class ControlLoop:
         Returns:
             None when motions are taken again; else what stands against it.
         """
-        if self.still:
-            self._record.health([], self._health.acknowledge())
-            self._close_or_open()
-        reason = self._latch.why_not_open(self.still, self.defects)
-        if reason is not None:
-            self._sink(ResetRefused(self._clock.now_s(), request.person, reason))
-            return reason
-        self._latch.open()
-        self._close_or_open()
-        self._sink(EmergencyReset(self._clock.now_s(), request.person))
-        return None
+        return self._safeguards.reset(request, self.still)
 
     def _command(self) -> None:
         state = self.sensing.state().readings
@@ -293,7 +274,7 @@ class ControlLoop:
         self._sway.sense(state.v, self._gate.last.v)
         self._look_after_health()
         self._forgiven = max(0, self._forgiven - 1)
-        self._watch_arms(state)
+        self._watch_for_contact(state)
         self._walker.go_on()
         if self._walker.active:
             self._command_walk(state)
@@ -346,11 +327,12 @@ class ControlLoop:
         self._balance = Balance(self._model, stance)
         self._estimator = BaseEstimator(self._model, stance)
 
-    def _watch_arms(self, state: RobotState) -> None:
-        """When an arm pushes against something, end what moves the robot: a walk within two steps."""
+    def _watch_for_contact(self, state: RobotState) -> None:
+        """When the body pushes against something, end what moves the robot: a walk within two steps."""
         walks = self._walker.under_way
         watched = (self._streamer.carrying_out or walks) and self._forgiven == 0
         contact = self._contact.judge(state.effort, self._gate.last.tau, watched, self._walker.active)
+        contact = contact or self._walker.held_back
         if contact is None:
             return
         self._record.stop(1 if walks else 2, str(contact))
@@ -358,31 +340,11 @@ class ControlLoop:
         self._walker.stop(str(contact), MotionStatus.REFUSED)
 
     def _look_after_health(self) -> None:
-        streamer = self._streamer
-        standing = streamer.standing and not self._walker.active
-        new, over = self._health.judge(
-            self.sensing.state(), self._gate.last, standing, streamer.in_contact, self._walker.active
-        )
-        if not new and not over:
-            return
-        self._record.health(new, over)
-        self._close_or_open()
-        stopping = [finding for finding in new if finding.response is Response.STOP]
-        if stopping:
-            reason = str(stopping[0])
+        reason = self._safeguards.look(self.sensing.state(), self._gate.last, self._walker.active)
+        if reason is not None:
             self._record.stop(1, reason)
             self._streamer.stop(reason, along_path=True)
             self._walker.stop(reason)
-
-    def _close_or_open(self) -> None:
-        """Refuse motions while the emergency stop is engaged or the robot is not well, else take them."""
-        if self._limp:
-            return
-        reason = str(self._latch.engaged) if self._latch.engaged is not None else "; ".join(self.defects)
-        if reason:
-            self._streamer.latch(reason)
-        else:
-            self._streamer.unlatch()
 
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""

@@ -22,6 +22,7 @@ class Limit(Enum):
     MEASURED_EFFORT = "measured effort"
     DURATION = "duration"
     CONTACT = "unexpected contact"
+    FORCE = "unexpected force"
     COLLISION = "collision"
     BALANCE = "balance"
     STANCE = "stance"
@@ -38,6 +39,7 @@ _UNITS = {
     Limit.MEASURED_EFFORT: "Nm",
     Limit.DURATION: "s",
     Limit.CONTACT: "Nm",
+    Limit.FORCE: "N",
     Limit.BALANCE: "m",
     Limit.STANCE: "rad",
 }

@@ -6,7 +6,7 @@ from executive.exit_codes import ExitCode
 from executive.feedback import failure_lines, line_for, quantity, result_line, result_line_of_all
 from executive.task_result import TaskResult, TaskTimes
 from robots.control.events import SetpointRefused
-from trees.events import NodeChanged
+from trees.events import LeafFailed, NodeChanged, NotSo
 from trees.failures import Failure
 
 TIMES = TaskTimes(0.4, 8.4, 2.9)
@@ -102,3 +102,10 @@ def test_several_that_fit_end_in_a_question_with_its_choices():
 
     assert result_line(result).startswith("question: which cup? there are 2: blue cup or red cup (")
     assert result.exit_code is ExitCode.QUESTION
+
+
+def test_a_step_that_only_asks_whether_something_is_so_does_not_fail_when_it_is_not():
+    no = Failure.postcondition("no blue can is in a hand").at("put in/have it/is it held")
+
+    assert line_for(NotSo(1.0, no)) == "no blue can is in a hand"
+    assert line_for(LeafFailed(1.0, no)).startswith("failed: no blue can is in a hand")

@@ -6,6 +6,7 @@ import pytest
 
 from kinematics import pick_task, poses
 from kinematics.collision import CollisionWorld
+from kinematics.grasping import PAD_OVERLAP_M
 from kinematics.pick_planner import MOST_BLOCKED, PLANNING_RESERVE_M, PickPlanner
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.scene import PlanningScene, SceneObject
@@ -182,3 +183,20 @@ def test_a_lift_that_would_swing_beyond_joint_limits_keeps_off_them(talos, stanc
     monkeypatch.setattr(pick_task, "LINE_RESERVE_RAD", 0.0)
 
     assert considered < 10 < plan(talos, stance, scene).considered
+
+
+@pytest.mark.requirement("M1")
+def test_over_a_low_box_fingers_that_would_come_too_near_to_the_table_reach_less_far(
+    talos, stance, monkeypatch
+):
+    top = SceneObject(
+        "table", Box((0.55, 1.23, 0.04)), poses.translation(0.585, 0.05, 0.77), margin_m=0.015, movable=False
+    )
+    low = SceneObject(
+        "cup", Box((0.041, 0.081, 0.0695)), poses.translation(0.536, 0.157, 0.8245), margin_m=0.01
+    )
+    scene = PlanningScene().with_objects([top, low])
+
+    assert isinstance(plan(talos, stance, scene), PickPlan)
+    monkeypatch.setattr("kinematics.grasping.LEAST_OVERLAP_M", PAD_OVERLAP_M)
+    assert isinstance(plan(talos, stance, scene), NoPlan)

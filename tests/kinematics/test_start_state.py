@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from kinematics import poses
@@ -53,3 +55,19 @@ def test_contact_with_furniture_is_never_allowed(talos):
     scene = PlanningScene().with_object(ball_at_the_hand(talos, -0.01, movable=False))
 
     assert not relaxed_at(talos, scene, talos.q_home).allowed
+
+
+@pytest.mark.parametrize(("spare_m", "given_m"), [(0.0005, 0.0015), (0.0025, 0.0)])
+def test_a_start_that_just_keeps_its_margin_gets_two_millimetres_of_room(talos, spare_m, given_m):
+    ball = ball_at_the_hand(talos, 0.015)
+    nearest_m, apart_m = 0.0, 0.05
+    while apart_m - nearest_m > 1e-5:
+        margin_m = 0.5 * (nearest_m + apart_m)
+        scene = PlanningScene().with_object(replace(ball, margin_m=margin_m))
+        too_near = CollisionWorld(talos, scene).collides(talos.q_home)
+        nearest_m, apart_m = (nearest_m, margin_m) if too_near else (margin_m, apart_m)
+    scene = PlanningScene().with_object(replace(ball, margin_m=nearest_m - spare_m))
+
+    relaxed = relaxed_at(talos, scene, talos.q_home)
+
+    assert relaxed.objects["ball"].margin_m == pytest.approx(nearest_m - spare_m - given_m, abs=1e-4)

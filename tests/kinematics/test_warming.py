@@ -3,8 +3,10 @@ import pytest
 from kinematics import (
     check_certificate,
     check_course,
+    check_effort,
     check_placing,
     compiled_configurations,
+    ground_loads,
     timing_kernel,
     warming,
 )
@@ -18,8 +20,10 @@ from kinematics.trajectory_check import TrajectoryChecker
 USED = [
     check_certificate.certify,
     check_course.running_lengths,
+    check_effort.efforts_of,
     check_placing.place_all,
     compiled_configurations.configurations,
+    ground_loads.ground_loads,
     timing_kernel.excess,
     timing_kernel.fastest_rates,
     timing_kernel.grid_times,

@@ -2,7 +2,7 @@ import pytest
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
-from trees.events import LeafFailed
+from trees.events import LeafFailed, NotSo
 from trees.failures import Failure, FailureKind
 from trees.leaf import DONE, RUNNING
 
@@ -31,6 +31,24 @@ def test_a_failure_is_told_and_releases_what_was_started(stage, probe_leaf):
 
     assert [event.failure for event in stage.events if isinstance(event, LeafFailed)] == [leaf.failure]
     assert leaf.released == ["stuck"]
+
+
+def test_a_leaf_that_only_asks_answers_that_it_is_not_so(stage, probe_leaf):
+    leaf = probe_leaf("probe", stage.toolbox, Failure.postcondition("it stands elsewhere"))
+    leaf.ASKS = True
+
+    assert stage.run(leaf) is Status.FAILURE
+    assert [event for event in stage.events if isinstance(event, LeafFailed)] == []
+    assert [event.failure for event in stage.events if isinstance(event, NotSo)] == [leaf.failure]
+
+
+def test_what_goes_wrong_in_a_leaf_that_only_asks_is_a_failure(stage, probe_leaf):
+    leaf = probe_leaf("probe", stage.toolbox, ZeroDivisionError("by nothing"))
+    leaf.ASKS = True
+
+    stage.run(leaf)
+
+    assert [event.failure for event in stage.events if isinstance(event, LeafFailed)] == [leaf.failure]
 
 
 @pytest.mark.requirement("S8")

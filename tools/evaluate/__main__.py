@@ -37,6 +37,7 @@ from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.soak import run_soak
+from tools.evaluate.stopping.courses import COURSES_BY_NAME
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
@@ -145,6 +146,9 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--jobs", type=_positive, default=2, help="processes")
     parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS, *SKILL_FAULTS, *CONNECTION_FAULTS}))
     parser.add_argument("--scene", help="a scene's name or file that the random ones are made from")
+    parser.add_argument(
+        "--course", choices=sorted(COURSES_BY_NAME), help="of suites stop and cancel: this one alone"
+    )
     parser.add_argument("--robot", default="talos", choices=known_robots())
     parser.add_argument(
         "--pace",

@@ -20,6 +20,7 @@ class CannotWalk(Leaf):
         postcondition="the robot stands where it stands",
         deadline_s=1.0,
     )
+    ASKS = True
 
     def step(self) -> Status | Failure:
         """Ask what there is to walk with."""

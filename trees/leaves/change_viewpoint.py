@@ -8,7 +8,10 @@ from typing import Literal
 import numpy as np
 from py_trees.common import Status
 
+from kinematics.scene import PlanningScene
+from kinematics.support import top_m
 from kinematics.walking.corridor import free_way_m
+from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
@@ -19,6 +22,7 @@ from trees.motion_leaf import motion_failure
 from trees.odometry import feet_pose
 from trees.own_load import without_held
 from trees.ports import ports
+from trees.standing_place import TURNING_HANDS_M, hands_wider_m, turn_room_m
 from trees.toolbox import Toolbox
 from trees.walking_leaf import WalkingLeaf
 
@@ -90,4 +94,13 @@ class ChangeViewpoint(WalkingLeaf):
         near_m = float(np.hypot(scan[:, 0], scan[:, 1]).min(initial=math.inf))
         if near_m < _TURN_ROOM_M:
             return Failure.infeasible("there is no room to turn", room_m=near_m)
+        room_m = self._room_for_hands_m(settings, body)
+        if room_m < turn_room_m(settings):
+            return Failure.infeasible("there is no room to turn for the hands", room_m=room_m)
         return PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))
+
+    def _room_for_hands_m(self, settings: WalkingSettings, body: PlanarPose) -> float:
+        """To what is as tall as the hands, less what these stand out; the range sensor looks below it."""
+        items = self.toolbox.world.scene.objects.values()
+        tall = PlanningScene().with_objects(item for item in items if top_m(item) >= settings.hands_from_m)
+        return clearance_m(footprints(tall), body) - hands_wider_m(settings) - TURNING_HANDS_M

@@ -11,6 +11,7 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.place_requests import PlaceRequest, Spot
 from kinematics.pointing import link_moved_by
+from kinematics.robot_description import Hand
 from kinematics.scene import SceneObject
 from kinematics.trajectory import Stance
 from kinematics.walking.planar import PlanarPose
@@ -28,7 +29,9 @@ from trees.standing_place import EDGE_M
 Array = NDArray[np.float64]
 
 _REACH_M = 1.0
-"""From the shoulder to the spot, on the floor, at most; the trunk turns and leans along."""
+"""From the shoulder to the spot, on the floor, at most, of a robot without a map of its reach."""
+_NINTHS = 9
+"""What differs by less in its share of directions is alike."""
 _SPOTS = 2
 _MOST_PATIENTLY = 16
 """Places that are asked about once more, when a quick look at all of them has found nothing."""
@@ -78,17 +81,25 @@ class ChooseStandToPut(ChooseStand):
         held: HeldObject = self.get_input("held")
         return SceneObject(held.name, held.shape, self._spots[0].world_T_object)
 
+    def hands(self) -> tuple[Hand, ...]:
+        """The hand that holds it."""
+        return (self.get_input("held").hand,)
+
     def stands(self, here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
-        """Here first, for who stands well does not walk; then where the hand's shoulder is nearest."""
-        x, y = (float(value) for value in self._spots[0].world_T_object[:2, 3])
-        spot = PlanarPose(x, y)
-        shoulder = self._shoulder()
-        near = sorted((one for one in stands), key=lambda one: (one @ shoulder).distance_m(spot))
-        return (
-            one
-            for one in (here, *near)
-            if (one @ shoulder).distance_m(spot) <= _REACH_M and self._in_sight(one)
-        )
+        """Here first, for who stands well does not walk; then where the hand gets there best."""
+        thing = self.thing(self._place)
+        if thing is None:
+            return iter(())
+        x, y = (float(value) for value in thing.world_T_object[:2, 3])
+        spot, shoulder, reach = PlanarPose(x, y), self._shoulder(), self.reach(thing)
+
+        def share(one: PlanarPose) -> float:
+            if reach is not None:
+                return round(_NINTHS * reach(one)) / _NINTHS
+            return 1.0 if (one @ shoulder).distance_m(spot) <= _REACH_M else 0.0
+
+        best = sorted(stands, key=lambda one: (-share(one), (one @ shoulder).distance_m(spot)))
+        return (one for one in (here, *best) if share(one) > 0.0 and self._in_sight(one))
 
     def _in_sight(self, body: PlanarPose) -> tuple[Spot, ...]:
         """The spots that the eyes see from a place to stand."""

@@ -25,6 +25,7 @@ class KnowPlace(Leaf):
         postcondition="the region of that name, where the map has it",
         deadline_s=1.0,
     )
+    ASKS = True
 
     def step(self) -> Status | Failure:
         """Look it up."""

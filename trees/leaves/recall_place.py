@@ -35,6 +35,7 @@ class RecallPlace(Leaf):
         "this robot put down and that fits, where it was last seen or let go of",
         deadline_s=1.0,
     )
+    ASKS = True
 
     def step(self) -> Status | Failure:
         """Look it up."""

@@ -58,6 +58,7 @@ class SeeFront(LookAround):
         postcondition="its door or drawer was seen; everything seen is in the world model",
         deadline_s=2.0,
     )
+    ASKS = True
 
     def step(self) -> Status | Failure:
         """Look, if it is about something with a door."""

@@ -12,13 +12,13 @@ from trees.failures import Failure
 from trees.leaves.approach_handle import ApproachHandle
 from trees.leaves.detect_front import DetectFront
 from trees.leaves.exclude_grasp import ExcludeGrasp
+from trees.leaves.is_it_so import IsItSo
 from trees.leaves.lead_handle import LeadHandle, is_stuck
 from trees.leaves.look_at import LookAt
 from trees.leaves.names_door import NamesDoor
 from trees.leaves.reach_watching import ReachWatching
 from trees.leaves.step_back import StepBack
 from trees.leaves.touch_front import TouchFront
-from trees.leaves.verify_opening import VerifyOpening
 from trees.retry import Retry
 from trees.subtrees.come_to_handle import come_to_handle
 from trees.subtrees.open import (
@@ -73,7 +73,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         sequence("leave", *going(toolbox, DetectFront)),
         verify(toolbox),
     )
-    return Alternatives("attempt", [VerifyOpening("see whether it is so", toolbox), move])
+    return Alternatives("attempt", [IsItSo("see whether it is so", toolbox), move])
 
 
 def _recover(toolbox: Toolbox) -> Behaviour:

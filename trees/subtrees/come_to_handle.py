@@ -8,6 +8,7 @@ from py_trees.composites import Sequence
 from trees.alternatives import Alternatives, defect
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.stands_at_handle import StandsAtHandle
+from trees.leaves.stands_there_already import StandsThereAlready
 from trees.leaves.walk_to_handle import WalkToHandle
 from trees.retry import Retry
 from trees.subtrees.walk_to import another_walk_is_useless
@@ -35,4 +36,6 @@ def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
     )
     again = ReadyToWalk("stand upright", toolbox)
     walks = Retry("walks", walk, again, _WALKS, another_walk_is_useless)
-    return Alternatives("come to it", [StandsAtHandle("stand well already", toolbox), walks], hopeless=defect)
+    return Alternatives(
+        "come to it", [StandsThereAlready("stand well already", toolbox), walks], hopeless=defect
+    )

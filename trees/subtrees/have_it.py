@@ -11,6 +11,7 @@ from trees.alternatives import Alternatives, defect
 from trees.failures import Failure
 from trees.leaf import Leaf
 from trees.leaves.ask_for_pick import AskForPick
+from trees.leaves.is_held import IsHeld
 from trees.leaves.take_held import TakeHeld
 from trees.subtrees.pick import pick
 from trees.toolbox import Toolbox
@@ -19,7 +20,7 @@ from trees.toolbox import Toolbox
 def have_it(toolbox: Toolbox) -> Behaviour:
     """It is in a hand already, or it is picked up. Reads "task", writes "held"."""
     fetch = fetched("fetch it", AskForPick("say what", toolbox), toolbox)
-    return Alternatives("have it", [TakeHeld("is it held", toolbox), fetch], hopeless=no_pick_helps)
+    return Alternatives("have it", [IsHeld("is it held", toolbox), fetch], hopeless=no_pick_helps)
 
 
 def fetched(name: str, ask: Leaf, toolbox: Toolbox) -> Behaviour:

@@ -16,6 +16,7 @@ from trees.leaves.detect_handle import DetectHandle
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome
 from trees.leaves.grasp_handle import GraspHandle
+from trees.leaves.is_it_so import IsItSo
 from trees.leaves.lead_handle import LeadHandle, is_stuck, slips_off
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_handle import LookAtHandle
@@ -51,7 +52,7 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     come = come_to_handle(toolbox, _search("look again", toolbox))
     do = _Sequence("come and move it", memory=True, children=[come, attempts])
     do.transparent = True
-    ways = Alternatives("unless it is so", [VerifyOpening("see whether it is so already", toolbox), do])
+    ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])
     ways.transparent = True
     main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), ways])
     main.transparent = True
@@ -113,7 +114,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         verify(toolbox),
     )
     move.transparent = True
-    attempt = Alternatives("attempt", [VerifyOpening("see whether it is so", toolbox), move])
+    attempt = Alternatives("attempt", [IsItSo("see whether it is so", toolbox), move])
     attempt.transparent = True
     return attempt
 

@@ -11,11 +11,11 @@ from trees.leaves.ask_for_hand import AskForHand
 from trees.leaves.draw_back import DrawBack
 from trees.leaves.find_board_room import FindBoardRoom
 from trees.leaves.go_home import GoHome
+from trees.leaves.is_held import IsHeld
 from trees.leaves.look_at_board import LookAtBoard
 from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.not_shut import NotShut
 from trees.leaves.survey import Survey
-from trees.leaves.take_held import TakeHeld
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.subtrees.come_to_board import come_to_board
 from trees.subtrees.have_it import fetched, have_it, no_pick_helps
@@ -73,5 +73,5 @@ def _have_it(toolbox: Toolbox) -> Behaviour:
     Who stands beside an open door reaches in with that hand; with the other one hardly.
     """
     fetch = fetched("fetch it with that hand", AskForHand("say which hand", toolbox), toolbox)
-    ways: list[Behaviour] = [TakeHeld("is it held already", toolbox), fetch, have_it(toolbox)]
+    ways: list[Behaviour] = [IsHeld("is it held already", toolbox), fetch, have_it(toolbox)]
     return Alternatives("have it", ways, hopeless=no_pick_helps)

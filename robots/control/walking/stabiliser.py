@@ -28,6 +28,7 @@ class Stabiliser:
 
     Attributes:
         error: The DCM's error of the last period in the plan's frame, m.
+        velocity: Of the CoM, as measured, in that frame, m/s.
     """
 
     def __init__(self, model: RobotModel, settings: WalkingSettings, omega: float) -> None:
@@ -37,6 +38,7 @@ class Stabiliser:
         self._settings, self._omega = settings, omega
         self._most = settings.effort_share * model.effort
         self.error: Point = (0.0, 0.0)
+        self.velocity: Point = (0.0, 0.0)
 
     def efforts(self, pattern: PatternSample, motion: MotionSample, measured: LeggedEstimator) -> Array:
         """Efforts of the body joints for one instant, Nm, shape (n,).
@@ -57,6 +59,7 @@ class Stabiliser:
             y += share * (foot.y_m + s * px + c * py)
             vx += share * (c * sx - s * sy)
             vy += share * (s * sx + c * sy)
+        self.velocity = vx, vy
         w, dcm = self._omega, pattern.com.dcm
         self.error = (x + vx / w - dcm[0], y + vy / w - dcm[1])
         wanted = self._distribution.wrenches(

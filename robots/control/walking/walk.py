@@ -18,7 +18,9 @@ from kinematics.walking.pattern_sample import PatternSample, Phase
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.whole_body import WholeBody
 from robots.control.motion_streamer import MotionStreamer
+from robots.control.refusal import Refusal
 from robots.control.walking.fitted_ankles import FittedAnkles
+from robots.control.walking.outside_force import OutsideForce
 from robots.control.walking.push_watch import PushWatch
 from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.soft_ankles import SoftAnkles
@@ -32,7 +34,12 @@ _AT_REST_PERIODS = 3
 
 
 class Walk:
-    """One walk, from rest to rest."""
+    """One walk, from rest to rest.
+
+    Attributes:
+        pattern: What the feet do.
+        held_back: What the body met in the last period, if that was anything.
+    """
 
     def __init__(
         self, model: RobotModel, streamer: MotionStreamer, gyro_at_rest: Array, period_s: float
@@ -68,6 +75,10 @@ class Walk:
             {side: round(float(pose[2, 3]), 6) for side, pose in anchors.items()}, period_s
         )
         self._push_watch = PushWatch()
+        sides = [sole.side for sole in model.description.soles]
+        self._outside = OutsideForce(model.mass_kg, sides, period_s)
+        self.held_back: Refusal | None = None
+        self._wrench: Array | None = None
         self._most = settings.effort_share * model.effort
         self._read: tuple[Array, Array] | None = None
         self._sensed = False
@@ -94,7 +105,7 @@ class Walk:
             readings.accelerometer,
             readings.foot_wrench,
         )
-        self._sensed = True
+        self._sensed, self._wrench = True, readings.foot_wrench
         return estimator.tilt_rad
 
     def next(self) -> tuple[MotionSample, Array]:
@@ -117,6 +128,10 @@ class Walk:
         before, self._sample = self._sample or sample, sample
         self._motion = motion
         efforts = self._stabiliser.efforts(before, motion, self._estimator)
+        if self._wrench is not None:
+            self.held_back = self._outside.feel(
+                self._wrench, before.feet, self._estimator.sole_tilt, self._stabiliser.velocity
+            )
         if self._read is not None:
             told, soft = (motion.q[7:], motion.v[6:]), sample.phase not in (Phase.SETTLE, Phase.REST)
             efforts = efforts + self._soft_ankles.efforts(told, self._read, soft, self._period_s)

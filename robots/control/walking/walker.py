@@ -15,6 +15,7 @@ from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_streamer import MotionStreamer
 from robots.control.proposal import Proposal
+from robots.control.refusal import Refusal
 from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.walk import Walk
 from robots.interface import RobotState
@@ -144,6 +145,11 @@ class Walker:
     def under_way(self) -> bool:
         """Whether somebody's walk goes on: no last steps after a stop."""
         return self._walk is not None and self._handle is not None
+
+    @property
+    def held_back(self) -> Refusal | None:
+        """What the body of a walk that is under way has met, beside the floor."""
+        return self._walk.held_back if self._walk is not None and self._handle is not None else None
 
     def stop(self, reason: str, status: MotionStatus = MotionStatus.CANCELED) -> None:
         """Bring the feet together and come to rest, with no regard to whoever wanted the walk."""

@@ -104,6 +104,56 @@ def test_a_thin_rod_between_two_samples_is_found(arrays, talos, stance, space):
     assert refusal.pair[1] == "rod"
 
 
+def test_whatever_is_where_a_fingertip_passes_while_the_pelvis_moves_is_found(arrays, talos, stance, space):
+    rng = np.random.default_rng(11)
+    found = 0
+    for k in range(60):
+        a = space.from_q(talos.q_home)
+        b = a.copy()
+        # bends, turns and shifts of the pelvis, with the arm moving or at rest
+        b[:6] += rng.uniform(-1.0, 1.0, 6) * (0.08, 0.06, 0.05, 0.15, 0.5, 0.4) - (
+            0.0,
+            0.0,
+            0.06,
+            0.0,
+            0.0,
+            0.0,
+        )
+        if k % 2:
+            arm = [space.index(joint) for joint in talos.description.groups["right_arm"]]
+            b[arm] += rng.uniform(-0.4, 0.4, 7)
+        clear = CollisionKernel.standing(arrays, talos, stance, PlanningScene())
+        if not clear.edge_is_free(a, b):
+            continue
+        share = rng.uniform(0.05, 0.95)
+        q = space.to_q((a + share * (b - a))[None])[0][0]
+        tip = talos.frame_pose(q, "gripper_right_fingertip_1_link")
+        speck = SceneObject("speck", Ball(0.0005), tip)
+        blocked = CollisionKernel.standing(arrays, talos, stance, PlanningScene().with_object(speck))
+
+        assert not blocked.edge_is_free(a, b)
+        found += 1
+    assert found > 25
+
+
+def test_a_judge_that_allows_more_answers_as_one_made_for_it(arrays, talos, stance, space, make, at_random):
+    rng = np.random.default_rng(21)
+    scene = at_random.scene(rng, talos, make)
+    links = [name for name in arrays.solids_of if "gripper_right" in name]
+    more = scene.allowing([(link, name) for link in links for name in scene.objects])
+    first = CollisionKernel.standing(arrays, talos, stance, scene, 0.004, 0.005)
+    shared = first.allowing(more)
+    own = CollisionKernel.standing(arrays, talos, stance, more, 0.004, 0.005)
+    strict = CollisionKernel.standing(arrays, talos, stance, scene, 0.004, 0.005)
+    x = [at_random.point(rng, talos, space) for _ in range(150)]
+
+    answers = [(first.is_free(point), shared.is_free(point)) for point in x]
+
+    assert answers == [(strict.is_free(point), own.is_free(point)) for point in x]
+    assert sum(loose and not tight for tight, loose in answers) > 2
+    assert first.allowing(scene.without_object("table")) is None
+
+
 def test_distances_are_lower_bounds_and_nearly_coals(arrays, talos, stance, space, make, at_random):
     rng = np.random.default_rng(3)
     scene = at_random.scene(rng, talos, make)

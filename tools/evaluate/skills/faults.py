@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from tools.evaluate.faults import FAULTS, Arm, FaultBench, FaultState, slip_in, take_in
 
-FAULTED_SUITES = frozenset({"place", "put_in", "hand_over"})
+FAULTED_SUITES = frozenset({"place", "put_in", "put_in_fridge", "hand_over"})
 # The leaf in which a skill carries what it holds.
 CARRYING = ("transfer", "offer")
 

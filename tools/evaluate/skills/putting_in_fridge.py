@@ -81,13 +81,13 @@ class PutInFridgeJudge:
         return Verdict(not wrong, numbers, "; ".join(wrong))
 
 
-def put_in_fridge_trial(rng: np.random.Generator) -> Trial:
+def put_in_fridge_trial(rng: np.random.Generator, always_open: bool = False) -> Trial:
     """A table ahead with a few things on it, and a fridge to one side or behind, shut or open."""
     table = rooms.table(rng)
     objects = rooms.things(rng, table, int(rng.integers(1, 4)), ("cup", "can"))
     item = objects[0]
     hinge: Side = "left" if rng.random() < 0.5 else "right"
-    held, shut = bool(rng.random() < _HELD_CHANCE), bool(rng.random() >= _OPEN_CHANCE)
+    held, shut = bool(rng.random() < _HELD_CHANCE), bool(rng.random() >= _OPEN_CHANCE) and not always_open
     hand: Side | None = None
     if held and shut:  # one hand holds it, the other one is on the side of the hinge
         hand = "left" if item.world_T_object[1, 3] > 0.0 else "right"

@@ -23,6 +23,7 @@ from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene, read_episode_scene
 from tools.evaluate.skills.gestures import point_trial, wave_trial
 from tools.evaluate.skills.placing import place_trial
+from tools.evaluate.skills.putting_in_fridge import put_in_fridge_trial
 from tools.evaluate.skills.suite import Trial
 from tools.evaluate.skills.walking import stop_trial
 from trees.tasks import MoveTask, ObjectDescription, OpenTask
@@ -122,6 +123,11 @@ def _open(seed: int) -> Script:
     return Script(scene.read(), (OpenTask("open it", noun),), misplace)
 
 
+def _open_fridge(seed: int) -> Script:
+    made = put_in_fridge_trial(episode_rng(seed, 10), always_open=True)
+    return Script(made.scene, (*made.first, *made.tasks))
+
+
 def _picked(assembly: Assembly) -> bool:
     return assembly.world.truth.lift_m(TARGET) >= PICKED_M
 
@@ -165,9 +171,18 @@ GESTURE = Course("wave, point", _gesture, None, ("gesture",) * 5, GO_HOME)
 PLACING = Course("pick, place", _of_trial(place_trial), None, ("place",) * 5, GO_HOME)
 OPENING = Course("open", _open, None, ("open",) * 5, GO_HOME)
 
+FRIDGE = Course(
+    "put into a fridge", _open_fridge, None, (WALK, "place", "reach", "place", WALK, "place", "lift"), GO_HOME
+)
+
 CYCLE = (PICK, PLACING, WALKING, OPENING, MOVED, GESTURE, *(PICK, MOVED) * 3)
 """Runs of one evaluation, over and over: each phase in a fifteenth of the instants, and an arm moves in more
 than seven of ten."""
+
+COURSES = (*CYCLE, FRIDGE)
+"""All there are. Those outside the cycle run when they are asked for by ``COURSES_BY_NAME``."""
+
+COURSES_BY_NAME = {"put_in_fridge": COURSES.index(FRIDGE)}
 
 PHASES = (
     ("open or close", "open"),
@@ -190,6 +205,7 @@ PHASES = (
     ("grasp", "close"),
     ("lift", "lift"),
     ("move", WALK),
+    ("walk", WALK),
 )
 """Part of a place in the tree, and the phase that it belongs to; the first that fits counts."""
 

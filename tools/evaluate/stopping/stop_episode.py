@@ -11,7 +11,7 @@ import numpy as np
 from executive.command_parser import parse
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.stopping.branch import Branches
-from tools.evaluate.stopping.courses import CYCLE, CourseRun, next_after
+from tools.evaluate.stopping.courses import COURSES, COURSES_BY_NAME, CYCLE, CourseRun, next_after
 from tools.evaluate.stopping.stop_judge import StopJudge
 from tools.evaluate.stopping.stop_record import StopRecord
 from tools.evaluate.stopping.timeline import Moment, choose, record
@@ -29,7 +29,7 @@ class StopOrder:
     Attributes:
         seed: Of the run.
         suite: "stop" or "cancel".
-        course: Index into ``CYCLE``.
+        course: Index into ``COURSES``.
         wanted: Phases in which it is stopped.
         robot: Name of the robot.
     """
@@ -41,13 +41,15 @@ class StopOrder:
     robot: str = "talos"
 
 
-def stop_orders(suite: str, episodes: int, seed: int, robot: str) -> list[StopOrder]:
-    """Runs enough for so many instants."""
+def stop_orders(
+    suite: str, episodes: int, seed: int, robot: str, course_name: str | None = None
+) -> list[StopOrder]:
+    """Runs enough for so many instants; of one course alone, if it is named, else of the cycle."""
     orders: list[StopOrder] = []
     left = episodes
     while left > 0:
-        course = len(orders) % len(CYCLE)
-        wanted = CYCLE[course].wanted[:left]
+        course = len(orders) % len(CYCLE) if course_name is None else COURSES_BY_NAME[course_name]
+        wanted = COURSES[course].wanted[:left]
         orders.append(StopOrder(seed + len(orders), suite, course, wanted, robot))
         left -= len(wanted)
     return orders
@@ -55,7 +57,7 @@ def stop_orders(suite: str, episodes: int, seed: int, robot: str) -> list[StopOr
 
 def run_stops(order: StopOrder) -> list[StopRecord]:
     """Run one order; whatever breaks becomes a record."""
-    course = CYCLE[order.course]
+    course = COURSES[order.course]
     blank = StopRecord(order.seed, course.name)
     branches: Branches[StopRecord] = Branches()
     try:
@@ -74,7 +76,7 @@ def run_stops(order: StopOrder) -> list[StopRecord]:
 
 def died(order: StopOrder) -> list[StopRecord]:
     """The records of an order whose process died."""
-    return [StopRecord(order.seed, CYCLE[order.course].name, error="the process died")]
+    return [StopRecord(order.seed, COURSES[order.course].name, error="the process died")]
 
 
 class _Stopper:
@@ -87,7 +89,7 @@ class _Stopper:
     ) -> None:
         self._order, self._branches = order, branches
         self._waiting = [(moment, int(rng.integers(1, 3)), bool(rng.random() < 0.5)) for moment in moments]
-        self._run = CourseRun(CYCLE[order.course], order.seed, order.robot, self._take)
+        self._run = CourseRun(COURSES[order.course], order.seed, order.robot, self._take)
         self._judge = StopJudge(self._run.assembly)
         self._moment = Moment(0.0, "", 0.0)
         self._category, self._again = 1, False
@@ -149,7 +151,7 @@ class _Stopper:
         assembly = self._run.assembly
         self._hold_until(self._judge.rest_within_s + 0.2)
         self._judge.let_move()
-        asked = next_after(CYCLE[self._order.course], assembly, self._again and not self._judge.held)
+        asked = next_after(COURSES[self._order.course], assembly, self._again and not self._judge.held)
         result = assembly.session.run_task(asked.command)
         done: str = result.outcome
         if done == "done" and not asked.truly(assembly):
@@ -168,7 +170,7 @@ class _Stopper:
         judge = self._judge
         return StopRecord(
             seed=self._order.seed,
-            course=CYCLE[self._order.course].name,
+            course=COURSES[self._order.course].name,
             t_s=self._moment.t_s,
             phase=self._moment.phase,
             arm_rad_s=self._moment.arm_rad_s,

@@ -16,7 +16,7 @@ def run_stop_suite(options: argparse.Namespace, messages: Console) -> int:
     """Run it; 0 when every demand is met, 1 when not."""
     return run_record_suite(
         options.suite,
-        stop_orders(options.suite, options.episodes, options.seed, options.robot),
+        stop_orders(options.suite, options.episodes, options.seed, options.robot, options.course),
         run_stops,
         died,
         partial(StopSummary, options.suite, options.seed),

@@ -12,7 +12,7 @@ from robots.control.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
 from robots.control.refusal import Limit, Refusal
 from robots.description import load_description
-from robots.scene_description import PerceptionModel, Person, RobotStart, SceneDescription
+from robots.scene_description import Furniture, PerceptionModel, Person, RobotStart, SceneDescription
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002
@@ -21,11 +21,11 @@ PERIOD_S = 0.002
 class Floor:
     """TALOS on a floor, with a control loop."""
 
-    def __init__(self, *people, **changed):
+    def __init__(self, *people, furniture=(), **changed):
         description = load_description("talos")
         if changed:
             description = dataclasses.replace(description, **changed)
-        scene = SceneDescription("floor", RobotStart(), PerceptionModel(), people=people)
+        scene = SceneDescription("floor", RobotStart(), PerceptionModel(), furniture=furniture, people=people)
         self.world = build_world(description, scene, np.random.default_rng(3))
         self.events = []
         self.loop = ControlLoop(
@@ -196,6 +196,23 @@ def test_a_push_that_the_sole_cannot_hold_is_caught_with_the_next_steps():
     floor.run(0.3)
 
     assert any(ways)
+    assert not floor.world.truth.fallen()
+
+
+@pytest.mark.requirement("S4")
+def test_a_walk_ends_when_legs_or_trunk_meet_furniture_that_nobody_saw():
+    floor = Floor(furniture=(Furniture("wall", "wall", (0.1, 3.0, 0.5), (0.9, 0.0), 0.0, 0.7),))
+
+    handle = floor.walk(0.3)
+    for _ in range(round(6.0 / PERIOD_S)):
+        if handle.finished:
+            break
+        floor.loop.step()
+    floor.until_it_stands()
+    floor.run(0.3)
+
+    assert handle.status is MotionStatus.REFUSED
+    assert handle.reason.startswith("unexpected force of something on the body")
     assert not floor.world.truth.fallen()
 
 
