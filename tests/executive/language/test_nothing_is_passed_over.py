@@ -53,6 +53,9 @@ NO_TASK = (
     "the fridge should be closed. Open it.",
     "the drawer is open, close the fridge",
     "look at the shelf. Is there a cup?",
+    "take the plate to the sink and take the bowl there too",
+    "look at the shelf. Take the cup there.",
+    "open the bottom drawer and put the blue box in that one",
     # marks
     "!walk to the kitchen",
 )
