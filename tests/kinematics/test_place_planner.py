@@ -49,7 +49,7 @@ def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, t
 
 @pytest.mark.requirement("M3")
 def test_what_has_no_way_down_with_room_to_spare_goes_down_with_less(talos, stance, make, monkeypatch):
-    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.0104))
+    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.0095))
     asked = request(talos, stance, make, 0.85, (0.42, -0.34), low, below_m=0.0)
     assert isinstance(PlacePlanner(talos).plan(asked), PlacePlan)
 
