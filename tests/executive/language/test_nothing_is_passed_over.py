@@ -56,6 +56,17 @@ NO_TASK = (
     "take the plate to the sink and take the bowl there too",
     "look at the shelf. Take the cup there.",
     "open the bottom drawer and put the blue box in that one",
+    # "one" of what
+    "pick up the cup on the left table and the bottle on the right one",
+    "pick up the red cup and the blue bottle and put the red one in the box",
+    "put the bottle next to the red cup and the can next to the blue one",
+    "put the red cup on the table and the blue box on the green one",
+    "walk to the red table, then to the blue one",
+    "pick up the red cup and the blue cup and put the other one in the box",
+    # "it" of what
+    "find the red cup and put the bottle next to it and the can behind it",
+    "find the red cup and the blue cup and put them in it",
+    "open the drawer, put the cup in it and the bottle next to it",
     # marks
     "!walk to the kitchen",
 )
@@ -88,6 +99,8 @@ def test_what_may_mean_something_else_makes_no_task(sentence):
         ("look at the boy and bring him the ball", ["look_at", "pick", "hand_over"]),
         ("bring me the apple in the bowl", ["pick", "hand_over"]),
         ("the fridge is open, close it", ["close"]),
+        ("give Ana the smaller cup and Ben the bigger one", ["hand_over", "hand_over"]),
+        ("put the red ball in the box and the blue one on the shelf", ["put_in", "place"]),
         ("pick up both the cup and the bottle", ["pick", "pick"]),
     ],
 )
