@@ -48,6 +48,7 @@ NO_TASK = (
     "pick up the cup at the back of the table",
     "bring me the juice in a glass",
     "walk to the kitchen. The shelf.",
+    "bring the cup from the table to the sink and the plate from the counter",
     # a statement that says something else than the task takes up
     "the fridge is open. Open it.",
     "the fridge should be closed. Open it.",
