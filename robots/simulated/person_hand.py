@@ -71,6 +71,10 @@ class PersonHand:
         """Keep what is pinched where it is between the fingers' ends."""
         self._centre_m = self._off_centre_m()
 
+    def let_loose(self) -> None:
+        """Forget how something was held between the fingers."""
+        self._centre_m = None
+
     def move_to(self, point: Array) -> None:
         """Have the spring's other end go to a world point."""
         self._goal = np.asarray(point, dtype=np.float64)

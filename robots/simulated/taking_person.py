@@ -1,7 +1,12 @@
-"""A simulated person who takes what a robot's hand offers: reaches for it, closes the fingers, pulls."""
+"""A simulated person who takes what a robot's hand offers: reaches for it, closes the fingers, pulls.
+
+Who is offered something more lays down what is in the hand first, on the floor behind.
+"""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from typing import Literal
 
 import numpy as np
@@ -24,8 +29,15 @@ REACHING_N = 20.0
 _PULLED_M = 0.40
 _SETTLE_S = 0.4
 _NEAR_M, _AT_M = 0.03, 0.01
+_HAS_IT_M = 0.15
+"""What was carried so far from where it was offered is the person's."""
+_BEHIND_M, _BESIDE_M = 0.30, 0.35
+"""Where things are laid down, from the middle of the person."""
+_DROP_M = 0.02
+_CLEAR_M = 0.15
+"""So far the open fingers are drawn back from it."""
 
-Stage = Literal["waiting", "reaching", "closing in", "pinching", "pulling"]
+Stage = Literal["waiting", "reaching", "closing in", "pinching", "pulling", "laying aside"]
 
 
 class TakingPerson:
@@ -60,6 +72,7 @@ class TakingPerson:
         self._truth, self._pull_n, self._reaction_s = truth, pull_n, reaction_s
         person = next(one for one in physics.scene.people if one.name == name)
         self._place = np.array([*person.position_m, 0.0])
+        self._facing = np.array([math.cos(person.yaw_rad), math.sin(person.yaw_rad), 0.0])
         self._shapes = {item.name: item.shape for item in physics.scene.objects}
         self._hand = PersonHand(physics, name)
         self._hand.force_n = REACHING_N
@@ -68,11 +81,15 @@ class TakingPerson:
         self._by: list[Array] = []
         self._since_s = self._offered_s = 0.0
         self._offered = np.zeros(3)
+        self._following: str | None = None
 
     def offer(self, thing: str, now_s: float) -> None:
-        """See that something is offered; who has something in hand already takes nothing more."""
+        """See that something is offered; what the hand has already is laid aside for it."""
         if self._object is None:
             self._object, self._offered_s = thing, now_s
+        elif self.stage == "pulling" and self.carried_m >= _HAS_IT_M and thing != self._object:
+            self._following, self.stage, self._since_s = thing, "laying aside", now_s
+            self._by = list(self._way_aside(self._object))
 
     @property
     def offered(self) -> bool:
@@ -80,8 +97,10 @@ class TakingPerson:
         return self._object is not None
 
     def tick(self, period_s: float) -> None:
-        """Reach, close, pull."""
-        if self._object is not None:
+        """Reach, close, pull; lay aside."""
+        if self.stage == "laying aside":
+            self._lay_aside()
+        elif self._object is not None:
             self._take(self._object, self._shapes[self._object])
         self._hand.tick(period_s)
 
@@ -124,6 +143,38 @@ class TakingPerson:
             self._hand.move_to(goal + _PULLED_M * towards)
         if self.stage == "pulling":
             self.carried_m = max(self.carried_m, float(np.linalg.norm((place - self._offered)[:2])))
+
+    def _way_aside(self, thing: str) -> Iterator[Array]:
+        """Around the person to the floor behind; the hand goes with the thing as it holds it."""
+        hand, item = self._hand.place(), self._truth.world_T_object(thing)[:3, 3]
+        out = item - self._place
+        out[2] = 0.0
+        out /= np.linalg.norm(out)
+        beside = _BESIDE_M * np.array([out[1], -out[0], 0.0])
+        place, up = self._place * (1.0, 1.0, 0.0), np.array([0.0, 0.0, hand[2]])
+        yield place + up + beside + _BEHIND_M * out
+        yield place + up + beside - _BEHIND_M * out
+        low = hand[2] - item[2] + 0.5 * self._shapes[thing].height_m + _DROP_M
+        yield place + beside - _BEHIND_M * out + (0.0, 0.0, low)
+
+    def _lay_aside(self) -> None:
+        now_s = self._truth.time_s
+        if self._by:
+            self._hand.move_to(self._by[0])
+            rests = self._hand.pinching or now_s >= self._since_s + _SETTLE_S
+            if rests and np.linalg.norm(self._hand.place() - self._by[0]) <= _NEAR_M:
+                del self._by[0]
+                self._since_s = now_s
+            return
+        if self._hand.pinching:
+            self._hand.pinching = False
+            self._by = [self._hand.place(), self._hand.place() - _CLEAR_M * self._facing]
+            self._since_s = now_s
+        elif now_s >= self._since_s + _SETTLE_S:
+            self._object, self._pinch, self.stage, self.carried_m = self._following, None, "waiting", 0.0
+            self._following, self._offered_s = None, now_s
+            self._hand.force_n = REACHING_N
+            self._hand.let_loose()
 
     def _next(self, stage: Stage, now_s: float, goal: Array, within_m: float) -> bool:
         if now_s >= self._since_s + _SETTLE_S and np.linalg.norm(self._hand.place() - goal) <= within_m:

@@ -9,6 +9,7 @@ from kinematics import place_planner, poses
 from kinematics.collision import CollisionWorld
 from kinematics.place_planner import PlacePlanner
 from kinematics.place_requests import PlaceRequest, Spot
+from kinematics.place_task import TURNS_RAD
 from kinematics.requests import NoPlan, PlacePlan
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
@@ -87,7 +88,7 @@ def test_who_asks_quickly_gets_the_plain_plans_and_a_short_no(talos, stance, mak
 
     assert isinstance(planner.plan(dataclasses.replace(plain, quick=True)), PlacePlan)
     assert isinstance(short, NoPlan)
-    assert short.numbers["considered"] == len(place_planner.TURNS_RAD)
+    assert short.numbers["considered"] == len(TURNS_RAD)
     assert isinstance(planner.plan(hard), PlacePlan)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
 from kinematics.scene import SceneObject
@@ -16,6 +18,7 @@ from trees.leaf import DONE, Leaf
 from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.tasks import Destination, ObjectDescription
+from trees.toolbox import Toolbox
 
 _CONFIDENCE = 0.5
 """Of what is out of view: a person may have gone."""
@@ -24,7 +27,8 @@ _CONFIDENCE = 0.5
 class RecallPlace(Leaf):
     """Take a piece of furniture, a person, or what a hand put down from the world model, without a look.
 
-    It is where to go and look again. Other objects are not recalled: a hand may have moved them.
+    It is where to go and look again. Other objects are recalled only if ``anything`` is, for a hand may have
+    moved them: it is the last that one tries.
     """
 
     INPUT_PORTS = ports(task=object)
@@ -32,10 +36,14 @@ class RecallPlace(Leaf):
     CONTRACT = Contract(
         precondition="none",
         postcondition="furniture or a person of that name, where it was last seen; or the only thing that "
-        "this robot put down and that fits, where it was last seen or let go of",
+        "this robot put down, or of anything that was seen, that fits, where it was last seen or let go of",
         deadline_s=1.0,
     )
     ASKS = True
+
+    def __init__(self, name: str, toolbox: Toolbox, *, anything: bool = False) -> None:
+        super().__init__(name, toolbox)
+        self._anything = anything
 
     def step(self) -> Status | Failure:
         """Look it up."""
@@ -44,9 +52,11 @@ class RecallPlace(Leaf):
         for name, item in self.toolbox.world.scene.objects.items():
             if not item.movable and wanted is not None and name.casefold() == wanted.casefold():
                 return self._recall(item, "furniture" if isinstance(item.shape, Box) else "person")
-        put_down = self._put_down(aim)
-        if put_down is not None:
-            return self._recall(put_down, "object")
+        world = self.toolbox.world
+        seen = {name: item for name, item in world.scene.objects.items() if item.movable}
+        for pool in (world.put_down, seen if self._anything else {}):
+            if (thing := self._only(aim, pool)) is not None:
+                return self._recall(thing, "object")
         return Failure.postcondition(f"no {wanted} was seen before")
 
     def _recall(self, item: SceneObject, category: Category) -> Status:
@@ -54,18 +64,18 @@ class RecallPlace(Leaf):
         self.feedback_message = f"{item.name} where it was {'put' if category == 'object' else 'seen'}"
         return DONE
 
-    def _put_down(self, aim: Destination | None) -> SceneObject | None:
-        """The only thing that was put down and fits; None when there is none, or several."""
+    def _only(self, aim: Destination | None, pool: Mapping[str, SceneObject]) -> SceneObject | None:
+        """The only one of some things that fits; None when there is none, or several."""
         world = self.toolbox.world
         if isinstance(aim, str):
-            return world.put_down.get(aim)
+            return pool.get(aim)
         if not isinstance(aim, ObjectDescription):
             return None
-        scene = world.scene.with_objects([*world.scene.objects.values(), *world.put_down.values()])
+        scene = world.scene.with_objects([*world.scene.objects.values(), *pool.values()])
         here = feet_pose(self.toolbox).transform()
         around = surroundings(scene, here, self.toolbox.policy.support_gap_m, world.last_acted_on)
-        match ground(aim, around.only(tuple(world.put_down))):
+        match ground(aim, around.only(tuple(pool))):
             case Found((name,)):
-                return world.put_down[name]
+                return pool[name]
             case _:
                 return None

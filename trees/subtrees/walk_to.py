@@ -82,6 +82,7 @@ def find_place(toolbox: Toolbox) -> Behaviour:
                 ],
             )
         )
+    ways.append(RecallPlace("recall anything", toolbox, anything=True))
     return Alternatives("find it", ways, looking_elsewhere_is_useless, back_only_without_room)
 
 

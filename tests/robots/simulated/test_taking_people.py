@@ -14,11 +14,16 @@ from robots.simulated.world import build_world
 PERIOD_S = 0.002
 
 
-def world_with(*people):
+def can(place_m):
+    pose = poses.translation(*place_m, 0.955)
+    return SceneItem("blue can", "can", "blue", Cylinder(0.03, 0.11), 0.2, 0.7, pose)
+
+
+def world_with(*people, more=()):
     top = Furniture("table", "table", (0.3, 0.3, 0.9), (0.8, -0.2))
     place = poses.translation(0.72, -0.2, 0.955)
     cup = SceneItem("red cup", "cup", "red", Cylinder(0.03, 0.11), 0.2, 0.7, place)
-    scene = SceneDescription("by a table", people=people, furniture=(top,), objects=(cup,))
+    scene = SceneDescription("by a table", people=people, furniture=(top,), objects=(cup, *more))
     return build_world(load_description("talos"), scene, np.random.default_rng(0))
 
 
@@ -47,6 +52,19 @@ def test_who_takes_things_carries_away_what_is_offered(offers):
 
     assert any(name.startswith("Ana/") for name in world.truth.object_contacts("red cup"))
     assert world.truth.world_T_object("red cup")[0, 3] > before[0] + 0.15
+
+
+def test_who_has_something_lays_it_aside_for_the_next_thing(monkeypatch):
+    world = world_with(Person("Ana", (1.2, -0.2), math.pi, takes=True), more=(can((0.72, -0.08)),))
+    for thing in ("red cup", "blue can"):
+        monkeypatch.setattr(world.truth, "in_pads_only", lambda thing=thing: {thing: "right"})
+        world.people.see_offer()
+        pass_time(world, 5.0 if thing == "red cup" else 12.0)
+
+    assert any(name.startswith("Ana/") for name in world.truth.object_contacts("blue can"))
+    assert not any(name.startswith("Ana/") for name in world.truth.object_contacts("red cup"))
+    assert world.truth.world_T_object("red cup")[0, 3] > 1.3  # behind Ana
+    assert world.truth.world_T_object("red cup")[2, 3] < 0.08
 
 
 def test_who_does_not_take_things_leaves_it_where_it_is(offers):

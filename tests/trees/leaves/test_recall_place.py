@@ -19,8 +19,9 @@ def recall(stage):
     ]
     stage.told.update(stage.told.scene.with_objects(solids))
 
-    def run(to):
-        status = stage.run(RecallPlace("recall it", stage.toolbox), task=WalkToTask("walk there", to))
+    def run(to, **settings):
+        leaf = RecallPlace("recall it", stage.toolbox, **settings)
+        status = stage.run(leaf, task=WalkToTask("walk there", to))
         return stage.output("place") if status is Status.SUCCESS else None
 
     return run
@@ -37,6 +38,12 @@ def test_people_and_furniture_are_recalled(recall, to, category):
 def test_an_object_is_not_recalled(recall):
     assert recall(ObjectDescription("cup", "red")) is None
     assert recall("red cup") is None
+
+
+@pytest.mark.parametrize("to", [ObjectDescription("cup", "red"), "red cup"])
+def test_as_the_last_resort_any_object_is_recalled(recall, to):
+    assert recall(to, anything=True).name == "red cup"
+    assert recall(ObjectDescription("can"), anything=True) is None
 
 
 @pytest.mark.parametrize("to", [ObjectDescription("cup", "red"), ObjectDescription("cup"), "red cup"])
