@@ -157,20 +157,22 @@ def _carry(parts: Parts) -> Clause:
 
 
 def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
-    """Who gets what; further things are for the last person: "me the cup and the bottle on the table"."""
-    pairs = [part for part in parts if isinstance(part, Pair)]
-    if any(pair.person.reference == "him" for pair in pairs[1:]):
+    """Who gets what; further things are for who was named before: "me the cup and the bottle, Ana the can"."""
+    each: list[tuple[Nominal, list[Item]]] = []
+    for part in parts:
+        if isinstance(part, Pair):
+            each.append((part.person, [part.item]))
+        elif isinstance(part, Item):
+            each[-1][1].append(part)
+    if any(person.reference == "him" for person, _ in each[1:]):
         raise trouble("who is meant?", asks=True)  # "give Ben the cup and her the bottle": not Ben
-    loose = tuple(part for part in parts if isinstance(part, Item))
-    if loose:
-        each_item = (*(pair.item for pair in pairs), *loose)
-        unclear = said_again(each_item[-2].of, each_item[-1].of, parts) or shared_adjective(each_item)
-        unclear = unclear or (said_twice(each_item, parts) if len(pairs) == 1 else None)
-        if unclear is not None:
-            raise trouble(unclear.message, asks=True)
-    result = [(_recipient(pair.person), one) for pair in pairs[:-1] for one in arranged((pair.item,))]
-    last = _recipient(pairs[-1].person)
-    result += [(last, one) for one in arranged((pairs[-1].item, *loose))]
+    for _, items in each:
+        if len(items) > 1:
+            unclear = said_again(items[-2].of, items[-1].of, parts) or shared_adjective(items)
+            unclear = unclear or (said_twice(items, parts) if len(each) == 1 else None)
+            if unclear is not None:
+                raise trouble(unclear.message, asks=True)
+    result = [(_recipient(person), one) for person, items in each for one in arranged(tuple(items))]
     if any(one.goal is not None or (one.person is not None and one.person.sort != "me") for _, one in result):
         raise unfit()
     return result

@@ -107,3 +107,13 @@ def test_what_may_mean_something_else_makes_no_task(sentence):
 )
 def test_what_can_mean_one_thing_only_is_still_done(sentence, actions):
     assert [command.action for command in parse(sentence).commands] == actions
+
+
+def test_a_second_thing_is_for_the_person_who_was_named_before_it():
+    parsed = parse("hand Maria the red pen and the blue one, and Tom the black one")
+
+    assert [(one.object.color, one.to) for one in parsed.commands] == [
+        ("red", "Maria"),
+        ("blue", "Maria"),
+        ("black", "Tom"),
+    ]
