@@ -157,7 +157,7 @@ def _carry(parts: Parts) -> Clause:
 
 
 def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
-    """Who gets what; further things are for who was named before: "me the cup and the bottle, Ana the can"."""
+    """Who gets what; further things are for who was named before: "me the cup and the can, Ana the box"."""
     each: list[tuple[Nominal, list[Item]]] = []
     for part in parts:
         if isinstance(part, Pair):
