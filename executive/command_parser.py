@@ -215,8 +215,8 @@ def _outcomes(
 ) -> list[Outcome]:
     """What each meaning of the whole sentence comes to, without doubles.
 
-    Words to say end as early as they can, clauses are separated where they can be, and "go ahead and" is
-    a courtesy where it can be one.
+    Words to say end as early as they can, clauses are separated where they can be, and "come and" is
+    a courtesy where it can be one; what differs in anything else is ambiguous.
     """
     troubles: dict[Trouble, None] = {}
     understood: dict[str, tuple[tuple[int, int, int], tuple[Command, ...]]] = {}
@@ -230,7 +230,7 @@ def _outcomes(
                 troubles[unresolved.trouble] = None
                 continue
             spoken = sum(len(one.words) for one in commands if isinstance(one, SayTask))
-            rank = (meaning.unseparated, spoken, len(commands))
+            rank = (meaning.unseparated, spoken, len(commands))  # the last among those that are the same
             key = repr([command_json(one) for one in commands])
             if key not in understood or rank < understood[key][0]:
                 understood[key] = (rank, commands)
@@ -244,5 +244,14 @@ def _outcomes(
         for one in commands
     ):
         return [Trouble("where do the words to say end? put them in quotation marks", asks=True)]
-    best = min((rank for rank, _ in understood.values()), default=(0, 0, 0))
-    return [commands for rank, commands in understood.values() if rank == best] or list(troubles)
+    best = min((rank[:2] for rank, _ in understood.values()), default=(0, 0))
+    likely = [commands for rank, commands in understood.values() if rank[:2] == best]
+    return [one for one in likely if not any(_only_begins_with_more(one, other) for other in likely)] or list(
+        troubles
+    )
+
+
+def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]) -> bool:
+    """Whether a reading makes a task of what is a courtesy or a statement in another: "come and take it"."""
+    ends = [one.action for one in longer[-len(shorter) :]]
+    return len(longer) > len(shorter) and ends == [one.action for one in shorter]

@@ -16,14 +16,15 @@ from numpy.typing import NDArray
 
 from kinematics.check_kinematics import BatchedKinematics, BodyPoses
 from kinematics.check_settings import CheckSettings
-from kinematics.check_timeline import Timeline
+from kinematics.check_timeline import Configurations, Timeline
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Finding, FindingKind, Stance, Trajectory
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
-Efforts = Callable[[BodyPoses, Array, Array], Array]
-"""Maps poses, velocities and accelerations to generalised forces; see ``CompiledKinematics.efforts``."""
+Loads = Callable[[BodyPoses, Array, Array, Indices, Array, Array], tuple[Array, Array]]
+"""Torques and ZMP of a robot on its soles; see ``CompiledKinematics.loads``."""
 
 _FIRST_JOINT = 2
 # moments under a sole are dearer than forces: they are limited by its size
@@ -81,6 +82,7 @@ class _Standing:
         stance: The stance.
         polygon: What its soles span.
         points_m: Places of the m soles, shape (m, 3).
+        feet: Bodies that carry them, shape (m,).
         share: Their wrenches, force and moment behind each other, for each wrench of the ground, shape
             (6 m, 6).
     """
@@ -89,6 +91,9 @@ class _Standing:
         self.stance = stance
         self.polygon = SupportPolygon(model, stance)
         self.points_m = np.array([world_T_sole[:3, 3] for _, world_T_sole in stance.soles]).reshape(-1, 3)
+        self.feet = np.array(
+            [int(model.pin.frames[model.frame_id(name)].parentJoint) for name, _ in stance.soles], np.int64
+        )
         grasp = np.zeros((6, 6 * len(self.points_m)))
         for k, (x, y, z) in enumerate(self.points_m):
             arm = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
@@ -96,7 +101,7 @@ class _Standing:
             grasp[3:, 6 * k : 6 * k + 3] = arm
             grasp[3:, 6 * k + 3 : 6 * k + 6] = np.eye(3)
         weight = np.diag([1.0, 1.0, 1.0, *[_MOMENT_WEIGHT] * 3] * len(self.points_m))
-        self.share = weight @ np.linalg.pinv(grasp @ weight)
+        self.share = np.ascontiguousarray(weight @ np.linalg.pinv(grasp @ weight))
 
 
 class DynamicsCheck:
@@ -107,7 +112,7 @@ class DynamicsCheck:
         model: RobotModel,
         kinematics: BatchedKinematics,
         settings: CheckSettings,
-        efforts: Efforts | None = None,
+        loads: Loads | None = None,
     ) -> None:
         """Prepare.
 
@@ -115,9 +120,9 @@ class DynamicsCheck:
             model: The robot.
             kinematics: Of the robot.
             settings: Tolerances and fineness.
-            efforts: Compiled inverse dynamics; Pinocchio's when left out.
+            loads: Compiled inverse dynamics; Pinocchio's when left out.
         """
-        self._model, self._efforts = model, efforts
+        self._model, self._loads = model, loads
         self._kinematics = kinematics
         self._settings = settings
         self._data = model.pin.createData()
@@ -132,37 +137,47 @@ class DynamicsCheck:
         settings = self._settings
         times = timeline.knots(settings.dynamics_period_s)
         configurations = timeline.at(times)
-        q = np.hstack(
-            [configurations.base_position_m, configurations.base_quaternion, configurations.joints_rad]
-        )
         if self._model.description.welded:
+            q = _stacked(configurations)
             return self._effort(times, self._inverse_dynamics(trajectory, times, q)[:, 6:]), np.inf
         placed = self._kinematics.poses(configurations)
         polygon = self._standing(trajectory.stance).polygon
         margin = polygon.margin_m(self._kinematics.com(placed)[:, :2])
         least = self._model.description.com_margin_m
         findings = _first_below("CoM", times, margin, least, least - settings.com_tolerance_m)
-        efforts = self._inverse_dynamics(trajectory, times, q, placed)
-        force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
-        lift = np.maximum(force[:, 2], 1e-6)
-        zmp = np.column_stack([-moment[:, 1], moment[:, 0]]) / lift[:, None]
+        torques, zmp = self._torques_and_zmp(trajectory, configurations, placed)
         zmp_margin = polygon.margin_m(zmp)
         findings += _first_below("ZMP", times, zmp_margin, settings.zmp_margin_m, settings.zmp_margin_m)
-        torques = self._torques(trajectory.stance, efforts, force, moment, placed)
         findings += self._effort(times, torques)
         return findings, float(margin.min())
 
-    def _inverse_dynamics(
-        self, trajectory: Trajectory, times: Array, q: Array, placed: BodyPoses | None = None
-    ) -> Array:
-        """Generalised forces without contacts, shape (n, nv)."""
+    def _torques_and_zmp(
+        self, trajectory: Trajectory, configurations: Configurations, placed: BodyPoses
+    ) -> tuple[Array, Array]:
+        """Joint torques, shape (n, k), and the ZMP, shape (n, 2)."""
+        times = configurations.t_s
+        if self._loads is not None:
+            standing = self._standing(trajectory.stance)
+            rates = self._rates(trajectory, times)
+            return self._loads(placed, *rates, standing.feet, standing.points_m, standing.share)
+        q = _stacked(configurations)
+        efforts = self._inverse_dynamics(trajectory, times, q)
+        force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
+        lift = np.maximum(force[:, 2], 1e-6)
+        zmp = np.column_stack([-moment[:, 1], moment[:, 0]]) / lift[:, None]
+        return self._torques(trajectory.stance, efforts, force, moment, placed), zmp
+
+    def _rates(self, trajectory: Trajectory, times: Array) -> tuple[Array, Array]:
+        """Velocities and accelerations, shape (n, nv) each."""
         window = self._settings.acceleration_window_s
         end = trajectory.duration_s
         before, after = np.maximum(times - window, 0.0), np.minimum(times + window, end)
         v, early, late = (_interpolate(trajectory, t) for t in (times, before, after))
-        a = (late - early) / np.maximum(after - before, 1e-9)[:, None]
-        if placed is not None and self._efforts is not None:
-            return self._efforts(placed, v, a)
+        return v, (late - early) / np.maximum(after - before, 1e-9)[:, None]
+
+    def _inverse_dynamics(self, trajectory: Trajectory, times: Array, q: Array) -> Array:
+        """Generalised forces without contacts, shape (n, nv)."""
+        v, a = self._rates(trajectory, times)
         model, data = self._model.pin, self._data
         forces = np.empty((len(times), model.nv))
         for i in range(len(times)):
@@ -220,6 +235,13 @@ class DynamicsCheck:
                 )
             )
         return findings
+
+
+def _stacked(configurations: Configurations) -> Array:
+    """As Pinocchio has them, shape (n, nq)."""
+    return np.hstack(
+        [configurations.base_position_m, configurations.base_quaternion, configurations.joints_rad]
+    )
 
 
 def _interpolate(trajectory: Trajectory, times: Array) -> Array:

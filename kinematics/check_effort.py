@@ -1,4 +1,4 @@
-"""Compiled: the checker's own inverse dynamics.
+"""Compiled: the checker's own inverse dynamics of a robot that stands.
 
 Forces and moments of all bodies about the world's origin, added up from the tips inwards: what a joint
 has to give is the moment about its axis of all that it carries.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.check_loose_arrays import Array
+from kinematics.check_loose_arrays import Array, Indices
 from kinematics.check_placing import FIRST_JOINT, Links
 from kinematics.kernel.compiler import compiled
 
@@ -16,7 +16,7 @@ GRAVITY_M_S2 = 9.81
 
 
 @compiled
-def efforts_of(
+def loads_of(
     links: Links,
     mass: Array,
     lever: Array,
@@ -25,9 +25,13 @@ def efforts_of(
     p: Array,
     v: Array,
     a: Array,
-    efforts: Array,
+    feet: Indices,
+    soles: Array,
+    share: Array,
+    torques: Array,
+    zmp: Array,
 ) -> None:
-    """Generalised forces without contacts, in Pinocchio's convention.
+    """Joint torques when the soles carry everything with the least forces and moments; and the ZMP.
 
     Args:
         links: The robot.
@@ -35,7 +39,12 @@ def efforts_of(
         inertia: About its centre of mass in its own axes, shape (bodies, 3, 3), kg m^2.
         R, p: Poses of all bodies at n instants, shapes (bodies, n, 3, 3) and (bodies, n, 3).
         v, a: Velocities and accelerations, shape (n, nv), the base's in its own axes.
-        efforts: Result, shape (n, nv): the base's wrench in its own axes, then the joints' torques.
+        feet: Bodies of the m soles, shape (m,).
+        soles: Where they stand, shape (m, 3), m.
+        share: The wrench of each sole, force before moment, for the wrench of the ground about the
+            world's origin, shape (6 m, 6).
+        torques: Result, shape (n, joints), Nm.
+        zmp: Result, shape (n, 2), m.
     """
     bodies = mass.shape[0]
     # rows: angular velocity, its derivative, acceleration of the origin
@@ -79,23 +88,42 @@ def efforts_of(
                 about,
                 load[body],
             )
-        for body in range(bodies - 1, 0, -1):
+        for body in range(bodies - 1, FIRST_JOINT - 1, -1):
             force, moment = load[body, 0], load[body, 1]
-            place = p[body, i]
+            place, axis = p[body, i], axes[body]
             # about the body's own origin
             n0 = moment[0] - place[1] * force[2] + place[2] * force[1]
             n1 = moment[1] - place[2] * force[0] + place[0] * force[2]
             n2 = moment[2] - place[0] * force[1] + place[1] * force[0]
-            if body >= FIRST_JOINT:
+            torques[i, body - FIRST_JOINT] = n0 * axis[0] + n1 * axis[1] + n2 * axis[2]
+            for r in range(3):
+                load[links.parent[body], 0, r] += force[r]
+                load[links.parent[body], 1, r] += moment[r]
+        ground = load[1]
+        lift = max(ground[0, 2], 1e-6)
+        zmp[i, 0], zmp[i, 1] = -ground[1, 1] / lift, ground[1, 0] / lift
+        for foot in range(feet.shape[0]):
+            for r in range(3):
+                arm[r] = about[r] = 0.0
+                for c in range(3):
+                    arm[r] += share[6 * foot + r, c] * ground[0, c]
+                    arm[r] += share[6 * foot + r, 3 + c] * ground[1, c]
+                    about[r] += share[6 * foot + 3 + r, c] * ground[0, c]
+                    about[r] += share[6 * foot + 3 + r, 3 + c] * ground[1, c]
+            body = feet[foot]
+            while body >= FIRST_JOINT:
+                x, y, z = (
+                    soles[foot, 0] - p[body, i, 0],
+                    soles[foot, 1] - p[body, i, 1],
+                    soles[foot, 2] - p[body, i, 2],
+                )
                 axis = axes[body]
-                efforts[i, body + 4] = n0 * axis[0] + n1 * axis[1] + n2 * axis[2]
-                for r in range(3):
-                    load[links.parent[body], 0, r] += force[r]
-                    load[links.parent[body], 1, r] += moment[r]
-            else:
-                for r in range(3):
-                    efforts[i, r] = base[0, r] * force[0] + base[1, r] * force[1] + base[2, r] * force[2]
-                    efforts[i, 3 + r] = base[0, r] * n0 + base[1, r] * n1 + base[2, r] * n2
+                torques[i, body - FIRST_JOINT] -= (
+                    axis[0] * (y * arm[2] - z * arm[1] + about[0])
+                    + axis[1] * (z * arm[0] - x * arm[2] + about[1])
+                    + axis[2] * (x * arm[1] - y * arm[0] + about[2])
+                )
+                body = links.parent[body]
 
 
 @compiled

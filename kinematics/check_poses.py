@@ -5,13 +5,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_effort import efforts_of
+from kinematics.check_effort import loads_of
 from kinematics.check_kinematics import WORLD, BatchedKinematics, BodyPoses
-from kinematics.check_placing import Links, place_all
-from kinematics.check_timeline import Configurations
+from kinematics.check_placing import FIRST_JOINT, Links, place_all
+from kinematics.check_quickly import plainly_within
+from kinematics.check_settings import CheckSettings
+from kinematics.check_timeline import Configurations, Timeline
 from kinematics.robot_model import RobotModel
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
 
 class CompiledKinematics(BatchedKinematics):
@@ -55,15 +58,20 @@ class CompiledKinematics(BatchedKinematics):
         com = moment / self.mass_kg.sum() if bodies is None else None
         return BodyPoses(rotation, origin, com)
 
-    def efforts(self, poses: BodyPoses, v: Array, a: Array) -> Array:
-        """Generalised forces without contacts, shape (n, nv).
+    def loads(
+        self, poses: BodyPoses, v: Array, a: Array, feet: Indices, soles_m: Array, share: Array
+    ) -> tuple[Array, Array]:
+        """Joint torques, shape (n, joints), and the ZMP, shape (n, 2), of a robot on its soles.
 
         Args:
             poses: Of all bodies at n instants.
             v, a: Velocities and accelerations there, in Pinocchio's convention, shape (n, nv).
+            feet: Bodies of the m soles, shape (m,).
+            soles_m: Where these stand, shape (m, 3).
+            share: Their wrenches for the wrench of the ground, shape (6 m, 6).
         """
-        found = np.empty_like(v)
-        efforts_of(
+        torques, zmp = np.empty((len(v), self.count - FIRST_JOINT)), np.empty((len(v), 2))
+        loads_of(
             self.links,
             self.mass_kg,
             self.lever_m,
@@ -72,6 +80,27 @@ class CompiledKinematics(BatchedKinematics):
             poses.origin_m,
             np.ascontiguousarray(v),
             np.ascontiguousarray(a),
-            found,
+            feet,
+            soles_m,
+            share,
+            torques,
+            zmp,
         )
-        return found
+        return torques, zmp
+
+    @staticmethod
+    def keeps_limits(model: RobotModel, timeline: Timeline, settings: CheckSettings) -> bool:
+        """Tell whether joints plainly keep all limits; when not, ``check_limits`` has to look closer."""
+        if settings.discontinuity_factor < 1.0 + settings.acceleration_fraction:
+            return False
+        return plainly_within(
+            np.ascontiguousarray(timeline.t_s),
+            np.ascontiguousarray(timeline.joints_rad),
+            np.ascontiguousarray(timeline.joint_velocity),
+            model.lower_rad - settings.position_rad,
+            model.upper_rad + settings.position_rad,
+            model.velocity * (1.0 + settings.velocity_fraction),
+            model.acceleration * (1.0 + settings.acceleration_fraction),
+            model.jerk * (1.0 + settings.jerk_fraction),
+            settings.jerk_window_s,
+        )

@@ -148,8 +148,8 @@ def grasp_table(
         # from above, palm and fingertips leave little choice of height
         if height in (ABOVE_MIDDLE, NEAR_TOP) or tilt <= _STEEPEST_RAD
     )
-    headings = np.array([poses.rotation_z(natural_yaw_rad + outward * yaw) for yaw in YAWS_RAD])
-    leans = np.array([poses.rotation_y(tilt) for tilt, _ in kinds])
+    headings = poses.rotations_z(natural_yaw_rad + outward * np.array(YAWS_RAD))
+    leans = poses.rotations_y(np.array([tilt for tilt, _ in kinds]))
     # (yaw, kind, 3, 3)
     rotations = headings[:, None] @ leans
     if _is_round(item):

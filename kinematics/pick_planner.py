@@ -19,6 +19,9 @@ PLANNING_RESERVE_M = 0.004
 LEAST_RESERVE_M = 0.001
 # So many grasps that a straight reach comes to are compared; without one, so many get a detour.
 CHOICES = 2
+# One whose cost can be undercut by no more than this is taken at once: half of what a hand without any
+# room and a CoM at its limit cost together.
+WORTH_WAITING = 0.5
 MOST_BLOCKED = 8
 
 
@@ -32,8 +35,9 @@ class PickPlanner:
         """Plan reach, approach and lift, or say honestly why there is no plan.
 
         Of the first few grasps that a straight reach comes to, the best one is taken: by reach,
-        clearance and balance. Only when there is none are detours searched, and only when there is
-        no such grasp at all, those at other heights, with less room and with bent knees.
+        clearance and balance; a good one is taken at once. Only when there is none are detours
+        searched, and only when there is no such grasp at all, those at other heights, with less room
+        and with bent knees.
         """
         usual = PickTask(self._model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True)
         if (plan := self._best(usual)) is not None:
@@ -54,8 +58,8 @@ class PickPlanner:
         blocked: list[Way] = []
         liftable: list[Goal] = []
         for candidate in task.candidates():
-            # what follows costs more than the best one so far: nothing to wait for
-            if straight and candidate.cost >= min(goal.cost for goal, _ in straight):
+            # what follows costs this at least: nothing to wait for
+            if straight and min(goal.cost for goal, _ in straight) <= candidate.cost + WORTH_WAITING:
                 if (plan := _cheapest(task, straight)) is not None:
                     return plan
                 straight.clear()

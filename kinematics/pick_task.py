@@ -166,7 +166,8 @@ class PickTask:
         judge = hand_judge(self._model, hand, scene, self._target.name, self._reserve_m)
         self._hands[hand] = judge
         advance_m = self._model.description.grippers[hand].closing_advance_m
-        advances_m = [0.0, advance_m, *np.linspace(-APPROACH_M, 0.0, CARTESIAN_POINTS)[:-1].tolist()]
+        # where the hand is farthest ahead it has the least room: most grasps are seen to fail at once
+        advances_m = [advance_m, *np.linspace(0.0, -APPROACH_M, CARTESIAN_POINTS).tolist()]
         return judge.fits_along(places, advances_m)
 
     def solve(self, candidate: GraspCandidate) -> Way | None:

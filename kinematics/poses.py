@@ -53,6 +53,24 @@ def rotation_z(angle_rad: float) -> NDArray[np.float64]:
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
+def rotations_y(angles_rad: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rotations about y by each angle, shape (n,) to (n, 3, 3)."""
+    c, s = np.cos(angles_rad), np.sin(angles_rad)
+    found = np.zeros((len(angles_rad), 3, 3))
+    found[:, 0, 0], found[:, 0, 2], found[:, 1, 1] = c, s, 1.0
+    found[:, 2, 0], found[:, 2, 2] = -s, c
+    return found
+
+
+def rotations_z(angles_rad: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rotations about z by each angle, shape (n,) to (n, 3, 3)."""
+    c, s = np.cos(angles_rad), np.sin(angles_rad)
+    found = np.zeros((len(angles_rad), 3, 3))
+    found[:, 0, 0], found[:, 0, 1] = c, -s
+    found[:, 1, 0], found[:, 1, 1], found[:, 2, 2] = s, c, 1.0
+    return found
+
+
 def rotation_from_vector(vector_rad: ArrayLike) -> NDArray[np.float64]:
     """Rotation of a rotation vector (axis times angle), by Rodrigues' formula."""
     w = np.asarray(vector_rad, dtype=np.float64)

@@ -50,7 +50,7 @@ class TrajectoryChecker:
     ) -> None:
         self._model = model
         self._settings = settings
-        self._finder, efforts = None, None
+        self._finder, self._compiled, loads = None, None, None
         if readiness.usable() if compiled is None else compiled:
             # imported here: they bring the compiler
             from kinematics.check_contacts import ContactFinder
@@ -60,11 +60,11 @@ class TrajectoryChecker:
             self._kinematics: BatchedKinematics = kinematics
             self._pairs = PairBuilder(model, kinematics)
             self._finder = ContactFinder(kinematics, self._pairs.robot, settings)
-            efforts = kinematics.efforts
+            self._compiled, loads = kinematics, kinematics.loads
         else:
             self._kinematics = BatchedKinematics(model)
             self._pairs = PairBuilder(model, self._kinematics)
-        self._dynamics = DynamicsCheck(model, self._kinematics, settings, efforts)
+        self._dynamics = DynamicsCheck(model, self._kinematics, settings, loads)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.
@@ -83,12 +83,14 @@ class TrajectoryChecker:
         model, settings = self._model, self._settings
         timeline = Timeline(trajectory)
         findings = _quaternion_findings(trajectory)
-        findings += limit_findings(model, timeline, settings)
+        jumps_s = np.empty((0, 2))
+        if self._compiled is None or not self._compiled.keeps_limits(model, timeline, settings):
+            findings += limit_findings(model, timeline, settings)
+            jumps_s = jump_intervals(model, timeline, settings)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
         unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)
         findings += unbalanced
-        jumps_s = jump_intervals(model, timeline, settings)
         touching, min_distance_m = self._contacts(timeline, self._pairs.pairs(scene), jumps_s)
         findings += touching
         if findings:

@@ -90,14 +90,14 @@ def stands_to_try(
         tall: What of it is as tall as the hands of the home posture.
         settings: The robot's sizes.
         turned_rad: How far it may be turned out of the usual heading.
-        reach: The share of directions in which a hand gets to the object from a pose; where it is 0 nobody
-            stands. Left out, all poses count alike.
+        reach: The share of directions in which a hand gets to the object from a pose. Left out, all poses
+            count alike.
     """
     low, high = _inside(settings, settings.half_width_m), _inside(settings, settings.hands_half_width_m)
     ways = [(way, usual @ PlanarPose(*way)) for way in product(_AHEAD_M, _ASIDE_M, turned_rad)]
     shares = [1.0 if reach is None else reach(body) for _, body in ways]
     ranked = sorted(
-        ((_cost(way, share), body) for (way, body), share in zip(ways, shares, strict=True) if share > 0.0),
+        ((_cost(way, share), body) for (way, body), share in zip(ways, shares, strict=True)),
         key=lambda one: one[0],
     )
     for (_, ahead_m, aside_m, turn_rad), body in ranked:

@@ -124,6 +124,8 @@ class Antecedents(Discourse):
     def _destination(self, nominal: Nominal) -> Any:
         """A place, a person or a thing as the value of a slot."""
         named = self._same_kind(nominal)
+        if nominal.anaphoric and nominal.is_plain:
+            raise ask("which one is meant?")  # "put the box in that one"
         if named.sort in ("me", "you", "name"):
             return named.kind
         if named.count != 1 or (named.plural and not named.reference):

@@ -259,6 +259,18 @@ def _mention(parts: Parts) -> Clause:
     return Clause((), "base", mention=Mention(nominal, one.source))
 
 
+def _mention_state(parts: Parts) -> Clause:
+    """A statement that something is open or closed, of which only the opposite can be asked."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    nominal = item.of
+    is_door = nominal.sort in ("container", "door") and nominal.is_single and nominal.determined
+    wished = {"should", "must"} & set(words(parts, "IS_AT")[0].said.split())
+    if wished or not is_door or item.details or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    state = "open" if words(parts, "OPENED") else "closed"
+    return Clause((), "base", mention=Mention(nominal, state=state))
+
+
 def _want(parts: Parts) -> Clause:
     each = arranged(parts)
     for one in each:
@@ -281,6 +293,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "can_i_have": _can_i_have,
     "want": _want,
     "mention": _mention,
+    "mention_state": _mention_state,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

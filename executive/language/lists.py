@@ -66,6 +66,14 @@ def _items(parts: Parts) -> Items | Trouble:
     return shared_adjective(each) or Items(each)
 
 
+def _both_items(parts: Parts) -> Items | Trouble | None:
+    """Both the cup and the bottle: one of each."""
+    each = tuple(part for part in parts if isinstance(part, Item))
+    if not all(one.of.is_single and one.of.determined and one.of.reference is None for one in each):
+        return None
+    return None if any(link.commas for link in parts if isinstance(link, _Joined)) else _items(parts)
+
+
 def _may_be_one(before: Nominal, last: Nominal) -> bool:
     """Whether "the one next to the can" may be what was named just before it, and no other of its kind."""
     told = ("color", "size", "material", "ordinal")
@@ -174,6 +182,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "item": _item,
         "items": _items,
+        "both_items": _both_items,
         "joined": _joined,
         "only_item": _only_item,
         "alternatives": _alternatives,

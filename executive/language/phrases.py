@@ -223,10 +223,11 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A thing that a statement names, and where it says that it is."""
+    """A thing that a statement names, and where it says that it is, or that it is open or closed."""
 
     of: Nominal
     source: Nominal | None = None
+    state: str | None = None
 
 
 Bundle = tuple[Draft, ...]

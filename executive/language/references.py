@@ -93,6 +93,11 @@ class Resolver(Antecedents):
             return (first.with_slot("source", self._stated_at), *rest)
         stated, self._mention = self._mention, None
         of = stated.of
+        if stated.state is not None:
+            opposite = "close" if stated.state == "open" else "open"
+            if self._commands or first.action != opposite or _reference(thing) != "it":
+                raise ask("what has the statement to do with the task?")
+            return (_replaced(first, "object", of), *rest)
         pronoun = "it" if of.is_single else "them"
         takes_place = takes_place or stated.source is None
         if (
@@ -271,6 +276,10 @@ class Resolver(Antecedents):
         if isinstance(what, ObjectOf):
             return what.task in opened
         return any(isinstance(one, tasks.OpenTask) and one.object == what for one in self._commands)
+
+
+def _reference(thing: Any) -> str | None:
+    return thing.reference if isinstance(thing, Nominal) else None
 
 
 def _replaced(one: Draft, name: str, value: Any) -> Draft:

@@ -5,6 +5,7 @@ from kinematics import (
     check_course,
     check_effort,
     check_placing,
+    check_quickly,
     compiled_configurations,
     ground_loads,
     timing_kernel,
@@ -20,8 +21,9 @@ from kinematics.trajectory_check import TrajectoryChecker
 USED = [
     check_certificate.certify,
     check_course.running_lengths,
-    check_effort.efforts_of,
+    check_effort.loads_of,
     check_placing.place_all,
+    check_quickly.plainly_within,
     compiled_configurations.configurations,
     ground_loads.ground_loads,
     timing_kernel.excess,

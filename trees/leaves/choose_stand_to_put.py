@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -95,7 +96,7 @@ class ChooseStandToPut(ChooseStand):
 
         def share(one: PlanarPose) -> float:
             if reach is not None:
-                return round(_NINTHS * reach(one)) / _NINTHS
+                return math.ceil(_NINTHS * reach(one)) / _NINTHS
             return 1.0 if (one @ shoulder).distance_m(spot) <= _REACH_M else 0.0
 
         best = sorted(stands, key=lambda one: (-share(one), (one @ shoulder).distance_m(spot)))

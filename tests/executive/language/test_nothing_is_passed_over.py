@@ -48,6 +48,16 @@ NO_TASK = (
     "pick up the cup at the back of the table",
     "bring me the juice in a glass",
     "walk to the kitchen. The shelf.",
+    # a statement that says something else than the task takes up
+    "the fridge is open. Open it.",
+    "the fridge should be closed. Open it.",
+    "the drawer is open, close the fridge",
+    "look at the shelf. Is there a cup?",
+    "take the plate to the sink and take the bowl there too",
+    "look at the shelf. Take the cup there.",
+    "open the bottom drawer and put the blue box in that one",
+    # marks
+    "!walk to the kitchen",
 )
 
 
@@ -77,6 +87,8 @@ def test_what_may_mean_something_else_makes_no_task(sentence):
         ("walk to Ana and give her the cup", ["walk_to", "hand_over"]),
         ("look at the boy and bring him the ball", ["look_at", "pick", "hand_over"]),
         ("bring me the apple in the bowl", ["pick", "hand_over"]),
+        ("the fridge is open, close it", ["close"]),
+        ("pick up both the cup and the bottle", ["pick", "pick"]),
     ],
 )
 def test_what_can_mean_one_thing_only_is_still_done(sentence, actions):

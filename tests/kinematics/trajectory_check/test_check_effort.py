@@ -1,21 +1,80 @@
 import numpy as np
-import pinocchio as pin
+import pytest
 
+from kinematics.check_dynamics import DynamicsCheck
+from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_limits import limit_findings
 from kinematics.check_poses import CompiledKinematics
-from kinematics.check_timeline import Configurations, rotations
+from kinematics.check_settings import DEFAULT_SETTINGS
+from kinematics.check_timeline import Timeline
+from kinematics.curves import PolynomialCurve
+from kinematics.free_coordinates import free_coordinates
+from kinematics.timing import Pace, time_curve
+from kinematics.trajectory import Trajectory
 
 
-def test_the_checkers_efforts_are_those_of_pinocchios_inverse_dynamics(talos):
-    rng = np.random.default_rng(3)
-    q = np.array(
-        [pin.integrate(talos.pin, talos.q_home, 0.3 * rng.standard_normal(talos.nv)) for _ in range(9)]
-    )
-    v, a = rng.standard_normal((2, 9, talos.nv))
-    kinematics = CompiledKinematics(talos)
-    at = Configurations(np.zeros(9), q[:, :3], q[:, 3:7], rotations(q[:, 3:7]), q[:, 7:])
+def hasty(talos, stance, seed):
+    """A motion of the whole body at random, within all limits."""
+    rng = np.random.default_rng(seed)
+    space = free_coordinates(talos, stance)
+    ends = np.repeat(space.from_q(talos.q_home)[None], 2, axis=0)
+    ends[1, :6] += rng.uniform(-0.04, 0.02, 6)
+    ends[1, 6:] += rng.uniform(-0.2, 0.2, space.size - 6)
+    columns = talos.indices(space.joints)
+    ends[1, 6:] = np.clip(ends[1, 6:], talos.lower_rad[columns] + 0.01, talos.upper_rad[columns] - 0.01)
+    return time_curve(talos, space, stance, PolynomialCurve(ends), Pace())
 
-    efforts = kinematics.efforts(kinematics.poses(at), v, a)
 
-    data = talos.pin.createData()
-    expected = [pin.rnea(talos.pin, data, *row) for row in zip(q, v, a, strict=True)]
-    np.testing.assert_allclose(efforts, expected, atol=1e-9)
+@pytest.mark.parametrize("seed", range(3))
+def test_compiled_balance_and_effort_are_those_by_pinocchios_inverse_dynamics(talos, stance, seed):
+    trajectory = hasty(talos, stance, seed)
+    timeline = Timeline(trajectory)
+    at = timeline.at(timeline.knots(0.02))
+    compiled, plain = CompiledKinematics(talos), BatchedKinematics(talos)
+
+    ours = DynamicsCheck(talos, compiled, DEFAULT_SETTINGS, compiled.loads)
+    theirs = DynamicsCheck(talos, plain, DEFAULT_SETTINGS)
+
+    for one, other in zip(
+        ours._torques_and_zmp(trajectory, at, compiled.poses(at)),
+        theirs._torques_and_zmp(trajectory, at, plain.poses(at)),
+        strict=True,
+    ):
+        np.testing.assert_allclose(one, other, atol=1e-8)
+
+
+def with_one_number_changed(trajectory, rng):
+    q, v = trajectory.q.copy(), trajectory.v.copy()
+    row, joint = rng.integers(1, len(q) - 1), rng.integers(q.shape[1] - 7)
+    size = 10.0 ** rng.uniform(-7.0, 1.0) * rng.choice([-1.0, 1.0])
+    if rng.integers(2):
+        q[row, 7 + joint] += size
+    else:
+        v[row, 6 + joint] += size
+    return Trajectory(trajectory.joints, trajectory.stance, trajectory.t_s, q, v)
+
+
+def test_what_is_called_plainly_within_limits_has_no_findings(talos, stance):
+    rng = np.random.default_rng(5)
+    motions = [hasty(talos, stance, seed) for seed in range(3)]
+    within = beyond = missed = 0
+    for number in range(300):
+        trajectory = with_one_number_changed(motions[number % 3], rng)
+        timeline = Timeline(trajectory)
+        plain = CompiledKinematics.keeps_limits(talos, timeline, DEFAULT_SETTINGS)
+        findings = limit_findings(talos, timeline, DEFAULT_SETTINGS)
+
+        assert not (plain and findings)
+        within += plain
+        beyond += bool(findings)
+        missed += not plain and not findings
+    assert within > 50
+    assert beyond > 50
+    assert missed < 10
+
+
+def test_a_number_that_is_none_is_not_within_limits(talos, stance):
+    timeline = Timeline(hasty(talos, stance, 0))
+    timeline.joint_velocity[5, 3] = np.nan
+
+    assert not CompiledKinematics.keeps_limits(talos, timeline, DEFAULT_SETTINGS)
