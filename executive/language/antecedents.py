@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -88,7 +89,20 @@ class Antecedents(Discourse):
             raise ask("what does 'it' stand for?")
         if recent[0].task in self._held:
             raise ask("what does 'it' stand for?")
-        return ObjectOf(recent[0].task)
+        return self._same_it(recent[0].task)
+
+    def _same_it(self, task: int) -> ObjectOf:
+        """What "it" is beside two things of one clause: "put the bottle next to it and the can behind it".
+
+        Raises:
+            UnresolvedError: Two different things.
+        """
+        clause, before = self._it_beside or (-1, task)
+        named_then = any(one.task == task and one.clause == clause for one in self._entities)
+        if before != task and (clause == self._clause or named_then):
+            raise ask("what does 'it' stand for?")
+        self._it_beside = (self._clause, task)
+        return ObjectOf(task)
 
     def _description(self, nominal: Nominal) -> Any:
         self._note_name(nominal)
@@ -118,8 +132,10 @@ class Antecedents(Discourse):
         if nominal.reference == "it":
             recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"), root)
             if len(recent) == 1 and not self._mentioned:
-                return ObjectOf(recent[0].task)
-        return self._place(nominal, root)
+                return self._same_it(recent[0].task)
+        if nominal.anaphoric:
+            self._only_kind(self._mentioned)
+        return self._place(nominal, root, beside=True)
 
     def _destination(self, nominal: Nominal) -> Any:
         """A place, a person or a thing as the value of a slot."""
@@ -148,7 +164,7 @@ class Antecedents(Discourse):
             self._mentioned.append(named)
         return self._description(named)
 
-    def _place(self, value: Any, root: int, *, into: bool = False) -> Any:
+    def _place(self, value: Any, root: int, *, into: bool = False, beside: bool = False) -> Any:
         if isinstance(value, Relative):
             relation = tasks.Relation(value.kind, self._beside(value.to, root))
             return ObjectDescription(relation=relation)
@@ -164,6 +180,8 @@ class Antecedents(Discourse):
             return self._inner(root, into=into)
         if value.reference:
             raise ask("which place is meant?")
+        if value.anaphoric and not beside:
+            self._only_kind((*self._places, *self._mentioned))
         return self._destination(value)
 
     def _there_place(self, value: Nominal, root: int) -> Any:
@@ -199,6 +217,16 @@ class Antecedents(Discourse):
         if place is not None and place.sort == "container":
             return {"action": "put_in", "to": value}
         return {"to": value} if place is not None and place.sort == "room" else {"on": value}
+
+    def _only_kind(self, named: Iterable[Nominal]) -> None:
+        """Ask when "the blue one" may be of another kind than what is handled: "the bottle on the right one".
+
+        Raises:
+            UnresolvedError: It may.
+        """
+        kinds = dict.fromkeys(one.kind for one in (*([self._kind] if self._kind else []), *named) if one.kind)
+        if len(kinds) > 1:
+            raise ask("which one is meant?", [f"the {kind}" for kind in kinds])
 
     def _walk(self, value: Any) -> Any:
         if isinstance(value, Nominal) and value.reference == "there" and value.name == "back":

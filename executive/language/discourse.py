@@ -51,6 +51,7 @@ class Discourse:
         self._kind: Nominal | None = None
         self._mention: Mention | None = None
         self._stated_at: Nominal | None = None
+        self._it_beside: tuple[int, int] | None = None
         self._called: dict[str, str] = {}
         self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}
@@ -74,6 +75,8 @@ class Discourse:
         """With the kind of what was named before, for "the blue one"."""
         if not nominal.anaphoric:
             return nominal
+        if self._kind is None and (self._places or self._people):
+            raise ask("which one is meant?")  # "point at the table and at the white one"
         if self._kind is None:
             return nominal
         return replace(nominal, kind=self._kind.kind, sort=self._kind.sort)

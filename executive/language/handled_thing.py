@@ -54,3 +54,25 @@ def count_of(nominal: Nominal) -> int | str | None:
 def with_it(parts: Parts) -> Parts:
     """With the thing that a terse command leaves out: "take the cup, place on the shelf"."""
     return (*(part for part in parts if isinstance(part, Word)), Item(IT), *parts[1:])
+
+
+def only_for(one: Arranged, person: Nominal) -> None:
+    """Nobody else may be named to get it: "hand the cup for Ana to Ben".
+
+    Raises:
+        TroubleError: Somebody is.
+    """
+    named = one.person
+    if named is not None and named.sort != "me" and named != person:
+        raise trouble(f"is it for {named.kind} or for {person.kind}?", asks=True)
+
+
+def has_clear_place(one: Arranged) -> None:
+    """What somebody is brought "in a cup" or "on a tray" may have to be put there.
+
+    Raises:
+        TroubleError: It is said so.
+    """
+    place = one.source
+    if place is not None and place.indefinite and place.sort in ("thing", "any"):
+        raise trouble(f"is it in or on a {place.kind}, or shall it be brought so?", asks=True)

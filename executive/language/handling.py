@@ -18,7 +18,15 @@ from executive.language.arranging import (
     trouble,
     unfit,
 )
-from executive.language.handled_thing import ASKER, PREVIOUS, count_of, thing, with_it
+from executive.language.handled_thing import (
+    ASKER,
+    PREVIOUS,
+    count_of,
+    has_clear_place,
+    only_for,
+    thing,
+    with_it,
+)
 from executive.language.lattice import Word
 from executive.language.lists import said_again, said_twice, shared_adjective
 from executive.language.nominals import words
@@ -43,7 +51,7 @@ _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
 def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
     nominal = thing(one, doing)
     if fetched:
-        _where_it_is(one)
+        has_clear_place(one)
     return draft(
         "pick",
         object=nominal,
@@ -76,25 +84,11 @@ def _fetch(parts: Parts) -> Clause:
             ):
                 raise unfit()
             person = one.goal.of
-            _only_for(one, person)
-        _where_it_is(one)
+            only_for(one, person)
+        has_clear_place(one)
         taken = _pick_bundle(one)
         bundles.append((taken,) if person is None else _handed(one, taken, person))
     return clause(parts, bundles)
-
-
-def _only_for(one: Arranged, person: Nominal) -> None:
-    """Nobody else may be named to get it: "hand the cup for Ana to Ben"."""
-    named = one.person
-    if named is not None and named.sort != "me" and named != person:
-        raise trouble(f"is it for {named.kind} or for {person.kind}?", asks=True)
-
-
-def _where_it_is(one: Arranged) -> None:
-    """What somebody is brought "in a cup" or "on a tray" may have to be put there."""
-    place = one.source
-    if place is not None and place.indefinite and place.sort in ("thing", "any"):
-        raise trouble(f"is it in or on a {place.kind}, or shall it be brought so?", asks=True)
 
 
 def _recipient(nominal: Nominal) -> Nominal:
@@ -126,7 +120,7 @@ def _transport(one: Arranged) -> Bundle:
         raise trouble(f"is it {where}, or shall it go there?", asks=True)
     if goal is None:
         return _handed(one, taken, one.person or ASKER)
-    _only_for(one, goal.of)
+    only_for(one, goal.of)
     if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
         return _handed(one, taken, goal.of)
     if goal.of.reference == "there":
@@ -135,7 +129,10 @@ def _transport(one: Arranged) -> Bundle:
 
 
 def _bring(parts: Parts) -> Clause:
-    return clause(parts, [_transport(one) for one in arranged(parts)])
+    each = arranged(parts)
+    if len({one.goal is None and one.person is None for one in each}) > 1:
+        raise trouble("where shall each of them go?", asks=True)  # "the cup to the sink and the plate"
+    return clause(parts, [_transport(one) for one in each])
 
 
 def _bring_it(parts: Parts) -> Clause:
@@ -160,20 +157,22 @@ def _carry(parts: Parts) -> Clause:
 
 
 def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
-    """Who gets what; further things are for the last person: "me the cup and the bottle on the table"."""
-    pairs = [part for part in parts if isinstance(part, Pair)]
-    if any(pair.person.reference == "him" for pair in pairs[1:]):
+    """Who gets what; further things are for who was named before: "me the cup and the can, Ana the box"."""
+    each: list[tuple[Nominal, list[Item]]] = []
+    for part in parts:
+        if isinstance(part, Pair):
+            each.append((part.person, [part.item]))
+        elif isinstance(part, Item):
+            each[-1][1].append(part)
+    if any(person.reference == "him" for person, _ in each[1:]):
         raise trouble("who is meant?", asks=True)  # "give Ben the cup and her the bottle": not Ben
-    loose = tuple(part for part in parts if isinstance(part, Item))
-    if loose:
-        each_item = (*(pair.item for pair in pairs), *loose)
-        unclear = said_again(each_item[-2].of, each_item[-1].of, parts) or shared_adjective(each_item)
-        unclear = unclear or (said_twice(each_item, parts) if len(pairs) == 1 else None)
-        if unclear is not None:
-            raise trouble(unclear.message, asks=True)
-    result = [(_recipient(pair.person), one) for pair in pairs[:-1] for one in arranged((pair.item,))]
-    last = _recipient(pairs[-1].person)
-    result += [(last, one) for one in arranged((pairs[-1].item, *loose))]
+    for _, items in each:
+        if len(items) > 1:
+            unclear = said_again(items[-2].of, items[-1].of, parts) or shared_adjective(items)
+            unclear = unclear or (said_twice(items, parts) if len(each) == 1 else None)
+            if unclear is not None:
+                raise trouble(unclear.message, asks=True)
+    result = [(_recipient(person), one) for person, items in each for one in arranged(tuple(items))]
     if any(one.goal is not None or (one.person is not None and one.person.sort != "me") for _, one in result):
         raise unfit()
     return result
@@ -205,7 +204,7 @@ def _give(parts: Parts) -> Clause:
             if not over and not one.back:
                 raise trouble("to whom?", asks=True)
             person = ASKER
-        _only_for(one, person)
+        only_for(one, person)
         bundles.append(_give_bundle(one, person))
     return clause(parts, bundles)
 
@@ -217,7 +216,7 @@ def _safe_for(nominal: Nominal, person: Nominal) -> None:
 
 def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
     nominal = thing(one, "handing over")
-    _where_it_is(one)
+    has_clear_place(one)
     _safe_for(nominal, person)
     return (
         draft(

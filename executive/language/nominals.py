@@ -220,6 +220,9 @@ def _out_of(parts: Parts) -> Nominal | Trouble | None:
     amounts = [part for part in parts if isinstance(part, float)]
     if nominal_of(parts) is None and not amounts:
         return None  # "on top of that"
+    features = sum(isinstance(part, (Feature, Relative)) for part in parts)
+    if nominal_of(parts) is None and features > 1:
+        return None  # "the bigger of the two first"
     nominal = nominal_of(parts) or Nominal("any", plural=True)
     if not nominal.plural:
         return None

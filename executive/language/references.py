@@ -175,6 +175,11 @@ class Resolver(Antecedents):
                 resolved = resolved if named is None else self._description(named)
             else:
                 named = self._same_kind(thing)
+                if thing.anaphoric:
+                    recent = self._recent(lambda entity: entity.of.sort == "thing")
+                    self._only_kind(one.of for one in recent)
+                    if thing.ordinal == "other" and len(recent) > 1:
+                        raise ask("which one is meant?")  # of the red cup and the blue cup
                 self._kind = named if named.kind is not None else self._kind
                 resolved = self._description(named)
         elif isinstance(thing, ObjectOf):

@@ -48,6 +48,7 @@ NO_TASK = (
     "pick up the cup at the back of the table",
     "bring me the juice in a glass",
     "walk to the kitchen. The shelf.",
+    "bring the cup from the table to the sink and the plate from the counter",
     # a statement that says something else than the task takes up
     "the fridge is open. Open it.",
     "the fridge should be closed. Open it.",
@@ -56,6 +57,17 @@ NO_TASK = (
     "take the plate to the sink and take the bowl there too",
     "look at the shelf. Take the cup there.",
     "open the bottom drawer and put the blue box in that one",
+    # "one" of what
+    "pick up the cup on the left table and the bottle on the right one",
+    "pick up the red cup and the blue bottle and put the red one in the box",
+    "put the bottle next to the red cup and the can next to the blue one",
+    "put the red cup on the table and the blue box on the green one",
+    "walk to the red table, then to the blue one",
+    "pick up the red cup and the blue cup and put the other one in the box",
+    # "it" of what
+    "find the red cup and put the bottle next to it and the can behind it",
+    "find the red cup and the blue cup and put them in it",
+    "open the drawer, put the cup in it and the bottle next to it",
     # marks
     "!walk to the kitchen",
 )
@@ -88,8 +100,20 @@ def test_what_may_mean_something_else_makes_no_task(sentence):
         ("look at the boy and bring him the ball", ["look_at", "pick", "hand_over"]),
         ("bring me the apple in the bowl", ["pick", "hand_over"]),
         ("the fridge is open, close it", ["close"]),
+        ("give Ana the smaller cup and Ben the bigger one", ["hand_over", "hand_over"]),
+        ("put the red ball in the box and the blue one on the shelf", ["put_in", "place"]),
         ("pick up both the cup and the bottle", ["pick", "pick"]),
     ],
 )
 def test_what_can_mean_one_thing_only_is_still_done(sentence, actions):
     assert [command.action for command in parse(sentence).commands] == actions
+
+
+def test_a_second_thing_is_for_the_person_who_was_named_before_it():
+    parsed = parse("hand Maria the red pen and the blue one, and Tom the black one")
+
+    assert [(one.object.color, one.to) for one in parsed.commands] == [
+        ("red", "Maria"),
+        ("blue", "Maria"),
+        ("black", "Tom"),
+    ]
