@@ -21,6 +21,8 @@ _FASTEST_BRAKE_1_S2 = 40.0
 """Largest slope of the rate: from full speed to rest in 25 ms, sooner than any joint could follow."""
 _SHARES = (1.0, 0.75, 0.55, 0.4, 0.28, 0.18, 0.1)
 """Shares of the hardest slope and of its hardest change that are tried, the quickest pair first."""
+_HEAVY_SHARES = (*_SHARES, 0.07, 0.05)
+"""The same for base and trunk, which the legs have to follow."""
 _GENTLE_S = (0.22, 0.32)
 """Arms that stop within less than about a period of the standing robot's sway (0.3 s) leave it swaying:
 stopped in 0.13 s from 1.3 rad/s, ankles and knees moved by 0.03 rad/s after half a second still."""
@@ -256,7 +258,7 @@ def brake_standing(
     speed, bend = _rates(model, space, now)
     base, trunk = space.base_size, [space.index(joint) for joint in model.description.groups["torso"]]
     limits = model.acceleration[model.indices(space.joints)], model.jerk[model.indices(space.joints)]
-    for share in _SHARES:
+    for share in _HEAVY_SHARES:
         # The heavy parts brake gently, but may go on with what they do now.
         acceleration = np.concatenate([_BASE_ACCELERATION[:base], limits[0]])
         jerk = np.concatenate([_BASE_JERK[:base], limits[1]])
@@ -265,7 +267,7 @@ def brake_standing(
             jerk[heavy] *= share
         rows = brake_joints(x, speed, bend, acceleration, jerk, period_s)[0]
         q, reached = space.to_q(rows)
-        if not reached.all():
+        if not reached.all() or (share < _SHARES[-1] and len(q) * period_s > _LATEST_S):
             return None
         q[:, 7:] += gap * np.linspace(1.0, 0.0, len(q) + 1)[1:, None]
         motion = _sampled(model, now, q, period_s)

@@ -23,9 +23,6 @@ from kinematics.trajectory import Finding
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# In longer intervals hardly anything near is proven: motions are cut beforehand into such parts of the
-# longest way of a joint.
-_CUT_RAD = 0.1
 _MOST_CUTS = 100
 # A contact's depth is the deepest of this many looks after it, and of as many around the deepest.
 _DEPTH_LOOKS = 16
@@ -71,7 +68,7 @@ class ContactFinder:
         least = np.array([np.inf])
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
         course = _course(timeline)
-        cuts = min(_MOST_CUTS, max(1, int(np.ceil(course.so_far[-1].max() / _CUT_RAD))))
+        cuts = min(_MOST_CUTS, max(1, int(np.ceil(course.so_far[-1].max() / self._settings.cut_rad))))
         certify(
             course,
             self._kinematics.links,

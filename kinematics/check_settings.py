@@ -25,7 +25,9 @@ class CheckSettings:
             velocities of both samples say.
         collision_m: Two solids nearer than this (beyond the margin to keep) count as touching. It
             also ends the refinement: nearer pairs are findings, farther ones are certified.
-        cell_s: Length of the time intervals that the collision check starts from.
+        cell_s: Length of the time intervals that the collision check with Coal starts from.
+        cut_rad: The compiled one starts from parts in which no joint goes farther than about this: in
+            longer ones hardly anything near is proven.
         subdivision: Into how many an interval is split that could not be certified.
         dynamics_period_s: Spacing of the configurations at which CoM, ZMP and efforts are computed.
             Joints within their acceleration limit bend a path by less than 0.4 mrad in that time.
@@ -47,6 +49,7 @@ class CheckSettings:
     base_jump_rad: float = 2e-3
     collision_m: float = 2e-5
     cell_s: float = 0.04
+    cut_rad: float = 0.1
     subdivision: int = 4
     dynamics_period_s: float = 0.02
     acceleration_window_s: float = 0.01

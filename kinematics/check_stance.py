@@ -81,11 +81,11 @@ def _mount_findings(model: RobotModel, timeline: Timeline, settings: CheckSettin
 
 def _instants(timeline: Timeline, legs: list[int], settings: CheckSettings) -> Array:
     """Samples, and more between them where base or legs bend by more than a part of the tolerance."""
-    bend = timeline.bend()
+    bend = timeline.bend(legs)
     moving = np.ptp(timeline.joints_rad[:, legs], axis=0).any() or timeline.base_turn_rad.any()
     if not (moving or np.ptp(timeline.base_position_m, axis=0).any() or bend[:, [0]].any()):
         return timeline.t_s[:1]
-    stray = bend[:, 0] + _LEG_M * bend[:, [1 + k for k in legs]].sum(axis=1)
+    stray = bend[:, 0] + _LEG_M * bend[:, 1:].sum(axis=1)
     parts = np.ceil(np.sqrt(stray / (0.25 * settings.stance_m))).astype(np.intp)
     extra = [
         np.linspace(timeline.t_s[i], timeline.t_s[i + 1], min(int(parts[i]), 200) + 1)[1:-1]

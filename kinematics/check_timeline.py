@@ -7,6 +7,7 @@ what turns a check at some instants into a proof for all.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -114,14 +115,19 @@ class Timeline:
         """Times, values (base position, joints), their rates, and base quaternions at the samples."""
         return self.t_s, self._values, self._rates, self.quaternions
 
-    def bend(self) -> Array:
+    def bend(self, joints: Sequence[int] | None = None) -> Array:
         """How far each segment may leave the straight line between its samples, shape (n - 1, 1 + k).
 
-        First the base (m), then the joints (rad). The base's orientation has none by definition.
+        First the base (m), then the joints (rad), all of them or those asked for. The base's orientation
+        has none by definition.
         """
-        change = np.diff(self._values, axis=0)
+        values, rates = self._values, self._rates
+        if joints is not None:
+            columns = [0, 1, 2, *(3 + joint for joint in joints)]
+            values, rates = values[:, columns], rates[:, columns]
+        change = values[1:] - values[:-1]
         h = self.spacing_s[:, None]
-        early, late = self._rates[:-1] * h - change, change - self._rates[1:] * h
+        early, late = rates[:-1] * h - change, change - rates[1:] * h
         # the Hermite terms u (1-u)^2 and u^2 (1-u) have their maximum of 4/27
         bound = (4.0 / 27.0) * (np.abs(early) + np.abs(late))
         return np.column_stack([np.linalg.norm(bound[:, :3], axis=1), bound[:, 3:]])

@@ -7,7 +7,6 @@ inverse kinematics; which of them are tried and taken, ``pick_planner`` says.
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -43,6 +42,8 @@ SELF_MARGIN_M = 0.005
 APPROACH_M = 0.10
 # Points of the straight approach and lift that are solved; a cubic runs through them.
 CARTESIAN_POINTS = 4
+# Grasps whose room is judged in one call.
+AT_A_TIME = 40
 REACH_PACE = Pace(velocity=0.5, acceleration=0.7)
 CARTESIAN_PACE = Pace(velocity=0.2, acceleration=0.5)
 # An arm reaches no farther than this from its shoulder to the TCP, trunk leaning included.
@@ -124,10 +125,9 @@ class PickTask:
     def candidates(self) -> Iterator[GraspCandidate]:
         """Grasps of all allowed hands, most natural first; those without room for the hand are counted."""
         tables: list[GraspTable] = []
-        rows_of: list[tuple[int, int, bool]] = []
-        costs: list[Array] = [np.empty(0)]
+        rows_of: list[list[int]] = []
         excluded = self._request.excluded
-        for number, (hand, offset) in enumerate(self._in_reach.items()):
+        for hand, offset in self._in_reach.items():
             table = grasp_table(
                 self._target,
                 self._model.description.grippers[hand],
@@ -141,14 +141,21 @@ class PickTask:
                 rows = [k for k in rows if key_of(hand, table.name(k)) not in excluded]
                 if len(rows) < len(table):
                     self.reasons["tried before"] += len(table) - len(rows)
-            fit = self._has_room(hand, table.world_T_tcp[rows]).tolist()
-            rows_of += zip(itertools.repeat(number), rows, fit, strict=False)
-            costs.append(table.cost[rows])
+            rows_of.append(rows)
             tables.append(table)
-        for place in np.argsort(np.concatenate(costs), kind="stable").tolist():
-            number, row, fits = rows_of[place]
-            if fits:
-                yield tables[number].candidate(row)
+        costs = [table.cost[rows] for table, rows in zip(tables, rows_of, strict=True)]
+        every = [(number, at) for number, rows in enumerate(rows_of) for at in range(len(rows))]
+        # room is judged for as many at a time as are worth a call, when their turn comes
+        fits: dict[tuple[int, int], list[bool]] = {}
+        for place in np.argsort(np.concatenate([np.empty(0), *costs]), kind="stable").tolist():
+            number, at = every[place]
+            table, rows = tables[number], rows_of[number]
+            block, row = divmod(at, AT_A_TIME)
+            if (number, block) not in fits:
+                some = rows[block * AT_A_TIME : (block + 1) * AT_A_TIME]
+                fits[number, block] = self._has_room(table.hand, table.world_T_tcp[some]).tolist()
+            if fits[number, block][row]:
+                yield table.candidate(rows[at])
             else:
                 self.considered += 1
                 self.reasons["hand collides at the grasp"] += 1
@@ -160,15 +167,13 @@ class PickTask:
             hand: The hand.
             places: Of the TCP at grasps, shape (n, 4, 4).
         """
-        if not len(places):
-            return np.zeros(0, bool)
-        scene = self._request.scene
-        judge = hand_judge(self._model, hand, scene, self._target.name, self._reserve_m)
-        self._hands[hand] = judge
+        if hand not in self._hands:
+            scene, target = self._request.scene, self._target.name
+            self._hands[hand] = hand_judge(self._model, hand, scene, target, self._reserve_m)
         advance_m = self._model.description.grippers[hand].closing_advance_m
         # where the hand is farthest ahead it has the least room: most grasps are seen to fail at once
         advances_m = [advance_m, *np.linspace(0.0, -APPROACH_M, CARTESIAN_POINTS).tolist()]
-        return judge.fits_along(places, advances_m)
+        return self._hands[hand].fits_along(places, advances_m)
 
     def solve(self, candidate: GraspCandidate) -> Way | None:
         """Find the approach to a grasp; a failure is counted with its reason."""

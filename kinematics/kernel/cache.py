@@ -67,24 +67,43 @@ def folder() -> Path | None:
     return place
 
 
-def mark_complete() -> None:
-    """Note that everything that the present sources need is in the folder; drop the oldest folders."""
+def place_of(package: Path) -> Path | None:
+    """Where the code compiled from one folder of sources is kept; None when nothing can be written.
+
+    Code beside the kernel has a place for each state of its sources, so that two checkouts with the same
+    kernel do not take each other's code away.
+    """
     place = folder()
     if place is None:
+        return None
+    return place / (package.name if package == _SOURCES else f"{package.name}-{stamp_of(package)[:16]}")
+
+
+def mark_complete() -> None:
+    """Note that everything that the present sources need is in the folder; drop the oldest folders."""
+    place, beside = folder(), place_of(_SOURCES.parent)
+    if place is None or beside is None:
         return
-    (place / _MARKER).write_text(json.dumps(_stamp()))
-    others = [other for other in place.parent.glob("kernel-*") if other != place]
+    beside.mkdir(parents=True, exist_ok=True)
+    (beside / _MARKER).write_text(json.dumps(_stamp()))
+    _keep_few(place.parent, "kernel-*", place)
+    _keep_few(place, f"{_SOURCES.parent.name}-*", beside)
+
+
+def _keep_few(parent: Path, pattern: str, present: Path) -> None:
+    """Drop the oldest folders but some and the present one."""
+    others = [other for other in parent.glob(pattern) if other != present]
     for old in sorted(others, key=lambda other: other.stat().st_mtime)[:-_KEPT]:
         shutil.rmtree(old, ignore_errors=True)
 
 
 def is_complete() -> bool:
     """Tell whether everything was compiled for the present sources, on this kind of processor."""
-    place = folder()
-    if place is None:
+    beside = place_of(_SOURCES.parent)
+    if beside is None:
         return False
     try:
-        return bool(json.loads((place / _MARKER).read_text()) == _stamp())
+        return bool(json.loads((beside / _MARKER).read_text()) == _stamp())
     except (OSError, ValueError):
         return False
 

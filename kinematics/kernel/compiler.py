@@ -55,7 +55,7 @@ class _Locator(_caching._CacheLocator):  # type: ignore[misc]
 
     def get_cache_path(self) -> str:
         """One folder for each package: file names repeat."""
-        return str(cast(Path, cache.folder()) / self._source.parent.name)
+        return str(cast(Path, cache.place_of(self._source.parent)))
 
     def get_source_stamp(self) -> str:
         """What must be the same for code to be found; the kernel's own sources name its folder."""

@@ -137,7 +137,15 @@ class BodyTrack:
             if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
                 self._sampler, self._playing_out = sampler, True
                 return
+            if profile is None:
+                profile = self._stop_beside(sampler)
         self._start(profile or StopProfile.at_once(self._model, self._stance, self.now, self._period_s))
+
+    def _stop_beside(self, sampler: TrajectorySampler) -> StopProfile | None:
+        """Stop where a path cannot be braked along: with the feet in place, or along it a moment later."""
+        model, stance, period_s = self._model, self._stance, self._period_s
+        standing = StopProfile.standing(model, stance, self.now, period_s)
+        return standing or StopProfile.soon_along_path(model, stance, sampler, self._elapsed_s, period_s)
 
     def brake_what_was_placed(self) -> None:
         """Bring joints to rest that ``place`` has moved."""

@@ -16,6 +16,12 @@ from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 
+_LATER_S = (0.04, 0.08, 0.12)
+"""A path that gathers speed as hard as it may cannot be braked along at once, but mostly so much later."""
+_LATEST_S = 0.45
+"""A stop that begins later is at rest by then, or is none: half a second is what a stop may take."""
+_LED_BACK_S, _LED_BACK_RAD = 0.2, 0.015
+"""Legs that stopped each joint on its own are led back to the stance in this time, from this far at most."""
 _STRAY_RAD = 1e-3
 """Legs farther than this from the stance are not straying between samples: something else is wrong."""
 
@@ -49,15 +55,52 @@ class StopProfile:
         return None if rows is None else cls(_resting_on_the_stance(model, stance, rows, period_s))
 
     @classmethod
+    def soon_along_path(
+        cls, model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
+    ) -> StopProfile | None:
+        """Category 1, from where the path itself leaves room for it: go on for a moment, then brake along it.
+
+        Returns:
+            None when that would not be at rest in time either.
+        """
+        for later_s in _LATER_S:
+            at_s = t_s + later_s
+            if at_s >= sampler.duration_s:
+                return None
+            rows = brake_along(model, stance, sampler, at_s, period_s)
+            if rows is None or later_s + len(rows.q) * period_s > _LATEST_S:
+                continue
+            periods = np.arange(1, round(later_s / period_s) + 1, dtype=np.float64)
+            first = sampler.many(t_s + period_s * periods)
+            return cls(_resting_on_the_stance(model, stance, _joined(first, rows), period_s))
+        return None
+
+    @classmethod
     def at_once(cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float) -> StopProfile:
         """Category 2: bring every joint to rest as soon as its limits let it.
 
         The feet stay where they are; should the legs have no way to do that, each joint stops on its
         own, and the base goes where the soles put it.
         """
+        return cls.standing(model, stance, now, period_s) or cls.joint_by_joint(model, stance, now, period_s)
+
+    @classmethod
+    def standing(
+        cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float
+    ) -> StopProfile | None:
+        """Category 2 with the feet where they are, or None when the legs have no way to do that."""
         rows = brake_standing(model, stance, free_coordinates(model, stance), now, period_s)
-        if rows is not None:
-            return cls(rows)
+        return None if rows is None else cls(rows)
+
+    @classmethod
+    def joint_by_joint(
+        cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float
+    ) -> StopProfile:
+        """Category 2, each joint on its own: the last way out.
+
+        The legs do not stop where the standing feet want them, and push them against each other. Once
+        everything rests they are led there; from where they would be, no motion could begin.
+        """
         q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], model.acceleration, model.jerk, period_s)
         periods = len(q)
         last = standing_at(model, np.concatenate([now.q[:7], q[-1]]), stance)
@@ -68,13 +111,28 @@ class StopProfile:
         base[:, 3:] /= np.linalg.norm(base[:, 3:], axis=1, keepdims=True)
         base[-1] = last[:7]
         still = np.zeros((periods, 6))
-        return cls(MotionSample(np.hstack([base, q]), np.hstack([still, v]), np.hstack([still, a])))
+        rows = MotionSample(np.hstack([base, q]), np.hstack([still, v]), np.hstack([still, a]))
+        after = round(_LED_BACK_S / period_s)
+        rest = np.zeros((after, model.nv))
+        held = MotionSample(np.repeat(rows.q[-1:], after, axis=0), rest, rest)
+        return cls(_resting_on_the_stance(model, stance, _joined(rows, held), period_s, after, _LED_BACK_RAD))
+
+
+def _joined(first: MotionSample, second: MotionSample) -> MotionSample:
+    return MotionSample(
+        np.vstack([first.q, second.q]), np.vstack([first.v, second.v]), np.vstack([first.a, second.a])
+    )
 
 
 def _resting_on_the_stance(
-    model: RobotModel, stance: Stance, rows: MotionSample, period_s: float
+    model: RobotModel,
+    stance: Stance,
+    rows: MotionSample,
+    period_s: float,
+    last: int | None = None,
+    stray_rad: float = _STRAY_RAD,
 ) -> MotionSample:
-    """Let the legs end exactly where base and stance put them.
+    """Let the legs end exactly where base and stance put them, in so many of the last rows, or in all.
 
     Between the samples of a trajectory they stray from there by 1e-5 rad: nothing while it is played, but
     a plan that begins there would have to jump by as much.
@@ -82,10 +140,10 @@ def _resting_on_the_stance(
     space = free_coordinates(model, stance)
     exact, reached = space.to_q(space.from_q(rows.q[-1])[None, :])
     gap = exact[0, 7:] - rows.q[-1, 7:]
-    if not reached[0] or np.abs(gap).max() > _STRAY_RAD:
+    if not reached[0] or np.abs(gap).max() > stray_rad:
         return rows
-    n = len(rows.q)
-    u = np.arange(1, n + 1) / n
+    n = last or len(rows.q)
+    u = np.maximum(np.arange(1, len(rows.q) + 1) - (len(rows.q) - n), 0) / n
     # A quintic from rest to rest, and its rates.
     duration_s = n * period_s
     s = u**3 * (10.0 - 15.0 * u + 6.0 * u**2)

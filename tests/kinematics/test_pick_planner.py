@@ -4,10 +4,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from kinematics import pick_task, poses
+from kinematics import pick_planner, pick_task, poses
 from kinematics.collision import CollisionWorld
-from kinematics.grasping import PAD_OVERLAP_M
+from kinematics.grasping import ABOVE_MIDDLE, PAD_OVERLAP_M
 from kinematics.pick_planner import MOST_BLOCKED, PLANNING_RESERVE_M, PickPlanner
+from kinematics.pick_task import PickTask
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
@@ -50,6 +51,35 @@ def test_the_nearer_hand_is_chosen(talos, stance, make):
         scene = PlanningScene().with_objects([make.table(), make.cup(y=y)])
 
         assert plan(talos, stance, scene).grasp.hand == hand
+
+
+def test_a_good_grasp_is_taken_without_looking_for_a_better_one(talos, stance, tabletop, monkeypatch):
+    at_once = plan(talos, stance, tabletop)
+
+    monkeypatch.setattr(pick_planner, "WORTH_WAITING", -np.inf)
+
+    assert at_once.considered < plan(talos, stance, tabletop).considered
+
+
+def test_room_is_judged_for_those_grasps_alone_whose_turn_comes(talos, stance, tabletop, monkeypatch):
+    judged = []
+    has_room = PickTask._has_room
+    monkeypatch.setattr(
+        PickTask,
+        "_has_room",
+        lambda task, hand, places: judged.append(len(places)) or has_room(task, hand, places),
+    )
+
+    assert isinstance(plan(talos, stance, tabletop), PickPlan)
+    for_plan = sum(judged)
+    judged.clear()
+    request = PickRequest(talos.q_home, stance, tabletop, "cup")
+    candidates = list(
+        PickTask(talos, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True).candidates()
+    )
+
+    assert 0 < for_plan < sum(judged)
+    assert len(candidates) < sum(judged)
 
 
 @pytest.mark.requirement("M5")

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics import place_planner, poses
+from kinematics import place_planner, place_task, poses
 from kinematics.collision import CollisionWorld
 from kinematics.place_planner import PlacePlanner
 from kinematics.place_requests import PlaceRequest, Spot
@@ -49,11 +49,12 @@ def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, t
 
 @pytest.mark.requirement("M3")
 def test_what_has_no_way_down_with_room_to_spare_goes_down_with_less(talos, stance, make, monkeypatch):
-    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.0104))
+    low = poses.transform(poses.rotation_z(-0.5 * np.pi), (0.0, 0.0, -0.0092))
     asked = request(talos, stance, make, 0.85, (0.42, -0.34), low, below_m=0.0)
     assert isinstance(PlacePlanner(talos).plan(asked), PlacePlan)
 
-    monkeypatch.setattr(place_planner, "LEAST_RESERVE_M", place_planner.RESERVE_M)
+    for module in (place_planner, place_task):
+        monkeypatch.setattr(module, "LEAST_RESERVE_M", place_planner.RESERVE_M)
 
     assert isinstance(PlacePlanner(talos).plan(asked), NoPlan)
 

@@ -26,7 +26,7 @@ MOST_N = 80.0
 94 to 326."""
 _MEAN_S = 0.3
 """Of each of the two means: half a step."""
-_EVERY = 10
+_EVERY = 25
 """Periods between two looks."""
 
 

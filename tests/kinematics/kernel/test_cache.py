@@ -66,7 +66,7 @@ def test_only_a_few_folders_of_other_sources_are_kept(home):
 
 def test_another_checkout_of_the_same_sources_finds_what_the_first_one_compiled(home, monkeypatch, tmp_path):
     cache.mark_complete()
-    copy = tmp_path / "checkout" / "kernel"
+    copy = tmp_path / "checkout" / "kinematics" / "kernel"
     shutil.copytree(cache._SOURCES, copy)
     for source in cache._SOURCES.parent.glob("*.py"):
         shutil.copy(source, copy.parent)
@@ -107,3 +107,15 @@ def test_changed_compiled_code_beside_the_package_is_not_ready(home, monkeypatch
     monkeypatch.setattr(cache, "stamp_of", lambda folder: "other")
 
     assert not readiness.ready()
+
+
+def test_a_checkout_with_other_code_beside_the_kernel_takes_nothing_away(home, monkeypatch):
+    cache.mark_complete()
+    mine = cache.place_of(cache._SOURCES.parent)
+    with monkeypatch.context() as other:
+        other.setattr(cache, "stamp_of", lambda folder: "other")
+        cache.mark_complete()
+
+        assert cache.place_of(cache._SOURCES.parent) != mine
+        assert readiness.ready()
+    assert readiness.ready()

@@ -88,7 +88,7 @@ def test_a_checker_that_leaves_out_a_link_is_caught(talos, motions, checker, mon
 @pytest.mark.parametrize("compiled", [True, False])
 def test_a_checker_that_trusts_the_instants_it_looks_at_is_caught(talos, collisions, monkeypatch, compiled):
     """Without the reach of the links the certificate is a plain check in the middle of its intervals."""
-    coarse = CheckSettings(cell_s=0.8)
+    coarse = CheckSettings(cell_s=0.8, cut_rad=np.inf)
     assert not missed(TrajectoryChecker(talos, coarse, compiled), collisions)
 
     reaches = BatchedKinematics.reaches

@@ -1,0 +1,82 @@
+"""Stops where a path leaves no room for a brake, and stops after which the legs have to be put right."""
+
+import numpy as np
+import pytest
+
+from kinematics.balanced_timing import time_in_balance
+from kinematics.curves import RoundedPolyline
+from kinematics.free_coordinates import free_coordinates
+from kinematics.stance import stance_at
+from kinematics.timing import Pace
+from kinematics.trajectory_sampler import TrajectorySampler
+from robots.control.stop_profile import StopProfile
+
+PERIOD_S = 0.002
+GATHERING_S = 0.43
+"""Here the motion below gathers speed as hard as it may."""
+
+
+@pytest.fixture(scope="module")
+def stance(talos):
+    return stance_at(talos, talos.q_home)
+
+
+@pytest.fixture(scope="module")
+def sampler(talos, stance):
+    """An arm and the trunk, around a corner."""
+    space, rng = free_coordinates(talos, stance), np.random.default_rng(3)
+    start = space.from_q(talos.q_home)
+    goal = start.copy()
+    for joint in talos.description.groups["right_arm"] + talos.description.groups["torso"]:
+        goal[space.index(joint)] += rng.uniform(-1.0, 1.0) * (0.25 if "torso" in joint else 1.0)
+    goal[:3] += rng.uniform(-0.03, 0.03, 3)
+    moved = np.abs(goal - start) > 1e-9
+    corner = 0.5 * (start + goal) + rng.uniform(-0.15, 0.15, len(goal)) * moved
+    curve = RoundedPolyline(np.stack([start, corner, goal]), space.weights, 0.3)
+    return TrajectorySampler(time_in_balance(talos, space, stance, curve, Pace(0.8, 1.0)))
+
+
+def rows_of(profile):
+    rows = [profile.at(k) for k in range(len(profile))]
+    return tuple(np.array([getattr(row, name) for row in rows]) for name in "qva")
+
+
+def require_limits_kept(talos, now, a):
+    assert (np.abs(a[:, 6:]) <= talos.acceleration * 1.005).all()
+    jerk = np.diff(np.vstack([now.a, a])[:, 6:], axis=0) / PERIOD_S
+    assert (np.abs(jerk) <= talos.jerk * 1.01).all()
+
+
+def require_feet_in_place(talos, stance, q):
+    for frame, world_T_sole in stance.soles:
+        np.testing.assert_allclose(talos.frame_pose(q, frame), world_T_sole, atol=1e-9)
+
+
+@pytest.mark.requirement("S4")
+def test_a_path_that_gathers_speed_too_hard_is_braked_along_a_moment_later(talos, stance, sampler):
+    of = talos, stance, sampler, GATHERING_S, PERIOD_S
+    assert StopProfile.along_path(*of) is None
+
+    profile = StopProfile.soon_along_path(*of)
+
+    q, v, a = rows_of(profile)
+    assert len(profile) * PERIOD_S <= 0.45
+    np.testing.assert_allclose(q[:15], sampler.many(GATHERING_S + PERIOD_S * np.arange(1, 16)).q, atol=1e-5)
+    assert not v[-1].any()
+    require_limits_kept(talos, sampler.at(GATHERING_S), a)
+    require_feet_in_place(talos, stance, q[-1])
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("t_s", [0.3, GATHERING_S, 0.7])
+def test_joints_that_stop_each_on_its_own_end_where_a_motion_can_begin(talos, stance, sampler, t_s):
+    now = sampler.at(t_s)
+
+    profile = StopProfile.joint_by_joint(talos, stance, now, PERIOD_S)
+
+    q, v, a = rows_of(profile)
+    assert len(profile) * PERIOD_S < 0.5
+    assert not v[-1].any()
+    require_limits_kept(talos, now, a)
+    require_feet_in_place(talos, stance, q[-1])
+    assert np.abs(np.diff(q[:, 7:], axis=0) - PERIOD_S * v[1:, 6:]).max() < 1e-4
