@@ -3,7 +3,9 @@
 A touch of hand or forearm is felt by several joints, for a force on a link turns all joints before it. A
 bearing or gear that jams is felt by its own motor alone, and does not give way at all: the effort rises while
 the joint stays where it is. So an arm's jam is known from a few newton metres on, long before the joint is
-far from its setpoint, and a hand that is pressed hard is not taken for one.
+far from its setpoint, and a hand that is pressed hard is not taken for one. Where a hand meets what does not
+give way, a joint may stay where it is and feel more than twice what the others feel: then it counts whether
+theirs explain its own.
 """
 
 from __future__ import annotations
@@ -50,6 +52,7 @@ class ArmResistance:
 
     def __init__(self, model: RobotModel, period_s: float) -> None:
         description = model.description
+        self._model = model
         names, allowed = description.joints, description.contact_effort_nm
         allowed_nm = np.array([allowed.get(name, np.inf) for name in names])
         self._names = names
@@ -114,7 +117,7 @@ class ArmResistance:
                 arm.least,
                 arm.most,
             )
-            if j >= 0:
+            if j >= 0 and not self._is_foretold(arm, self._at(state), j):
                 bound_rad = float(self._bound_rad[j])
                 found.append(Finding(Ailment.STUCK, self._names[j], abs(float(off[j])), bound_rad))
         return found
@@ -127,9 +130,15 @@ class ArmResistance:
             q: Estimated configuration, shape (nq,).
         """
         j = self._names.index(part)
-        for arm in self._arms:
-            if j in arm.joints:
-                outside = float(self._outside[j])
-                foretold = arm.touch.foretold_nm(q, self._outside, j)
-                return outside != 0.0 and foretold / outside >= _FORETOLD_SHARE
-        return False
+        return any(self._is_foretold(arm, q, j) for arm in self._arms if j in arm.joints)
+
+    def _is_foretold(self, arm: _Arm, q: Array, j: int) -> bool:
+        """Whether what the arm's other joints feel explains the torque of one of them."""
+        outside = float(self._outside[j])
+        return outside != 0.0 and arm.touch.foretold_nm(q, self._outside, j) / outside >= _FORETOLD_SHARE
+
+    def _at(self, state: RobotState) -> Array:
+        """The joints as they were read; where the base is does not matter to what presses on a hand."""
+        q = self._model.q_home.copy()
+        q[len(q) - len(self._names) :] = state.q[: len(self._names)]
+        return q

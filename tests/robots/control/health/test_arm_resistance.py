@@ -6,7 +6,9 @@ import pytest
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.control.events import HealthChanged
+from robots.control.health.arm_resistance import ArmResistance
 from robots.control.motion_handle import MotionStatus
+from robots.interface import JointSetpoint, RobotState
 from robots.scene_description import SceneDescription
 from robots.simulated.world import build_world
 
@@ -70,3 +72,39 @@ def test_a_hand_that_something_presses_is_not_stuck(standing, force_n):
     assert standing.found() == []
     behind = np.abs(standing.loop.setpoint.q - standing.loop.sensing.state().readings.q)
     assert behind.max() > 0.02  # a joint that nothing presses would count as stuck
+
+
+SHOULDER = "arm_right_2_joint"
+
+
+def at_a_wedged_cup(talos):
+    """Torques of the right arm that was stopped by a cup which did not give way (`question`, seed 620032)."""
+    torques = np.zeros(len(talos.joints))
+    torques[talos.group("right_arm")] = 2.27, 13.61, 5.42, 3.48, -0.77, 1.42, 0.16
+    return torques
+
+
+def stuck_joints(talos, torques):
+    """What is found when joints that do not move come to give so much more than their motion needs."""
+    resistance, n = ArmResistance(talos, PERIOD_S), len(talos.description.actuated)
+    q, still, found = np.zeros(n), np.zeros(n), []
+    q[: len(talos.joints)] = talos.q_home[7:]
+    q[talos.group("right_arm")] = 0.545, -0.79, 0.016, -0.806, -0.346, 0.733, 0.67
+    for k in range(300):
+        effort = np.zeros(n)
+        effort[: len(torques)] = torques * min(1.0, k / 100)
+        state = RobotState(k * PERIOD_S, q, still, effort, np.zeros(3), np.zeros(3), np.zeros((2, 6)))
+        ahead = JointSetpoint(k * PERIOD_S, k, "it", q + 0.005 * np.sign(effort), still, still)
+        found += resistance.judge(state, ahead)
+    return {finding.part for finding in found}
+
+
+@pytest.mark.requirement("F5")
+def test_a_hand_at_what_does_not_give_way_is_not_stuck_though_one_joint_feels_nearly_all_of_it(talos):
+    torques = at_a_wedged_cup(talos)
+    alone = np.zeros_like(torques)
+    shoulder = talos.joint_index(SHOULDER)
+    alone[shoulder] = torques[shoulder]
+
+    assert stuck_joints(talos, torques) == set()
+    assert stuck_joints(talos, alone) == {SHOULDER}
