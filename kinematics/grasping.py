@@ -108,19 +108,6 @@ class GraspTable:
         return GraspCandidate(grasp, float(self.cost[row]))
 
 
-def grasp_candidates(
-    item: SceneObject,
-    gripper: GripperDescription,
-    natural_yaw_rad: float,
-    approach_m: float,
-    heights: Sequence[float] = (ABOVE_MIDDLE,),
-    extra_cost: float = 0.0,
-) -> list[GraspCandidate]:
-    """Candidates for one hand, most natural first; arguments as of ``grasp_table``."""
-    table = grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
-    return [table.candidate(row) for row in range(len(table))]
-
-
 def grasp_table(
     item: SceneObject,
     gripper: GripperDescription,

@@ -4,9 +4,15 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.grasping import OPENING_RESERVE_M, grasp_candidates
+from kinematics.grasping import OPENING_RESERVE_M, grasp_table
 from kinematics.scene import SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
+
+
+def grasp_candidates(item, gripper, natural_yaw_rad, approach_m):
+    """All rows of the table."""
+    table = grasp_table(item, gripper, natural_yaw_rad, approach_m)
+    return [table.candidate(row) for row in range(len(table))]
 
 
 def candidates(talos, shape, place=(0.5, -0.2, 0.9), turn=0.0, hand="right"):
