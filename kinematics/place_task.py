@@ -178,10 +178,10 @@ class PlaceTask:
         )
 
     def _near(self, spot: Spot) -> tuple[PlanningScene, PathPlanner]:
-        """Scene and judge with what the object may touch at a spot; made once, it takes some milliseconds."""
+        """Scene and judge with what the object may touch at a spot; made once."""
         if spot.touches not in self._touching:
             scene = self._scene.allowing((self._request.held, name) for name in spot.touches)
-            self._touching[spot.touches] = scene, self._planner_in(scene)
+            self._touching[spot.touches] = scene, self._planner_in(scene, self._planner)
         return self._touching[spot.touches]
 
     def _solve(self, index: int, spot: Spot, world_T_object: Transform, seed: Array) -> PlaceGoal | str:
@@ -240,8 +240,9 @@ class PlaceTask:
             x[:, self._space.index(joint)] = angle
         return x
 
-    def _planner_in(self, scene: PlanningScene) -> PathPlanner:
-        judge = validity(self._model, self._request.stance, scene, self._reserve_m, SELF_MARGIN_M)
+    def _planner_in(self, scene: PlanningScene, like: PathPlanner | None = None) -> PathPlanner:
+        before = None if like is None else like.judge
+        judge = validity(self._model, self._request.stance, scene, self._reserve_m, SELF_MARGIN_M, before)
         return PathPlanner(self._model, self._space, judge)
 
     def _seed_posture(self) -> Array:
