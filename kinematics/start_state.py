@@ -101,7 +101,9 @@ def _parts(model: RobotModel) -> _Parts:
     )
 
 
-def _near(centres_m: Array, radii_m: Array, items: Sequence[SceneObject], reserve_m: float) -> list[list[int]]:
+def _near(
+    centres_m: Array, radii_m: Array, items: Sequence[SceneObject], reserve_m: float
+) -> list[list[int]]:
     """Which balls come near to a box about each object: nearer than its margin and a reserve."""
     poses = np.array([item.world_T_object for item in items]).reshape(-1, 4, 4)
     half = np.array([_half_extents_m(item.shape) for item in items]).reshape(-1, 1, 3)
