@@ -70,7 +70,10 @@ def _pick(parts: Parts) -> Clause:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
-    return clause(parts, [(_pick_bundle(one),) for one in each])
+    bundles = [(_pick_bundle(one),) for one in each]
+    if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
+        bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
+    return clause(parts, bundles)
 
 
 def _fetch(parts: Parts) -> Clause:

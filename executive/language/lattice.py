@@ -14,7 +14,7 @@ MANNER = "manner"
 """Meaning of those fillers that say how something is to be done."""
 
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", "ADDRESSED", *_AT_FIRST})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
     {

@@ -186,6 +186,8 @@ class Resolver(Antecedents):
             resolved = thing
         root = resolved.task if isinstance(resolved, ObjectOf) else index
         if one.action == "pick" and root in self._held:
+            if _is_only_lifted(one) and named is None:
+                return ObjectOf(root)  # "grasp it and lift it"
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
@@ -201,7 +203,7 @@ class Resolver(Antecedents):
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
         for name, value in one.slots:
-            if name in ("there_are", "again", "stays"):
+            if name in ("there_are", "again", "stays", "holds"):
                 continue
             if name == "object":
                 slots["object"] = resolved
@@ -281,6 +283,11 @@ class Resolver(Antecedents):
         if isinstance(what, ObjectOf):
             return what.task in opened
         return any(isinstance(one, tasks.OpenTask) and one.object == what for one in self._commands)
+
+
+def _is_only_lifted(one: Draft) -> bool:
+    """Whether nothing is said of picking a thing up that may not be so once it is held."""
+    return all(one.get(slot) is None for slot in ("hand", "source", "holds"))
 
 
 def _reference(thing: Any) -> str | None:

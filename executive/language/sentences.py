@@ -12,6 +12,7 @@ from executive.language import attention, going, handling, lists, nominals, plac
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
+from executive.language.speech import UNQUOTED
 
 Parts = tuple[Any, ...]
 
@@ -31,10 +32,30 @@ class _Nothing:
 
 
 NOTHING = _Nothing()
+REASON = _Nothing()
+"""Why a command before it was given."""
 
 
 def _nothing(_parts: Parts) -> Any:
     return NOTHING
+
+
+def _reason_after(_parts: Parts) -> Any:
+    return REASON
+
+
+def _may_be_said(parts: Parts) -> bool:
+    """Whether a reason stands where words to say may go on: "say hello, I'm cold"."""
+    return any(
+        after is REASON and _last_action(before) == "say" for before, after in itertools.pairwise(parts)
+    )
+
+
+def _last_action(part: Any) -> str | None:
+    part = part.part if isinstance(part, Further) else part
+    clauses = (*part.first, *part.second) if isinstance(part, Group) else (part,)
+    last = clauses[-1]
+    return last.bundles[-1][-1].action if isinstance(last, Clause) and last.bundles else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,6 +203,8 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
         for part in parts
         if isinstance(part, (Clause, Group, Further))
     ]
+    if _may_be_said(parts):
+        return Trouble(UNQUOTED, asks=True)
     clauses = in_order(said)
     if isinstance(clauses, Trouble):
         return clauses
@@ -245,6 +268,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **attention.MEANINGS,
         **speech.MEANINGS,
         "nothing": _nothing,
+        "reason_after": _reason_after,
         "list_number": _list_number,
         "step_number": _step_number,
         "clause": _clause,

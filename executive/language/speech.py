@@ -40,6 +40,7 @@ _ATTACHED = re.compile(
 _STATED = re.compile(
     r"\w[\w' ]*? (?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?"
     r"|love|want|said)\b|(?:i|we|they|he|she|it|that|there|here|what|let)'(?:s|re|m|ll|ve|d)\b"
+    r"|\w[\w ]*'s (?:ready|done|here|served|waiting|late|coming|over|open|closed|on its way|gone)\b"
 )
 """A subject and a verb: somebody is told something."""
 

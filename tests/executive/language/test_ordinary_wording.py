@@ -1,0 +1,61 @@
+"""What people say beside the command, and how they name things in passing."""
+
+import pytest
+
+from executive.command_parser import parse
+
+
+def tasks_of(sentence):
+    return parse(sentence).to_json()["tasks"]
+
+
+class TestReasons:
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "It's cold in here, close the window.",
+            "Close the window, I'm freezing.",
+            "My hands are full, so close the window.",
+            "Close the window please, it's getting dark outside.",
+        ],
+    )
+    def test_a_reason_before_or_after_a_command_changes_nothing(self, sentence):
+        assert tasks_of(sentence) == tasks_of("close the window")
+
+    @pytest.mark.parametrize("reason", ["I'm thirsty.", "It's cold in here.", "The doorbell rang."])
+    def test_a_reason_alone_is_no_command(self, reason):
+        assert parse(reason).refusal is not None
+
+    def test_a_reason_after_words_to_say_may_be_one_of_them(self):
+        assert parse("say good morning to Ana, dinner is ready").question is not None
+
+
+class TestWhoIsMeant:
+    def test_him_is_the_only_man_of_those_who_were_named(self):
+        assert tasks_of("wave to Ana and Ben and give him the cup")[-1]["to"] == "Ben"
+
+    def test_her_is_the_only_woman_of_those_who_were_named(self):
+        assert tasks_of("find Ben, then find Ana and wave to her")[-1]["person"] == "Ana"
+
+    @pytest.mark.parametrize("two", ["Ben and Tom", "Ben and Sam", "Kim and Sam"])
+    def test_two_who_may_both_be_meant_are_asked_about(self, two):
+        assert parse(f"wave to {two} and give him the cup").question is not None
+
+
+class TestHeldAlready:
+    @pytest.mark.parametrize("again", ["grasp the cup and lift it", "reach for the cup, then pick it up"])
+    def test_lifting_what_was_grasped_is_no_second_task(self, again):
+        assert [task["action"] for task in tasks_of(again)] == ["pick"]
+
+    @pytest.mark.parametrize("other", ["lift it with your left hand", "lift it off the table"])
+    def test_what_is_said_anew_of_it_is_not_passed_over(self, other):
+        assert tasks_of(f"take the cup, {other}") == []
+
+
+class TestBeforeAList:
+    def test_all_of_a_list_that_ends_with_and_is_done_before(self):
+        said = tasks_of("before you go home, count the cups on the table, wave to Ana and close the drawer")
+        assert [task["action"] for task in said] == ["count", "wave", "close", "go_home"]
+
+    def test_without_and_it_stays_open_what_is_done_before(self):
+        assert parse("before you go home, count the cups, wave to Ana, close the drawer").question is not None
