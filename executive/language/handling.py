@@ -9,6 +9,7 @@ from typing import Any
 
 from executive.language.arranging import (
     ME,
+    TroubleError,
     Arranged,
     Parts,
     arranged,
@@ -74,6 +75,12 @@ def _pick(parts: Parts) -> Clause:
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)
+
+
+def _get_out(parts: Parts) -> Clause:
+    if words(parts, "OUT")[0].said != "out":
+        raise unfit()
+    return _pick(parts)
 
 
 def _fetch(parts: Parts) -> Clause:
@@ -261,16 +268,52 @@ def _mention(parts: Parts) -> Clause:
     return Clause((), "base", mention=Mention(nominal, one.source))
 
 
+def _mention_lost(parts: Parts) -> Clause:
+    """A statement that something is to be found, which nothing but "find it" follows up."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    nominal = item.of
+    if nominal.sort != "thing" or item.details or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    if nominal.count != 1 or (nominal.plural and not nominal.paired):
+        raise unfit()
+    return Clause((), "base", mention=Mention(nominal))
+
+
 def _mention_state(parts: Parts) -> Clause:
     """A statement that something is open or closed, of which only the opposite can be asked."""
     (item,) = (part for part in parts if isinstance(part, Item))
     nominal = item.of
     is_door = nominal.sort in ("container", "door") and nominal.is_single and nominal.determined
-    wished = {"should", "must"} & set(words(parts, "IS_AT")[0].said.split())
+    wished = {"should", "must"} & {one for word in words(parts, "IS_AT") for one in word.said.split()}
     if wished or not is_door or item.details or nominal.reference or nominal.anaphoric:
         raise unfit()
     state = "open" if words(parts, "OPENED") else "closed"
     return Clause((), "base", mention=Mention(nominal, state=state))
+
+
+_LOCATED = frozenset({"pick", "hand_over", "find"})
+
+
+def placed(command: Clause, where: Where) -> Clause | None:
+    """A command with where its only thing is; None where it names another that may be meant."""
+    if len(command.bundles) != 1 or where.role in ("to", "from"):
+        return None
+    first, *rest = command.bundles[0]
+    named = first.get("object")
+    others = [value for one in (first, *rest) for name, value in one.slots if name in ("to", "on", "there")]
+    if first.action not in _LOCATED or any(
+        not (isinstance(one, Nominal) and one.is_person) for one in others
+    ):
+        return None
+    if not isinstance(named, Nominal) or named.reference or first.get("source") or named.relation:
+        return None
+    try:
+        (one,) = arranged((Item(named, (where,)),))
+    except TroubleError:
+        return None
+    slots = tuple((name, one.object if name == "object" else value) for name, value in first.slots)
+    first = replace(first, slots=slots)
+    return replace(command, bundles=((first.with_slot("source", one.source), *rest),))
 
 
 def _want(parts: Parts) -> Clause:
@@ -285,6 +328,7 @@ def _want(parts: Parts) -> Clause:
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "pick": _pick,
     "fetch": _fetch,
+    "get_out": _get_out,
     "bring": _bring,
     "carry": _carry,
     "bring_it": _bring_it,
@@ -295,6 +339,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "can_i_have": _can_i_have,
     "want": _want,
     "mention": _mention,
+    "mention_lost": _mention_lost,
     "mention_state": _mention_state,
 }
 

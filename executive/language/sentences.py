@@ -44,6 +44,27 @@ def _reason_after(_parts: Parts) -> Any:
     return REASON
 
 
+def _located_after(parts: Parts) -> Where:
+    where: Where = parts[-1]
+    return where
+
+
+def _with_places(parts: Parts) -> Parts | None:
+    """With what is said after a command of where its thing is: "bring me the book, it's on the shelf"."""
+    found: list[Any] = []
+    for part in parts:
+        if not isinstance(part, Where):
+            found.append(part)
+            continue
+        before = found.pop()
+        of = before.part if isinstance(before, Further) else before
+        placed = handling.placed(of, part) if isinstance(of, Clause) else None
+        if placed is None:
+            return None
+        found.append(replace(before, part=placed) if isinstance(before, Further) else placed)
+    return tuple(found)
+
+
 def _may_be_said(parts: Parts) -> bool:
     """Whether a reason stands where words to say may go on: "say hello, I'm cold"."""
     return any(
@@ -198,6 +219,10 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
+    placed = _with_places(parts)
+    if placed is None:
+        return None
+    parts = placed
     said = [
         part if isinstance(part, Further) else Further(Separator.NOTHING, part)
         for part in parts
@@ -269,6 +294,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **speech.MEANINGS,
         "nothing": _nothing,
         "reason_after": _reason_after,
+        "located_after": _located_after,
         "list_number": _list_number,
         "step_number": _step_number,
         "clause": _clause,

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import Parts, clause, guarded, trouble, unfit
-from executive.language.lattice import Word
+from executive.language.lattice import TIME, Word
 from executive.language.nominals import words
 from executive.language.phrases import Clause, Meaning, Nominal, draft
 
@@ -98,7 +98,7 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if (
         _UNSPOKEN.search(text)
-        or word.said
+        or (word.said and not (greeting and word.said == TIME))
         or _ATTACHED.search(lowered)
         or (not greeting and _ORDERED.match(lowered))
         or not (greeting or _STATED.match(lowered) or (that and _TOLD.match(lowered)))

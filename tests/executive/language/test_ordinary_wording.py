@@ -59,3 +59,33 @@ class TestBeforeAList:
 
     def test_without_and_it_stays_open_what_is_done_before(self):
         assert parse("before you go home, count the cups, wave to Ana, close the drawer").question is not None
+
+
+class TestSaidInPassing:
+    def test_where_a_thing_is_may_be_said_after_the_command(self):
+        assert tasks_of("bring me my coffee, it's on the counter") == tasks_of(
+            "bring me my coffee from the counter"
+        )
+
+    @pytest.mark.parametrize("command", ["put the cup in the box", "take the cup and the can", "open the drawer"])
+    def test_it_is_not_guessed_which_of_two_things_stands_there(self, command):
+        assert tasks_of(f"{command}, it's on the table") == []
+
+    @pytest.mark.parametrize(
+        ("sentence", "plainly"),
+        [
+            ("I've lost my phone, please find it", "find my phone"),
+            ("you left the fridge open, close it", "close the fridge"),
+            ("make sure the fridge is closed", "close the fridge"),
+            ("count the cups and tell me how many there are", "count the cups"),
+            ("whats on the table", "what's on the table"),
+        ],
+    )
+    def test_other_ways_to_say_the_same(self, sentence, plainly):
+        assert tasks_of(sentence) == tasks_of(plainly) != []
+
+    def test_a_time_after_a_statement_belongs_to_what_is_said(self):
+        assert tasks_of("tell Ben that I'm leaving now")[0]["text"] == "I'm leaving now"
+
+    def test_a_time_after_a_greeting_is_said_of_the_command(self):
+        assert tasks_of("say hello now")[0]["text"] == "hello"
