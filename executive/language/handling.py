@@ -9,9 +9,9 @@ from typing import Any
 
 from executive.language.arranging import (
     ME,
-    TroubleError,
     Arranged,
     Parts,
+    TroubleError,
     arranged,
     clause,
     found_there,

@@ -234,8 +234,8 @@ class Lattice:
         Args:
             start: The place.
             commands: Word classes that a command begins with. What was ``said`` of a text that goes on
-                after a separator with one of them is that separator: it may be a command of its own; of a text that
-                a time follows it is ``TIME``.
+                after a separator with one of them is that separator: it may be a command of its own. Of
+                a text that a time follows it is ``TIME``.
         """
         size = len(self.pieces)
         if start >= size or self.pieces[start].is_mark:
@@ -243,7 +243,9 @@ class Lattice:
         stops = [end for end in range(start + 1, size + 1) if self._may_end(end)]
         goes_on = self._goes_on(start, commands)
         return [
-            Word("TEXT", self.text(start, end), start, end, goes_on[1] if end > goes_on[0] else self._time(end))
+            Word(
+                "TEXT", self.text(start, end), start, end, goes_on[1] if end > goes_on[0] else self._time(end)
+            )
             for end in stops
         ]
 

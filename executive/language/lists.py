@@ -155,10 +155,10 @@ def _alternatives_of_a_kind(parts: Parts) -> Trouble | None:
 
 
 def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
-    """The red and the blue box: two boxes."""
+    """The red and the blue box: two boxes; or more than two."""
     noun = nominal_of(parts)
     features = [part for part in parts if isinstance(part, (Feature, Relative))]
-    if noun is None or noun.plural or len(words(parts, "DET")) < 2:
+    if noun is None or noun.plural or len(words(parts, "DET")) != len(features):
         return None
     each = [described(replace(noun, determined=True), (feature,)) for feature in features]
     trouble = next((one for one in each if isinstance(one, Trouble)), None)

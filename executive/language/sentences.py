@@ -92,7 +92,7 @@ def _list_number(parts: Parts) -> _Numbered | None:
 
 
 def _step_number(parts: Parts) -> _Numbered | None:
-    (said,) = nominals.words(parts, "NUM", "AMOUNT")
+    (said,) = nominals.words(parts, "NUM", "AMOUNT", "LETTER")
     return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
 
 

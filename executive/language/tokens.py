@@ -35,8 +35,12 @@ _NOT = re.compile(r"(?<!\S)!(?=\w)")
 """A mark that denies what follows, as people write who program."""
 
 _WRITTEN_OUT = {
-    **{"whats": "what's", "wheres": "where's", "theres": "there's", "thats": "that's"},
-    **{"im": "i'm", "cant": "can't"},
+    "whats": "what's",
+    "wheres": "where's",
+    "theres": "there's",
+    "thats": "that's",
+    "im": "i'm",
+    "cant": "can't",
 }
 """Words as they are typed in haste."""
 

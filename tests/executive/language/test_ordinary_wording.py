@@ -67,7 +67,9 @@ class TestSaidInPassing:
             "bring me my coffee from the counter"
         )
 
-    @pytest.mark.parametrize("command", ["put the cup in the box", "take the cup and the can", "open the drawer"])
+    @pytest.mark.parametrize(
+        "command", ["put the cup in the box", "take the cup and the can", "open the drawer"]
+    )
     def test_it_is_not_guessed_which_of_two_things_stands_there(self, command):
         assert tasks_of(f"{command}, it's on the table") == []
 
@@ -89,3 +91,36 @@ class TestSaidInPassing:
 
     def test_a_time_after_a_greeting_is_said_of_the_command(self):
         assert tasks_of("say hello now")[0]["text"] == "hello"
+
+
+class TestWhatHasToGoSomewhere:
+    @pytest.mark.parametrize(
+        "sentence", ["the milk needs to go in the fridge", "the milk should be put in the fridge"]
+    )
+    def test_a_thing_that_has_to_go_somewhere_is_put_there(self, sentence):
+        assert tasks_of(sentence) == tasks_of("put the milk in the fridge")
+
+    def test_a_thing_that_is_told_by_a_place_of_its_own_is_refused(self):
+        assert tasks_of("the cup on the table needs to go on the shelf") == []
+
+
+class TestInTheRoom:
+    def test_in_the_room_says_nothing_of_its_own(self):
+        assert tasks_of("how many people are in the room") == tasks_of("how many people are there")
+
+    def test_after_a_place_was_named_it_may_be_that_one(self):
+        assert parse("go to the kitchen and tell me how many people are in the room").question is not None
+
+
+def test_three_of_a_kind_are_told_by_their_colours():
+    colors = [task["object"]["color"] for task in tasks_of("take the red, the blue and the green cup")]
+
+    assert colors == ["red", "blue", "green"]
+
+
+def test_lists_may_be_lettered():
+    assert tasks_of("a) close the drawer b) wave") == tasks_of("close the drawer, then wave")
+
+
+def test_letters_out_of_order_are_asked_about():
+    assert tasks_of("b) close the drawer a) wave") == []
