@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -11,7 +10,6 @@ from executive.language.arranging import (
     ME,
     Arranged,
     Parts,
-    TroubleError,
     arranged,
     clause,
     found_there,
@@ -36,7 +34,6 @@ from executive.language.phrases import (
     Clause,
     Item,
     Meaning,
-    Mention,
     Nominal,
     Pair,
     Relative,
@@ -45,7 +42,21 @@ from executive.language.phrases import (
 )
 from executive.language.placing import put_draft
 
-_SHARP = frozenset({"knife", "scissors", "screwdriver", "drill"})
+_SHARP = frozenset(
+    {
+        "knife",
+        "scissors",
+        "screwdriver",
+        "drill",
+        "lighter",
+        "matches",
+        "axe",
+        "razor",
+        "needle",
+        "bread knife",
+        "steak knife",
+    }
+)
 _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
 
 
@@ -196,7 +207,7 @@ def _bring_pairs(parts: Parts) -> Clause:
 
 
 def _pair(parts: Parts) -> Pair | None:
-    person, item = parts
+    person, item = (part for part in parts if not isinstance(part, Word))
     if not isinstance(person, Nominal) or not person.is_person or item.of.is_person:
         return None
     return Pair(person, item)
@@ -251,71 +262,6 @@ def _can_i_have(parts: Parts) -> Clause:
     return clause(parts, [_give_bundle(one, ME) for one in each])
 
 
-def _mention(parts: Parts) -> Clause:
-    """A statement of where a thing is."""
-    each = arranged(tuple(part for part in parts if isinstance(part, (Item, Where))))
-    (one,) = each
-    nominal = one.object
-    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
-        raise unfit()
-    placed = one.source is not None or nominal.relation is not None
-    if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
-        raise unfit()
-    if nominal.count == "some" or (nominal.plural and not nominal.counted and not nominal.determined):
-        raise trouble("how many of them?", asks=True)
-    if nominal.plural and not nominal.counted:
-        nominal = replace(nominal, count="all")
-    return Clause((), "base", mention=Mention(nominal, one.source))
-
-
-def _mention_lost(parts: Parts) -> Clause:
-    """A statement that something is to be found, which nothing but "find it" follows up."""
-    (item,) = (part for part in parts if isinstance(part, Item))
-    nominal = item.of
-    if nominal.sort != "thing" or item.details or nominal.reference or nominal.anaphoric:
-        raise unfit()
-    if nominal.count != 1 or (nominal.plural and not nominal.paired):
-        raise unfit()
-    return Clause((), "base", mention=Mention(nominal))
-
-
-def _mention_state(parts: Parts) -> Clause:
-    """A statement that something is open or closed, of which only the opposite can be asked."""
-    (item,) = (part for part in parts if isinstance(part, Item))
-    nominal = item.of
-    is_door = nominal.sort in ("container", "door") and nominal.is_single and nominal.determined
-    wished = {"should", "must"} & {one for word in words(parts, "IS_AT") for one in word.said.split()}
-    if wished or not is_door or item.details or nominal.reference or nominal.anaphoric:
-        raise unfit()
-    state = "open" if words(parts, "OPENED") else "closed"
-    return Clause((), "base", mention=Mention(nominal, state=state))
-
-
-_LOCATED = frozenset({"pick", "hand_over", "find"})
-
-
-def placed(command: Clause, where: Where) -> Clause | None:
-    """A command with where its only thing is; None where it names another that may be meant."""
-    if len(command.bundles) != 1 or where.role in ("to", "from"):
-        return None
-    first, *rest = command.bundles[0]
-    named = first.get("object")
-    others = [value for one in (first, *rest) for name, value in one.slots if name in ("to", "on", "there")]
-    if first.action not in _LOCATED or any(
-        not (isinstance(one, Nominal) and one.is_person) for one in others
-    ):
-        return None
-    if not isinstance(named, Nominal) or named.reference or first.get("source") or named.relation:
-        return None
-    try:
-        (one,) = arranged((Item(named, (where,)),))
-    except TroubleError:
-        return None
-    slots = tuple((name, one.object if name == "object" else value) for name, value in first.slots)
-    first = replace(first, slots=slots)
-    return replace(command, bundles=((first.with_slot("source", one.source), *rest),))
-
-
 def _want(parts: Parts) -> Clause:
     each = arranged(parts)
     for one in each:
@@ -338,9 +284,6 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "give_pairs": _give_pairs,
     "can_i_have": _can_i_have,
     "want": _want,
-    "mention": _mention,
-    "mention_lost": _mention_lost,
-    "mention_state": _mention_state,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

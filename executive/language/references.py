@@ -244,6 +244,8 @@ class Resolver(Antecedents):
             raise UnresolvedError(
                 Trouble(f"{slots['object']!r} is a person, and nothing to {action}", slots["object"])
             )
+        if action == "walk_to" and self._is_there_already(slots["to"]):
+            return ObjectOf(root)  # "come, stand next to me"
         self._commands.append(_TYPES[action](text, **slots))
         if named is not None:
             self._entities.append(Entity(index, self._clause, named))
@@ -276,6 +278,11 @@ class Resolver(Antecedents):
     def _is_given(self, thing: Nominal) -> bool:
         """Whether a task before gives away what is described in the very same words."""
         return any(entity.task in self._given and entity.of == thing for entity in self._entities)
+
+    def _is_there_already(self, place: Any) -> bool:
+        """Whether the task before walks to the same place."""
+        last = self._commands[-1] if self._commands else None
+        return isinstance(last, tasks.WalkToTask) and last.to == place
 
     def _was_opened(self, what: Any) -> bool:
         """Whether a task before opens it, so that to close it "again" is to close it."""

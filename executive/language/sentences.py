@@ -8,11 +8,22 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, Literal
 
-from executive.language import attention, going, handling, lists, nominals, places, placing, speech
+from executive.language import (
+    attention,
+    going,
+    handling,
+    lists,
+    nominals,
+    places,
+    placing,
+    speech,
+    statements,
+)
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
+from executive.language.statements import may_be_said, with_places
 
 Parts = tuple[Any, ...]
 
@@ -32,51 +43,10 @@ class _Nothing:
 
 
 NOTHING = _Nothing()
-REASON = _Nothing()
-"""Why a command before it was given."""
 
 
 def _nothing(_parts: Parts) -> Any:
     return NOTHING
-
-
-def _reason_after(_parts: Parts) -> Any:
-    return REASON
-
-
-def _located_after(parts: Parts) -> Where:
-    where: Where = parts[-1]
-    return where
-
-
-def _with_places(parts: Parts) -> Parts | None:
-    """With what is said after a command of where its thing is: "bring me the book, it's on the shelf"."""
-    found: list[Any] = []
-    for part in parts:
-        if not isinstance(part, Where):
-            found.append(part)
-            continue
-        before = found.pop()
-        of = before.part if isinstance(before, Further) else before
-        placed = handling.placed(of, part) if isinstance(of, Clause) else None
-        if placed is None:
-            return None
-        found.append(replace(before, part=placed) if isinstance(before, Further) else placed)
-    return tuple(found)
-
-
-def _may_be_said(parts: Parts) -> bool:
-    """Whether a reason stands where words to say may go on: "say hello, I'm cold"."""
-    return any(
-        after is REASON and _last_action(before) == "say" for before, after in itertools.pairwise(parts)
-    )
-
-
-def _last_action(part: Any) -> str | None:
-    part = part.part if isinstance(part, Further) else part
-    clauses = (*part.first, *part.second) if isinstance(part, Group) else (part,)
-    last = clauses[-1]
-    return last.bundles[-1][-1].action if isinstance(last, Clause) and last.bundles else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,7 +189,7 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
-    placed = _with_places(parts)
+    placed = with_places(parts)
     if placed is None:
         return None
     parts = placed
@@ -228,7 +198,7 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
         for part in parts
         if isinstance(part, (Clause, Group, Further))
     ]
-    if _may_be_said(parts):
+    if may_be_said(parts):
         return Trouble(UNQUOTED, asks=True)
     clauses = in_order(said)
     if isinstance(clauses, Trouble):
@@ -292,9 +262,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **going.MEANINGS,
         **attention.MEANINGS,
         **speech.MEANINGS,
+        **statements.MEANINGS,
         "nothing": _nothing,
-        "reason_after": _reason_after,
-        "located_after": _located_after,
         "list_number": _list_number,
         "step_number": _step_number,
         "clause": _clause,

@@ -124,3 +124,30 @@ def test_lists_may_be_lettered():
 
 def test_letters_out_of_order_are_asked_about():
     assert tasks_of("b) close the drawer a) wave") == []
+
+
+def test_the_front_door_has_a_name_as_that_of_a_room_has():
+    assert tasks_of("open the front door")[0]["object"] == {"kind": "door", "name": "front door"}
+
+
+def test_a_slice_of_something_is_that_thing():
+    assert tasks_of("bring me a slice of bread") == tasks_of("bring me a piece of bread")
+
+
+@pytest.mark.parametrize("where", ["on you", "in Ana", "at me"])
+def test_a_place_after_the_command_that_is_none_is_refused(where):
+    assert tasks_of(f"bring me the cup, it's {where}") == []
+
+
+def test_coming_and_standing_beside_somebody_is_one_walk():
+    assert tasks_of("come, stand next to me") == tasks_of("come to me")
+
+
+def test_some_things_that_a_statement_names_are_all_of_them():
+    said = tasks_of("there are some toys on the floor, put them in the box")
+
+    assert said[0]["count"] == "all"
+
+
+def test_what_burns_is_not_handed_to_a_baby():
+    assert parse("bring the lighter to the baby").refusal is not None
