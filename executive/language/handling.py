@@ -208,7 +208,11 @@ def _bring_pairs(parts: Parts) -> Clause:
 
 def _pair(parts: Parts) -> Pair | None:
     person, item = (part for part in parts if not isinstance(part, Word))
-    if not isinstance(person, Nominal) or not person.is_person or item.of.is_person:
+    if (
+        not isinstance(person, Nominal)
+        or not (person.is_person or person.reference == "them")
+        or item.of.is_person
+    ):
         return None
     return Pair(person, item)
 

@@ -191,6 +191,8 @@ class Resolver(Antecedents):
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
+        if one.action in PUTS_DOWN and resolved is not None and root in self._held and one.get("source"):
+            raise ask("it is in the hand by then: is another one meant?")
         if one.action == "hand_over" and named is not None and self._is_given(named):
             raise ask(f"the {named.kind or 'one'} is given away by then: is another one meant?")
         slots: dict[str, Any] = {}

@@ -151,3 +151,16 @@ def test_some_things_that_a_statement_names_are_all_of_them():
 
 def test_what_burns_is_not_handed_to_a_baby():
     assert parse("bring the lighter to the baby").refusal is not None
+
+
+def test_what_is_in_the_hand_comes_from_nowhere_else():
+    assert tasks_of("take the keys from the shelf and give them to Ana from the table") == []
+
+
+def test_they_may_be_one_person():
+    assert tasks_of("find the guest and give them the remote")[-1]["to"] == {"kind": "guest"}
+
+
+@pytest.mark.parametrize("sentence", ["find Ana and Ben and give them the cup", "give them the cup"])
+def test_they_who_may_be_several_are_asked_about(sentence):
+    assert parse(sentence).question is not None
