@@ -154,6 +154,8 @@ def _find(parts: Parts) -> Clause:
     bundles = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
     if any(_HERE & set(word.said.split()) for word in words(parts, "IS_THERE", "LEFT_OVER")):
         bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
+    elif words(parts, "IF_THERE"):
+        bundles = [(one.with_slot("there_are", "opened"),) for (one,) in bundles]
     return clause(parts, bundles)
 
 

@@ -63,7 +63,21 @@ def _items(parts: Parts) -> Items | Trouble:
         unclear = unclear or said_twice(each, links) or _told_later(each, links)
         if unclear is not None:
             return unclear
-    return shared_adjective(each) or Items(each)
+    return shared_adjective(each) or Items(_with_article(each))
+
+
+def _with_article(each: tuple[Item, ...]) -> tuple[Item, ...]:
+    """With the article of the first: "the cups and saucers"."""
+    first = each[0].of
+    if not (first.determined and first.plural and first.is_plain) or first.counted:
+        return each
+    return tuple(
+        replace(one, of=replace(one.of, determined=True)) if _is_bare_plural(one.of) else one for one in each
+    )
+
+
+def _is_bare_plural(nominal: Nominal) -> bool:
+    return nominal.plural and nominal.is_plain and not (nominal.counted or nominal.reference)
 
 
 def _both_items(parts: Parts) -> Items | Trouble | None:

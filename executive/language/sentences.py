@@ -134,6 +134,14 @@ def _fronted(parts: Parts) -> Clause | None:
     return replace(command, bundles=((changed, *rest),), terse=True)
 
 
+_STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
+
+def _ordinal_step(parts: Parts) -> _Numbered | None:
+    said = parts[0].meaning
+    return _Numbered(_STEPS.index(said) + 1) if said in _STEPS else None
+
+
 _TAKES = {
     "hand": frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"}),
     "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
@@ -266,6 +274,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "nothing": _nothing,
         "list_number": _list_number,
         "step_number": _step_number,
+        "ordinal_step": _ordinal_step,
         "clause": _clause,
         "clause_with_hand": _clause_with_hand,
         "fronted": _fronted,

@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import Parts, clause, guarded, trouble, unfit
+from executive.language.discourse import is_them
 from executive.language.lattice import TIME, Word
 from executive.language.nominals import words
 from executive.language.phrases import Clause, Meaning, Nominal, draft
@@ -118,7 +119,7 @@ def _say(parts: Parts) -> Clause:
 
 def _say_to(parts: Parts) -> Clause:
     person = next(part for part in parts if isinstance(part, Nominal))
-    if not person.is_person or person.plural:
+    if not is_them(person) and (not person.is_person or person.plural):
         raise unfit()
     told = words(parts, "TELL")
     if told and person.sort == "me":

@@ -164,3 +164,72 @@ def test_they_may_be_one_person():
 @pytest.mark.parametrize("sentence", ["find Ana and Ben and give them the cup", "give them the cup"])
 def test_they_who_may_be_several_are_asked_about(sentence):
     assert parse(sentence).question is not None
+
+
+@pytest.mark.parametrize("words", ["!walk now", "go " * 120])
+def test_what_is_said_in_quotation_marks_may_be_no_sentence(words):
+    assert tasks_of(f'say "{words}"')[0]["text"] == words.strip()
+
+
+def test_her_who_is_told_is_nobody_of_whom_it_is_told():
+    said = tasks_of("bring the glass to grandma and tell her that the doctor is here")
+
+    assert said[-1]["person"] == {"kind": "grandmother"}
+
+
+def test_after_that_she_may_be_either():
+    assert parse("tell grandma that the doctor is here and wave to her").question is not None
+
+
+def test_an_article_holds_for_all_of_a_list_in_the_plural():
+    assert tasks_of("take the cups and saucers") == tasks_of("take the cups and the saucers")
+
+
+def test_an_adjective_may_not():
+    assert parse("take the red cups and saucers").question is not None
+
+
+def test_where_somebody_left_a_thing_is_where_it_is():
+    assert tasks_of("bring me the book I left on the sofa") == tasks_of("bring me the book from the sofa")
+
+
+class TestOfOneThingInTheHand:
+    def test_it_is_not_picked_twice_when_it_is_named_again_without_its_place(self):
+        said = tasks_of("take the cup from the table, walk to the kitchen and bring the cup to Ana")
+
+        assert [task["action"] for task in said] == ["pick", "walk_to", "hand_over"]
+
+    def test_it_may_be_named_by_its_colour_alone(self):
+        said = tasks_of(
+            "take the red cup from the table and the blue cup from the shelf, bring the red one to Ana"
+        )
+
+        assert said[-1] == {"action": "hand_over", "object": {"ref": 0}, "to": "Ana"}
+
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "take the cup from the table, take the cup from the shelf and bring the cup to Ana",
+            "take the cup from the table and bring a cup to Ana",
+        ],
+    )
+    def test_another_that_may_be_meant_is_asked_about(self, sentence):
+        assert parse(sentence).question is not None
+
+
+def test_what_was_opened_may_be_where_something_is_asked_for():
+    assert parse("open the fridge and check if there is any cheese").question is not None
+
+
+def test_one_dice_is_no_heap_of_them():
+    assert "count" not in tasks_of("bring me a dice")[0]
+
+
+def test_steps_may_be_numbered_in_words():
+    assert tasks_of("First step: open the cupboard. Second step: wave.") == tasks_of(
+        "open the cupboard, then wave"
+    )
+
+
+def test_steps_out_of_order_are_asked_about():
+    assert parse("Second step: open the cupboard. First step: wave.").question is not None
