@@ -292,7 +292,7 @@ class Resolver(Antecedents):
         return any(entity.task in self._given and entity.of == thing for entity in self._entities)
 
     def _around(self, one: Draft) -> list[Nominal]:
-        """Where "is there a cup?" may be asked of: what was opened, and places unless it is "see if there is"."""
+        """Where "is there a cup?" may be asked of: what was opened, and places, if not "see if there is"."""
         opened = [entity.of for entity in self._entities if entity.of.sort == "container"]
         return opened if one.get("there_are") == "opened" else [*self._places, *opened]
 
