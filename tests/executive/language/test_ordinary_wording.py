@@ -68,7 +68,8 @@ class TestSaidInPassing:
         )
 
     @pytest.mark.parametrize(
-        "command", ["put the cup in the box", "take the cup and the can", "open the drawer"]
+        "command",
+        ["put the cup in the box", "take the cup to the shelf", "take the cup and a can", "open the drawer"],
     )
     def test_it_is_not_guessed_which_of_two_things_stands_there(self, command):
         assert tasks_of(f"{command}, it's on the table") == []
