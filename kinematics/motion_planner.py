@@ -40,6 +40,7 @@ from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
 from kinematics.view_planner import ViewPlanner
 from kinematics.view_request import ViewRequest
+from kinematics.wide_berth import wide_berth
 
 Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
 
@@ -91,10 +92,17 @@ class MotionPlanner:
         if space.base_size:
             goal[:3] += request.pelvis_m
         scene = relaxed_at(model, request.scene, request.q_start)
-        planner = PathPlanner(model, space, validity(model, request.stance, scene), _PATIENT)
         arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
-        curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
+        curve = None
+        for around, settings in (
+            (wide_berth(model, scene, request.q_start), PathSettings()),
+            (scene, _PATIENT),
+        ):
+            planner = PathPlanner(model, space, validity(model, request.stance, around), settings)
+            curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
+            if curve is not None:
+                break
         if curve is None:
             world = CollisionWorld(model, scene)
             pair = world.colliding_pair(space.to_q(goal[None, :])[0][0]) or world.colliding_pair(

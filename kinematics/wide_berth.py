@@ -1,0 +1,40 @@
+"""A wider berth of things that may stand elsewhere than they were seen.
+
+Margins are what a plan must keep where there is little room: 10 mm, which the error of a look (5 mm of bias
+each way) exceeds once in seven things. Where there is room, nothing is lost by keeping twice as much.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene
+from kinematics.start_state import relaxed_at
+
+BERTH_M = 0.01
+"""Beside the margin: 20 mm in all are exceeded once in 3,000."""
+
+
+def wide_berth(model: RobotModel, scene: PlanningScene, q: NDArray[np.float64]) -> PlanningScene:
+    """Widen the margins of movable things, as far as a configuration keeps them.
+
+    Args:
+        model: The robot.
+        scene: What is around, as ``q`` is free in it.
+        q: Where the robot is, shape (nq,).
+
+    Returns:
+        A scene in which no margin is narrower; for planning alone, and never to be judged by.
+    """
+    items = scene.objects.values()
+    if not any(item.movable for item in items):
+        return scene
+    wide = [replace(item, margin_m=item.margin_m + BERTH_M) if item.movable else item for item in items]
+    kept = relaxed_at(model, scene.with_objects(wide), q).objects
+    return scene.with_objects(
+        replace(item, margin_m=max(item.margin_m, kept[item.name].margin_m)) for item in items
+    )
