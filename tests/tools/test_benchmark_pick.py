@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
+from kinematics.grasping import ABOVE_MIDDLE
+from kinematics.pick_task import PickTask
 from kinematics.robot_model import RobotModel
 from robots.description import load_description
 from tools.benchmark.pick import Trial, peer_figures, peer_notes
 from tools.benchmark.pick_peers import PeerPick, PeerPicker
+from tools.benchmark.problems.natural_grasps import natural_grasps
 from tools.benchmark.problems.picks import picks
 
 # Processor time that every answer of the fakes says, s.
@@ -16,8 +19,8 @@ EACH_S = 0.001
 class Fakes:
     """All three peers: they agree to everything but what a test says otherwise."""
 
-    def __init__(self, **answers):
-        self.asked, self._answers = [], answers
+    def __init__(self, size=9, **answers):
+        self.asked, self._size, self._answers = [], size, answers
 
     def ask(self, question, **values):
         self.asked.append((question, values))
@@ -26,7 +29,8 @@ class Fakes:
 
     def _usual(self, question, values):
         if question == "follow":
-            return [[0.0] * 9 for _ in values["targets"]]
+            targets = values["targets"]
+            return {"points": [[0.0] * self._size for _ in targets], "states": [[] for _ in targets]}
         if question == "time":
             return {"by_way": values["points"], "by_time": values["points"]}
         return None if question == "detour" else True
@@ -43,7 +47,7 @@ def talos():
 @pytest.fixture
 def plan(talos, tmp_path):
     def plan(fakes):
-        picker = PeerPicker(talos, dict.fromkeys(("mink", "ompl", "toppra"), fakes), tmp_path)
+        picker = PeerPicker(talos, dict.fromkeys(("mink", "ompl", "toppra"), fakes), tmp_path, False)
         return picker.pick(next(picks(talos, 1, seed=0)))
 
     return plan
@@ -86,18 +90,29 @@ def test_blocked_straight_reaches_get_detours_at_last(plan):
 
 
 def test_a_plan_that_the_judgement_refuses_is_none(plan):
-    assert not plan(Fakes(judged=False)).solved
+    assert not plan(Fakes(free=lambda values: len(values["points"]) < 3)).solved
+
+
+def test_a_peer_that_moves_the_whole_body_starts_from_the_pelvis_where_it_is(talos, tmp_path):
+    fakes = Fakes(size=15)
+    picker = PeerPicker(talos, dict.fromkeys(("mink", "ompl", "toppra"), fakes), tmp_path, True)
+
+    assert picker.pick(next(picks(talos, 1, seed=0))).solved
+
+    start = next(values["start"] for question, values in fakes.asked if question == "straight")
+    assert start[:3] == pytest.approx(talos.q_home[:3])
+    assert len(start) == 15
 
 
 def trial(own_ms, by_way_ms, by_time_ms, solved=True):
     seconds = {"ik": 0.0, "judgement": 1e-3 * by_way_ms, "judgement by time": 1e-3 * by_time_ms}
-    return Trial(None, solved, 1e-3 * own_ms, PeerPick(True, seconds))
+    return Trial(None, solved, 1e-3 * own_ms, {"whole body": PeerPick(True, seconds)})
 
 
 def test_picks_that_one_side_did_not_plan_are_in_no_ratio():
     trials = [trial(10.0, 20.0, 70.0), trial(20.0, 40.0, 140.0), trial(1.0, 999.0, 999.0, solved=False)]
 
-    by_way, by_time, *_ = peer_figures(trials)
+    by_way, by_time = peer_figures(trials)
 
     assert by_way.peer_value / by_way.ours == pytest.approx(2.0)
     assert by_time.peer_value / by_time.ours == pytest.approx(7.0)
@@ -106,15 +121,27 @@ def test_picks_that_one_side_did_not_plan_are_in_no_ratio():
 def test_the_notes_tell_how_many_were_planned_and_the_spread():
     trials = [trial(10.0, factor * 10.0, factor * 30.0) for factor in np.linspace(1.0, 5.0, 5)]
 
-    text = " ".join(peer_notes(trials))
+    (text,) = peer_notes(trials)
 
-    assert "planned 5 of 5" in text
-    assert "2.0–4.0 times" in text
-    assert "6.0–12.0 times" in text
+    assert "5 of 5 picks planned" in text
+    assert "2.0–4.0 and at the p95 4.8 (every 1/256 rad)" in text
+    assert "6.0–12.0 and at the p95 14.4 (every 0.5 ms)" in text
 
 
 def test_without_peers_there_is_nothing_to_compare():
-    trials = [Trial(None, True, 0.01, None)]
+    trials = [Trial(None, True, 0.01, {})]
 
     assert peer_figures(trials) == []
     assert peer_notes(trials) == []
+
+
+def test_the_peers_get_the_products_grasps_in_its_order(talos):
+    request = next(picks(talos, 1, seed=0))
+    task = PickTask(talos, request, (ABOVE_MIDDLE,), 0.0, upright=True)
+
+    grasps = natural_grasps(talos, request, (ABOVE_MIDDLE,))
+
+    fitting = [(item.grasp.hand, item.grasp.label) for item in task.candidates()]
+    given = [(item.grasp.hand, item.grasp.label) for item in grasps]
+    assert len(fitting) > 10
+    assert [name for name in given if name in fitting] == fitting

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests import CheckRequest, PickPlan, PickRequest
@@ -23,17 +24,21 @@ from tools.benchmark.pick_search import BUDGET_S, RUNNER, LongSearch
 from tools.benchmark.problems.picks import picks
 from tools.benchmark.report import Report
 
+Array = NDArray[np.float64]
+
 QUICK_BUDGET_S = 5.0
+# What the peers move, and whether that is the whole body.
+SPACES = {"trunk and arm": False, "whole body": True}
 
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """One pick, by the product and by the peers where they are installed."""
+    """One pick, by the product and, where they are installed, by the peers, once in each of ``SPACES``."""
 
     request: PickRequest
     solved: bool
     own_s: float
-    peer: PeerPick | None
+    peers: Mapping[str, PeerPick]
 
 
 def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
@@ -45,8 +50,11 @@ def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
     model = RobotModel(load_description("talos"))
     missing = [name for name in PARTS if not PeerEnvironment(name, cache).is_ready]
     with contextlib.ExitStack() as stack:
-        peer = None if missing else stack.enter_context(peer_picker(model, cache))
-        trials = _trials(model, peer, samples or (8 if quick else 200))
+        peers = {
+            name: stack.enter_context(peer_picker(model, cache, whole_body))
+            for name, whole_body in ({} if missing else SPACES).items()
+        }
+        trials = _trials(model, peers, samples or (8 if quick else 200))
     found_s = [trial.own_s for trial in trials if trial.solved]
     notes, possible = [f"{len(found_s)} of {len(trials)} picks were planned and checked, seed 0."], 0
     unsolved = [trial.request for trial in trials if not trial.solved]
@@ -65,76 +73,88 @@ def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
     return Report("pick", quick, figures, notes=[*notes, *peer_notes(trials)])
 
 
-def _trials(model: RobotModel, peer: PeerPicker | None, count: int) -> list[Trial]:
+def _trials(model: RobotModel, peers: Mapping[str, PeerPicker], count: int) -> list[Trial]:
     """Everybody in turn, beginning with another one each time, after a first pick that does not count."""
     planner = MotionPlanner(model)
     trials = []
     for number, request in enumerate(picks(model, count, seed=0)):
         if number == 0:
             _solves(planner, request)
-            if peer is not None:
+            for peer in peers.values():
                 peer.pick(request)
-        first = peer.pick(request) if peer is not None and number % 2 else None
-        began_s = time.process_time()
-        solved = _solves(planner, request)
-        own_s = time.process_time() - began_s
-        last = peer.pick(request) if peer is not None and first is None else first
-        trials.append(Trial(request, solved, own_s, last))
+        found: dict[str, PeerPick] = {}
+        solved, own_s = False, 0.0
+        turn = ["", *peers]
+        begin = number % len(turn)
+        for name in (*turn[begin:], *turn[:begin]):
+            if name:
+                found[name] = peers[name].pick(request)
+                continue
+            began_s = time.process_time()
+            solved = _solves(planner, request)
+            own_s = time.process_time() - began_s
+        trials.append(Trial(request, solved, own_s, found))
     return trials
 
 
 def peer_figures(trials: Sequence[Trial]) -> list[Figure]:
     """The product beside the peers, on those picks that both planned."""
-    both = _both(trials)
-    if not both:
-        return []
-    own_ms = [1e3 * own_s for own_s, _ in both]
-    ways = {
-        "mink, OMPL and toppra; Coal every 1/256 rad": [1e3 * peer.by_way_s for _, peer in both],
-        "mink, OMPL and toppra; Coal every 0.5 ms": [1e3 * peer.by_time_s for _, peer in both],
-    }
-    name = "pick that both planned, ms"
-    found = [figure(name, own_ms, peer, peer_ms) for peer, peer_ms in ways.items()]
-    slow = [Figure(f"{name}, p95", _p95(own_ms), peer, _p95(peer_ms), 1.0) for peer, peer_ms in ways.items()]
-    return [*found, *slow]
+    found = []
+    for name in SPACES:
+        both = _both(trials, name)
+        if both:
+            own_ms = [1e3 * own_s for own_s, _ in both]
+            for how, peer_s in _judged(both).items():
+                peer = f"mink, OMPL and toppra, {name}, Coal every {how}"
+                found.append(figure("pick that both planned, ms", own_ms, peer, (1e3 * peer_s).tolist()))
+    return found
 
 
 def peer_notes(trials: Sequence[Trial]) -> list[str]:
     """How many the peers planned, the spread of the ratios, and where the peers' time goes."""
-    both = _both(trials)
-    if not both:
-        return []
-    planned = sum(trial.peer is not None and trial.peer.solved for trial in trials)
-    spreads = [
-        "–".join(
-            f"{ratio:.1f}" for ratio in np.percentile([seconds / own_s for own_s, seconds in pairs], (25, 75))
+    notes = []
+    for name in SPACES:
+        both = _both(trials, name)
+        if not both:
+            continue
+        planned = sum(trial.peers[name].solved for trial in trials)
+        own_s = np.array([own_s for own_s, _ in both])
+        ratios = ", ".join(
+            f"{_quartiles(peer_s / own_s)} and at the p95 {_p95(peer_s) / _p95(own_s):.1f} (every {how})"
+            for how, peer_s in _judged(both).items()
         )
-        for pairs in (
-            [(own_s, peer.by_way_s) for own_s, peer in both],
-            [(own_s, peer.by_time_s) for own_s, peer in both],
+        stages = ", ".join(
+            f"{stage} {1e3 * float(np.median([peer.seconds.get(stage, 0.0) for _, peer in both])):.1f}"
+            for stage in STAGES
         )
-    ]
-    stages = [
-        f"{stage} {1e3 * float(np.median([peer.seconds.get(stage, 0.0) for _, peer in both])):.1f}"
-        for stage in STAGES
-    ]
-    return [
-        f"The peers planned {planned} of {len(trials)} picks. On single picks that both planned they took "
-        f"{spreads[0]} times as long (quartiles) with Coal at every 1/256 rad, {spreads[1]} times with Coal "
-        "at every 0.5 ms.",
-        f"The peers' medians, ms: {', '.join(stages)}.",
-    ]
+        notes.append(
+            f"Peers, {name}: {planned} of {len(trials)} picks planned; times slower on single picks that "
+            f"both planned, quartiles: {ratios}; medians of the stages, ms: {stages}."
+        )
+    return notes
 
 
-def _both(trials: Sequence[Trial]) -> list[tuple[float, PeerPick]]:
+def _judged(both: Sequence[tuple[float, PeerPick]]) -> dict[str, Array]:
+    """The peers' times by how often the last judgement looks."""
+    return {
+        "1/256 rad": np.array([peer.by_way_s for _, peer in both]),
+        "0.5 ms": np.array([peer.by_time_s for _, peer in both]),
+    }
+
+
+def _both(trials: Sequence[Trial], name: str) -> list[tuple[float, PeerPick]]:
     return [
-        (trial.own_s, trial.peer)
+        (trial.own_s, trial.peers[name])
         for trial in trials
-        if trial.solved and trial.peer is not None and trial.peer.solved
+        if trial.solved and name in trial.peers and trial.peers[name].solved
     ]
 
 
-def _p95(samples: Sequence[float]) -> float:
+def _quartiles(values: Array) -> str:
+    return "–".join(f"{value:.1f}" for value in np.percentile(values, (25, 75)))
+
+
+def _p95(samples: Array) -> float:
     return float(np.percentile(samples, 95))
 
 

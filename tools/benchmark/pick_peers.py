@@ -7,10 +7,9 @@ on between them costs nothing. It ends with the first plan that holds, as the pr
 from __future__ import annotations
 
 import contextlib
-import math
 import pickle
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,19 +18,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
-from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_table
+from kinematics.free_coordinates import free_coordinates
+from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate
 from kinematics.ik_result import IkTolerance
 from kinematics.pick_planner import MOST_BLOCKED
-from kinematics.pick_task import APPROACH_M, CARTESIAN_PACE, CARTESIAN_POINTS, FARTHEST_M, REACH_PACE
+from kinematics.pick_task import APPROACH_M, CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE
 from kinematics.requests import PickRequest
 from kinematics.robot_description import HANDS, Hand
 from kinematics.robot_model import RobotModel
+from kinematics.stance import stance_at
 from kinematics.start_state import relaxed_at
 from kinematics.support import under_foot_of
 from kinematics.timing import Pace
 from kinematics.urdf_bodies import without_meshes
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
+from tools.benchmark.problems.natural_grasps import natural_grasps
 from tools.benchmark.problems.problem import object_to_json
 
 Array = NDArray[np.float64]
@@ -39,6 +41,8 @@ Document = dict[str, Any]
 
 # Environment and runner of each part.
 PARTS = {"mink": "pick_ik_mink", "ompl": "pick_plan_ompl", "toppra": "pick_time_toppra"}
+# Of a pelvis's velocity, m/s and rad/s, and acceleration: more than the legs allow, so that it costs nothing.
+PELVIS_LIMIT = 10.0
 # Longest search for a detour, s.
 DETOUR_S = 1.0
 # The last judgement looks so often, as the referee of the arm does; or every so many seconds, as the
@@ -76,22 +80,30 @@ class PeerPick:
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """A grasp with the points of its approach and its lift, shape (n, 9) each."""
+    """A grasp with the points of its approach and its lift, shape (n, size) each."""
 
     candidate: GraspCandidate
     approach: Array
     lift: Array
 
 
+@dataclass(frozen=True, slots=True)
+class _Posture:
+    """Points that the inverse kinematics reached in turn, shape (n, size), and its own state at the last."""
+
+    points: Array
+    state: list[float]
+
+
 @contextlib.contextmanager
-def peer_picker(model: RobotModel, cache: Path) -> Iterator[PeerPicker]:
+def peer_picker(model: RobotModel, cache: Path, whole_body: bool) -> Iterator[PeerPicker]:
     """The peers at work for as long as the context lasts; their environments are ready."""
     with contextlib.ExitStack() as stack:
         processes = {
             name: stack.enter_context(peer_process(PeerEnvironment(name, cache), runner))
             for name, runner in PARTS.items()
         }
-        yield PeerPicker(model, processes, cache / "talos")
+        yield PeerPicker(model, processes, cache / "talos", whole_body)
 
 
 class PeerPicker:
@@ -101,18 +113,27 @@ class PeerPicker:
         model: The robot, standing at its home.
         processes: By the names in ``PARTS``.
         folder: Where the robot's data are written for the other side.
+        whole_body: Pelvis and legs move too, over feet that stand; else trunk and arm alone.
     """
 
-    def __init__(self, model: RobotModel, processes: Mapping[str, PeerProcess], folder: Path) -> None:
-        self._model, self._processes = model, processes
-        groups = model.description.groups
+    def __init__(
+        self, model: RobotModel, processes: Mapping[str, PeerProcess], folder: Path, whole_body: bool
+    ) -> None:
+        self._model, self._processes, self._whole_body = model, processes, whole_body
+        groups, self._stance = model.description.groups, stance_at(model, model.q_home)
         self._joints = {hand: [*groups["torso"], *groups[f"{hand}_arm"]] for hand in HANDS}
         folder.mkdir(parents=True, exist_ok=True)
         description = folder / f"{model.description.name}.pickle"
         description.write_bytes(pickle.dumps(model.description))
         urdf = folder / f"{model.description.name}_bodies.urdf"
         urdf.write_text(without_meshes(model.description.planning_urdf), "utf-8")
-        processes["ompl"].ask("load", root=str(_ROOT), description=str(description), joints=self._joints)
+        processes["ompl"].ask(
+            "load",
+            root=str(_ROOT),
+            description=str(description),
+            joints=self._joints,
+            whole_body=whole_body,
+        )
         margin, tolerance = model.description.planning_margin_rad, IkTolerance()
         limits = zip(model.joints, model.lower_rad + margin, model.upper_rad - margin, strict=True)
         processes["mink"].ask(
@@ -124,6 +145,10 @@ class PeerPicker:
             home=dict(zip(model.joints, model.q_home[7:].tolist(), strict=True)),
             limits={name: [lower, upper] for name, lower, upper in limits},
             joints=self._joints,
+            whole_body=whole_body,
+            legs=[joint for name in groups if name.endswith("_leg") for joint in groups[name]],
+            soles=[[frame, pose.tolist()] for frame, pose in self._stance.soles],
+            com=model.com(model.q_home).tolist(),
             tcp={hand: model.description.tcp_frames[hand] for hand in HANDS},
             position_m=tolerance.position_m,
             orientation_rad=tolerance.orientation_rad,
@@ -141,7 +166,7 @@ class PeerPicker:
             supports=under_foot_of(target, scene),
         )
         for heights in ((ABOVE_MIDDLE,), (ABOVE_MIDDLE, *OTHER_HEIGHTS)):
-            if self._best(request, self._candidates(request, heights)):
+            if self._best(request, natural_grasps(self._model, request, heights)):
                 return PeerPick(True, dict(self._seconds))
         return PeerPick(False, dict(self._seconds))
 
@@ -161,24 +186,6 @@ class PeerPicker:
                 break
         return any(self._detoured(request, way) for way in blocked)
 
-    def _candidates(self, request: PickRequest, heights: tuple[float, ...]) -> list[GraspCandidate]:
-        """The product's grasps of both hands in the product's order: no peer knows this gripper."""
-        found: list[GraspCandidate] = []
-        target = request.scene.objects[request.target]
-        for hand in request.hands:
-            offset = target.world_T_object[:3, 3] - self._shoulder(request, hand)
-            if np.linalg.norm(offset[:2]) <= FARTHEST_M:
-                table = grasp_table(
-                    target,
-                    self._model.description.grippers[hand],
-                    float(np.arctan2(offset[1], offset[0])),
-                    APPROACH_M,
-                    heights,
-                    2.0 * math.hypot(offset[0], offset[1]),
-                )
-                found += [table.candidate(row) for row in range(len(table))]
-        return sorted(found, key=lambda item: item.cost)
-
     def _way(self, request: PickRequest, candidate: GraspCandidate) -> _Way | None:
         grasp = candidate.grasp
         advance_m = self._model.description.grippers[grasp.hand].closing_advance_m
@@ -186,22 +193,24 @@ class PeerPicker:
         places = [grasp.world_T_tcp @ poses.translation(far_m, 0.0, 0.0) for far_m in along_m]
         if not self._ask("room", "ompl", "has_room", grasp.hand, poses=[place.tolist() for place in places]):
             return None
-        at_grasp = self._follow(grasp.hand, [grasp.world_T_tcp], None)
-        if at_grasp is None or not self._free(candidate, "grasp", at_grasp):
+        at_grasp = self._follow(grasp.hand, [grasp.world_T_tcp])
+        if at_grasp is None or not self._free(candidate, "grasp", at_grasp.points):
             return None
         back = poses.line(grasp.world_T_tcp, places[-1], CARTESIAN_POINTS)[1:]
-        behind = self._follow(grasp.hand, back, at_grasp[0])
-        if behind is None or not self._free(candidate, "reach", behind[-1:]):
+        behind = self._follow(grasp.hand, back, at_grasp)
+        if behind is None or not self._free(candidate, "reach", behind.points[-1:]):
             return None
-        if not self._free(candidate, "grasp", behind):
+        if not self._free(candidate, "grasp", behind.points):
             return None
         lifted = poses.translation(0.0, 0.0, request.lift_m) @ grasp.world_T_tcp
-        up = self._follow(
-            grasp.hand, poses.line(grasp.world_T_tcp, lifted, CARTESIAN_POINTS)[1:], at_grasp[0]
-        )
-        if up is None or not self._free(candidate, "lift", up):
+        up = self._follow(grasp.hand, poses.line(grasp.world_T_tcp, lifted, CARTESIAN_POINTS)[1:], at_grasp)
+        if up is None or not self._free(candidate, "lift", up.points):
             return None
-        return _Way(candidate, np.concatenate([behind[::-1], at_grasp]), np.concatenate([at_grasp, up]))
+        return _Way(
+            candidate,
+            np.concatenate([behind.points[::-1], at_grasp.points]),
+            np.concatenate([at_grasp.points, up.points]),
+        )
 
     def _straight(self, request: PickRequest, way: _Way) -> bool:
         start, goal = self._ends(request, way).tolist()
@@ -229,20 +238,23 @@ class PeerPicker:
         for motion, phase in zip(timed, phases, strict=True):
             if motion is None:
                 return False
-            if not self._ask(BY_WAY, "ompl", "judged", hand, points=motion["by_way"], **phase):
+            if not self._ask(BY_WAY, "ompl", "free", hand, points=motion["by_way"], **phase):
                 return False
         for motion, phase in zip(timed, phases, strict=True):
             assert motion is not None
-            self._ask(BY_TIME, "ompl", "judged", hand, points=motion["by_time"], **phase)
+            self._ask(BY_TIME, "ompl", "free", hand, points=motion["by_time"], **phase)
         return True
 
     def _timed(self, candidate: GraspCandidate, points: Array, pace: Pace) -> Document | None:
         index = self._model.indices(self._joints[candidate.grasp.hand])
+        pelvis = np.full(6 if self._whole_body else 0, PELVIS_LIMIT)
+        velocity = np.concatenate([pelvis, self._model.velocity[index]])
+        acceleration = np.concatenate([pelvis, self._model.acceleration[index]])
         answer = self._processes["toppra"].ask(
             "time",
             points=points.tolist(),
-            velocity=(pace.velocity * self._model.velocity[index]).tolist(),
-            acceleration=(pace.acceleration * self._model.acceleration[index]).tolist(),
+            velocity=(pace.velocity * velocity).tolist(),
+            acceleration=(pace.acceleration * acceleration).tolist(),
             step_rad=JUDGED_RAD,
             step_s=JUDGED_S,
         )
@@ -252,7 +264,11 @@ class PeerPicker:
 
     def _ends(self, request: PickRequest, way: _Way) -> Array:
         index = self._model.indices(self._joints[way.candidate.grasp.hand])
-        return np.array([request.q_start[7:][index], way.approach[0]])
+        joints = request.q_start[7:][index]
+        if not self._whole_body:
+            return np.array([joints, way.approach[0]])
+        pelvis = free_coordinates(self._model, self._stance).from_q(request.q_start)[:6]
+        return np.array([np.concatenate([pelvis, joints]), way.approach[0]])
 
     def _free(self, candidate: GraspCandidate, phase: str, points: Array) -> bool:
         place = self._phase(candidate, phase)
@@ -262,23 +278,15 @@ class PeerPicker:
     def _phase(candidate: GraspCandidate, phase: str) -> Document:
         return {"phase": phase, "world_T_tcp": candidate.grasp.world_T_tcp.tolist()}
 
-    def _follow(self, hand: Hand, targets: Any, start: Array | None) -> Array | None:
-        found = self._ask(
-            "ik",
-            "mink",
-            "follow",
-            hand,
-            targets=[pose.tolist() for pose in targets],
-            start=None if start is None else start.tolist(),
-        )
-        return np.array(found) if len(found) == len(targets) else None
+    def _follow(self, hand: Hand, targets: Iterable[Array], after: _Posture | None = None) -> _Posture | None:
+        places = [pose.tolist() for pose in targets]
+        state = None if after is None else after.state
+        found = self._ask("ik", "mink", "follow", hand, targets=places, state=state)
+        if len(found["points"]) < len(places):
+            return None
+        return _Posture(np.array(found["points"]), found["states"][-1])
 
     def _ask(self, stage: str, name: str, question: str, hand: Hand, **values: Any) -> Any:
         answer = self._processes[name].ask(question, hand=hand, **values)
         self._seconds[stage] += answer["seconds"]
         return answer["answer"]
-
-    def _shoulder(self, request: PickRequest, hand: Hand) -> Array:
-        joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])
-        name = next(frame.name for frame in self._model.pin.frames if frame.parentJoint == joint)
-        return self._model.frame_pose(request.q_start, name)[:3, 3]

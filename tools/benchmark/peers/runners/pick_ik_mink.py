@@ -1,8 +1,7 @@
-"""The inverse kinematics of a pick with mink: trunk and one arm, everything else as it stands.
+"""The inverse kinematics of a pick with mink: trunk and one arm over legs that stay, or the whole body.
 
-Settings: as for whole-body reaches, without feet and CoM, which need no task when the legs stay: nine
-joints instead of the whole body, so that each step is cheaper. From home to a grasp, then along a line
-from the posture before.
+Settings: as for whole-body reaches; where the legs stay, feet and CoM need no task, and nine joints make
+each step cheaper. From home to a grasp, then along a line from the posture before.
 """
 
 from __future__ import annotations
@@ -29,20 +28,28 @@ class Arm:
         text = Path(question["urdf"]).read_text("utf-8")
         spec = mujoco.MjSpec.from_string(text.replace("</robot>", f"{COMPILER}</robot>"))
         base = spec.body(question["base"])
+        self.whole = question["whole_body"]
+        if self.whole:
+            base.add_freejoint()
         base.pos, base.quat = question["base_position"], question["base_wxyz"]
+        moving = [*joints, *question["legs"]] if self.whole else joints
         for joint in list(spec.joints):
-            if joint.name not in joints:
+            if joint.name in question["home"] and joint.name not in moving:
                 _lock(spec, joint, question["home"].get(joint.name, 0.0))
         self.model = spec.compile()
         self.columns = [self.model.joint(name).qposadr[0] for name in joints]
-        for name in joints:
+        for name in moving:
             self.model.jnt_range[self.model.joint(name).id] = question["limits"][name]
         self.configuration = mink.Configuration(self.model)
         self.hand = mink.FrameTask(tcp, "body", position_cost=1.0, orientation_cost=0.5, lm_damping=1e-1)
         self.posture = mink.PostureTask(self.model, cost=1e-3)
         self.limits = [mink.ConfigurationLimit(self.model, gain=0.5)]
-        self.home = np.zeros(self.model.nq)
-        self.home[self.columns] = [question["home"][name] for name in joints]
+        self.home = self.model.qpos0.copy()
+        for name in moving:
+            self.home[self.model.joint(name).qposadr[0]] = question["home"][name]
+        self.tasks = [self.hand, self.posture]
+        if self.whole:
+            self.tasks += _standing(question)
 
     def descend(self, target: Any, start: Any, position_m: float, orientation_rad: float) -> Any:
         """Configuration with the hand at a pose, or None."""
@@ -57,7 +64,7 @@ class Arm:
             try:
                 velocity = mink.solve_ik(
                     configuration,
-                    [self.hand, self.posture],
+                    self.tasks,
                     DT_S,
                     solver="daqp",
                     damping=1e-9,
@@ -67,6 +74,11 @@ class Arm:
                 return None
             configuration.integrate_inplace(velocity, DT_S)
         return None
+
+    def point(self, q: Any) -> list[float]:
+        """What is planned with: the pelvis's place and rotation vector, if it moves, and the joints."""
+        pelvis = [*q[:3], *mink.SO3(q[3:7]).log()] if self.whole else []
+        return [float(value) for value in (*pelvis, *q[self.columns])]
 
 
 class Peer:
@@ -81,21 +93,33 @@ class Peer:
         return {}
 
     def follow(self, question: Document) -> Document:
-        """Bring the hand to one pose after another; as many points as were reached in turn."""
+        """Bring the hand to one pose after another; what was reached in turn, and the state at each."""
         targets = [np.array(pose) for pose in question["targets"]]
         began_s = time.process_time()
         arm = self.arms[question["hand"]]
-        q = arm.home.copy()
-        if question["start"] is not None:
-            q[arm.columns] = question["start"]
-        points = []
+        q = arm.home if question["state"] is None else np.array(question["state"])
+        points, states = [], []
         for target in targets:
             q = arm.descend(target, q, *self.tolerance)
             if q is None:
                 break
-            points.append(q[arm.columns])
+            points.append(arm.point(q))
+            states.append(q)
         seconds = time.process_time() - began_s
-        return {"answer": [point.tolist() for point in points], "seconds": seconds}
+        answer = {"points": points, "states": [state.tolist() for state in states]}
+        return {"answer": answer, "seconds": seconds}
+
+
+def _standing(question: Document) -> list[Any]:
+    """Tasks that keep the feet where they are and the CoM over them."""
+    tasks: list[Any] = []
+    for frame, pose in question["soles"]:
+        foot = mink.FrameTask(frame, "body", position_cost=10.0, orientation_cost=10.0)
+        foot.set_target(mink.SE3.from_matrix(np.array(pose)))
+        tasks.append(foot)
+    com = mink.ComTask(cost=[0.1, 0.1, 0.0])
+    com.set_target(np.array(question["com"]))
+    return [*tasks, com]
 
 
 def _lock(spec: Any, joint: Any, angle: float) -> None:

@@ -1,11 +1,9 @@
 """The part of a pick by OMPL and Coal: room for the hand, what is valid, ways, and the last judgement.
 
-Legs and head stay where they are: neither OMPL nor roboplan plans for closed chains. So trunk and arm are
-left, nine joints, as a robot of their own by Pinocchio's reduced model: fewer pairs, and no legs to
-solve. Coal is asked through Pinocchio's broad phase that tries all boxes: 2.3 times as fast for these
-sixty solids as its tree, with the same answers. One scene serves reach, approach and lift, whose pairs
-are switched. A straight way is looked at every 0.05 rad of a joint; where it is blocked,
-RRT-Connect with its default range and ``simplifySolution``.
+Joints that stay are taken out by Pinocchio's reduced model: fewer pairs. Coal is asked through Pinocchio's
+broad phase that tries all boxes: 2.3 times as fast for these sixty solids as its tree, with the same
+answers. One scene serves reach, approach and lift, whose pairs are switched. A straight way is looked at
+every 0.05 rad of a joint; where it is blocked, RRT-Connect with its default range and ``simplifySolution``.
 """
 
 from __future__ import annotations
@@ -13,7 +11,7 @@ from __future__ import annotations
 import pickle
 import sys
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -24,13 +22,14 @@ import ompl.geometric as og
 import ompl.util as ou
 import pinocchio as pin
 from line_protocol import Document, serve
+from pick_coordinates import TrunkAndArm, WholeBody
 
 STEP_RAD = 0.05
 BroadPhase = pin.BroadPhaseManager_NaiveCollisionManager
 
 
 class Body:
-    """The robot, standing still but for its trunk and one arm."""
+    """The robot with both its arms."""
 
     def load(self, question: Document) -> Document:
         """Read the robot from the product's own values."""
@@ -41,8 +40,17 @@ class Body:
         ou.setLogLevel(ou.LogLevel.LOG_ERROR)
         ou.RNG.setSeed(1)
         model = RobotModel(pickle.loads(Path(question["description"]).read_bytes()))
-        polygon = SupportPolygon(stance_at(model, model.q_home), model.description.soles)
-        self.arms = {hand: Arm(model, polygon, hand, question["joints"][hand]) for hand in question["joints"]}
+        stance = stance_at(model, model.q_home)
+        polygon = SupportPolygon(stance, model.description.soles)
+        self.arms = {
+            hand: Arm(
+                model,
+                polygon,
+                hand,
+                WholeBody(model, joints, stance) if question["whole_body"] else TrunkAndArm(model, joints),
+            )
+            for hand, joints in question["joints"].items()
+        }
         return {}
 
     def scene(self, question: Document) -> Document:
@@ -63,28 +71,21 @@ class Body:
 
 
 class Arm:
-    """Trunk and one arm of a robot that stands still otherwise."""
+    """One hand's side."""
 
-    def __init__(self, model: Any, polygon: Any, hand: Any, joints: Sequence[str]) -> None:
+    def __init__(self, model: Any, polygon: Any, hand: Any, space: TrunkAndArm | WholeBody) -> None:
+        self._space, self._model, self._body = space, space.model, space.solids
         corners = polygon.vertices_m
         edges = np.roll(corners, -1, axis=0) - corners
         self._inward = np.column_stack([-edges[:, 1], edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
         gripper = model.description.grippers[hand]
         self._touching = set(gripper.touch_links)
-        locked = [k for k in range(1, model.pin.njoints) if model.pin.names[k] not in joints]
-        self._model, self._body = pin.buildReducedModel(model.pin, model.geometry(), locked, model.q_home)
-        order = [joints.index(name) for name in list(self._model.names)[1:]]
-        self._order, self._back = np.array(order), np.argsort(order)
         self._links = [model.link_of(item) for item in model.geometry().geometryObjects]
         self._data = self._model.createData()
         self._tcp = self._model.frames[self._model.getFrameId(gripper.tcp_frame)]
-        index = model.indices(joints)
-        margin = model.description.planning_margin_rad
-        self._lower, self._upper = model.lower_rad[index] + margin, model.upper_rad[index] - margin
         # what is locked weighs too
         self._share = sum(self._model.inertias[k].mass for k in range(1, self._model.njoints)) / model.mass_kg
-        home = model.q_home[7:][index][self._order]
-        moving = self._share * np.array(pin.centerOfMass(self._model, self._data, home))
+        moving = self._share * np.array(pin.centerOfMass(self._model, self._data, space.home))
         still = np.array(model.com(model.q_home)) - moving
         self._least = np.sum(self._inward * (corners - still[:2]), axis=1) + model.description.com_margin_m
         self._hand, self._hand_solids = pin.Model(), pin.GeometryModel()
@@ -111,31 +112,24 @@ class Arm:
         )
 
     def free(self, question: Document) -> bool:
-        """Tell whether points, shape (n, 9), are all valid in a phase."""
+        """Tell whether all of some points, shape (n, size), are valid in a phase: some of all parts first."""
         self._switch(question)
-        return all(self._valid(x) for x in np.array(question["points"])[:, self._order])
-
-    def judged(self, question: Document) -> bool:
-        """Tell whether a dense line of points is valid in a phase: the ends first, then ever finer."""
-        self._switch(question)
-        points = np.array(question["points"])[:, self._order]
-        return all(self._valid(points[k]) for k in _coarse_first(len(points)))
+        return self._all_valid(np.array(question["points"]))
 
     def straight(self, question: Document) -> bool:
         """Tell whether the straight way between two points is free."""
         self._switch(question)
-        first, last = (np.array(question[name])[self._order] for name in ("start", "goal"))
+        first, last = (np.array(question[name]) for name in ("start", "goal"))
         count = max(2, int(np.ceil(np.abs(last - first).max() / STEP_RAD)) + 1)
-        line = first + (last - first) * np.linspace(0.0, 1.0, count)[:, None]
-        return all(self._valid(line[k]) for k in _coarse_first(count))
+        return self._all_valid(first + (last - first) * np.linspace(0.0, 1.0, count)[:, None])
 
     def detour(self, question: Document) -> Any:
-        """A way around, shape (n, 9), or None: RRT-Connect, then OMPL's simplification."""
+        """A way around, shape (n, size), or None: RRT-Connect, then OMPL's simplification."""
         self._switch(question)
-        size = len(self._lower)
+        lower, upper = self._space.lower, self._space.upper
+        size = len(lower)
         space = ob.RealVectorStateSpace(size)
         bounds = ob.RealVectorBounds(size)
-        lower, upper = self._lower[self._order], self._upper[self._order]
         for i in range(size):
             bounds.setLow(i, float(lower[i]))
             bounds.setHigh(i, float(upper[i]))
@@ -146,27 +140,29 @@ class Arm:
         def valid(state: Any) -> bool:
             for i in range(size):
                 x[i] = state[i]
-            return self._valid(x)
+            return self._all_valid(x[None])
 
         setup.setStateValidityChecker(valid)
         space.setLongestValidSegmentFraction(STEP_RAD / space.getMaximumExtent())
         first, last = space.allocState(), space.allocState()
-        start, goal = (np.array(question[name])[self._order] for name in ("start", "goal"))
         for i in range(size):
-            first[i], last[i] = float(start[i]), float(goal[i])
+            first[i], last[i] = question["start"][i], question["goal"][i]
         setup.setStartAndGoalStates(first, last)
         setup.setPlanner(og.RRTConnect(setup.getSpaceInformation()))
         if not setup.solve(question["budget_s"]) or not setup.haveExactSolutionPath():
             return None
         setup.simplifySolution()
-        states = setup.getSolutionPath().getStates()
-        return np.array([[state[i] for i in range(size)] for state in states])[:, self._back].tolist()
+        return [[float(state[i]) for i in range(size)] for state in setup.getSolutionPath().getStates()]
 
-    def _valid(self, x: Any) -> bool:
-        com = pin.centerOfMass(self._model, self._data, x)[:2]
+    def _all_valid(self, points: Any) -> bool:
+        rows, reached = self._space.rows(points)
+        return bool(reached.all()) and all(self._valid(rows[k]) for k in _coarse_first(len(rows)))
+
+    def _valid(self, q: Any) -> bool:
+        com = pin.centerOfMass(self._model, self._data, q)[:2]
         if (self._inward @ (self._share * com) < self._least).any():
             return False
-        return not pin.computeCollisions(self._model, self._placing, self._broad, x, True)
+        return not pin.computeCollisions(self._model, self._placing, self._broad, q, True)
 
     def _take_in_hand(self) -> None:
         """The hand alone among everything but the target."""
@@ -247,5 +243,5 @@ def _se3(pose: Any) -> Any:
 
 if __name__ == "__main__":
     body = Body()
-    asked = {name: body.asked(name) for name in ("has_room", "free", "judged", "straight", "detour")}
+    asked = {name: body.asked(name) for name in ("has_room", "free", "straight", "detour")}
     serve({"load": body.load, "scene": body.scene, **asked})
