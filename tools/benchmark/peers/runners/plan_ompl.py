@@ -2,7 +2,7 @@
 
 Settings: RRT-Connect with its default range and ``simplifySolution`` as the tutorials show it; edges are
 looked at every 0.05 rad as the other peers do (the default, 1 % of the space's extent, is 0.13 rad). Coal
-is asked through Pinocchio's broad phase, four to five times as fast as pair by pair.
+is asked through that broad phase of Pinocchio's that tries all boxes: twice as fast here as its tree.
 """
 
 from __future__ import annotations
