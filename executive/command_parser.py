@@ -25,7 +25,7 @@ from executive.language.sentences import Sentence
 from executive.language.speech import UNQUOTED
 from executive.language.tokens import MalformedTextError, lines_as_sentences, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
-from executive.vocabulary import Vocabulary, load_vocabulary
+from executive.vocabulary import Vocabulary, load_vocabulary, split_words
 from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
@@ -160,7 +160,7 @@ class CommandParser:
 
     def _people_in(self, text: str) -> tuple[Nominal, ...]:
         """Who is named in words to say, so that "him" after them may be somebody else than who is told."""
-        said = [piece.text for piece in pieces_of(normalise(text))]
+        said = [word for word, _, _ in split_words(text)]
         return tuple(
             Nominal("name" if reading.word_class == "NAME" else "person", reading.meaning, determined=True)
             for start in range(len(said))

@@ -79,7 +79,7 @@ class _Standing:
     """What is the same for every motion on one stance.
 
     Attributes:
-        stance: The stance.
+        key: Tells the stance from others.
         polygon: What its soles span.
         points_m: Places of the m soles, shape (m, 3).
         feet: Bodies that carry them, shape (m,).
@@ -88,7 +88,7 @@ class _Standing:
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:
-        self.stance = stance
+        self.key = stance.key
         self.polygon = SupportPolygon(model, stance)
         self.points_m = np.array([world_T_sole[:3, 3] for _, world_T_sole in stance.soles]).reshape(-1, 3)
         self.feet = np.array(
@@ -215,7 +215,7 @@ class DynamicsCheck:
         return torques
 
     def _standing(self, stance: Stance) -> _Standing:
-        if self._last is None or self._last.stance is not stance:
+        if self._last is None or self._last.key != stance.key:
             self._last = _Standing(self._model, stance)
         return self._last
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +22,26 @@ Indices = NDArray[np.intp]
 _BASE_PATH, _BASE_TURN = 0, 1
 # what is not the robot alone: by whether something that it holds is one of the two
 _BETWEEN = np.array([FindingKind.SCENE_COLLISION, FindingKind.HELD_OBJECT_COLLISION], dtype=object)
+# Layouts that are kept: those of the scenes of one task, before, with the object in the hand, and after.
+_KEPT = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PairLayout:
+    """Which pairs a check judges, wherever things are and whatever their size.
+
+    Attributes:
+        own: Which of the robot's own pairs come first.
+        first, second: Indices of all pairs' solids, shape (p,).
+        row: Of the pairs after the own ones: which of the solids that are not the robot's they have.
+        kinds: What a pair's contact is called.
+    """
+
+    own: Indices
+    first: Indices
+    second: Indices
+    row: Indices
+    kinds: tuple[FindingKind, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +111,7 @@ class PairBuilder:
         self._robot_rates: dict[tuple[int, int], Array] = {}
         self._meetings: dict[tuple[int, int], int] = {}
         self._last: tuple[PlanningScene, Pairs] | None = None
+        self._layouts: dict[Hashable, PairLayout] = {}
         self._floor = floor()
         self._known: dict[int, tuple[SceneObject, Solid]] = {}
         self._self_rate = self._rates(self.robot, self._self_pairs)
@@ -105,64 +126,74 @@ class PairBuilder:
         return self._last[1]
 
     def _pairs(self, scene: PlanningScene) -> Pairs:
-        robot, kinematics = self.robot, self._kinematics
         held = []
-        touching = list(scene.attached.values())
-        for body in touching:
+        for body in scene.attached.values():
             frame = self._model.pin.frames[self._model.frame_id(body.frame)]
             joint_T_object = np.array(frame.placement.homogeneous) @ body.frame_T_object
+            shape = body.body.shape
             held.append(
-                plain_solid(
-                    body.body.name, int(frame.parentJoint), joint_T_object, body.body.shape, kinematics
-                )
+                plain_solid(body.body.name, int(frame.parentJoint), joint_T_object, shape, self._kinematics)
             )
         things = list(scene.objects.values())
         if FLOOR not in scene.objects:
             things.append(self._floor)
-        world = self._around(things)
-        solids = [*robot, *held, *world]
-        first_held, first_world = len(robot), len(robot) + len(held)
-        names = [solid.name for solid in solids]
-        allowed = scene.allowed
+        solids = (*self.robot, *held, *self._around(things))
+        layout = self._layout(scene, [item.name for item in things])
+        margins_m = np.array([0.0] * len(held) + [item.margin_m for item in things])
+        return Pairs(
+            solids,
+            layout.first,
+            layout.second,
+            np.concatenate([np.zeros(len(layout.own)), margins_m[layout.row]]),
+            layout.kinds,
+            functools.cache(lambda: self._every_rate(solids, layout)),
+        )
+
+    def _layout(self, scene: PlanningScene, things: Sequence[str]) -> PairLayout:
+        """Which pairs are judged; kept, as most scenes of a task differ in where things are alone."""
+        held = tuple((item.body.name, item.touch_links) for item in scene.attached.values())
+        key = tuple(things), held, scene.allowed
+        known = self._layouts.get(key)
+        if known is None:
+            while len(self._layouts) >= _KEPT:
+                self._layouts.pop(next(iter(self._layouts)))
+            known = self._layouts[key] = self._laid_out(scene, things)
+        return known
+
+    def _laid_out(self, scene: PlanningScene, things: Sequence[str]) -> PairLayout:
+        touching = list(scene.attached.values())
+        names = [*(body.body.name for body in touching), *things]
+        first_held, first_world = len(self.robot), len(self.robot) + len(touching)
         own = np.arange(len(self._self_pairs))
-        if any(pair <= self._solids_of.keys() for pair in allowed):
-            own = own[[pair not in allowed for pair in self._self_names]]
+        if any(pair <= self._solids_of.keys() for pair in scene.allowed):
+            own = own[[pair not in scene.allowed for pair in self._self_names]]
         may_touch: dict[str, set[str]] = {}
-        for pair in allowed:
+        for pair in scene.allowed:
             for name in pair:
                 may_touch.setdefault(name, set()).update(pair)
-        solids_of = self._solids_of
-        if held:
-            solids_of = {name: list(numbers) for name, numbers in solids_of.items()}
-            for i in range(first_held, first_world):
-                solids_of.setdefault(names[i], []).append(i)
+        solids_of = {name: list(numbers) for name, numbers in self._solids_of.items()}
+        for number, name in enumerate(names[: len(touching)], first_held):
+            solids_of.setdefault(name, []).append(number)
         # which moving solids each of the others has to stay apart from
-        apart = np.ones((len(solids) - first_held, first_world), dtype=bool)
-        for row, i in enumerate(range(first_held, len(solids))):
-            free = set(may_touch.get(names[i], ()))
-            if i < first_world:
+        apart = np.ones((len(names), first_world), dtype=bool)
+        for row, name in enumerate(names):
+            free = set(may_touch.get(name, ()))
+            if row < len(touching):
                 free |= touching[row].touch_links
-                apart[row, i:] = False
-            elif names[i] == FLOOR:
+                apart[row, first_held + row :] = False
+            elif name == FLOOR:
                 free |= self._sole_links
-            for name in free & solids_of.keys():
-                apart[row, solids_of[name]] = False
+            for other in free & solids_of.keys():
+                apart[row, solids_of[other]] = False
         row_of, those = np.nonzero(apart)
-        more = np.column_stack([those, row_of + first_held])
-        margins_m = np.array([0.0] * len(held) + [item.margin_m for item in things])
-        clearance = [np.zeros(len(own)), margins_m[row_of]]
-        with_held = (row_of < len(held)) | (those >= first_held)
+        with_held = (row_of < len(touching)) | (those >= first_held)
         kinds = [FindingKind.SELF_COLLISION] * len(own) + _BETWEEN[with_held.astype(np.intp)].tolist()
-        index = np.concatenate([self._self_index[own], more])
-        return Pairs(
-            tuple(solids),
-            np.ascontiguousarray(index[:, 0]),
-            np.ascontiguousarray(index[:, 1]),
-            np.concatenate(clearance),
-            tuple(kinds),
-            functools.cache(
-                lambda: np.hstack([self._self_rate[:, own], self._rates(solids, more.tolist())]),
-            ),
+        return PairLayout(
+            own=own,
+            first=np.concatenate([self._self_index[own, 0], those]),
+            second=np.concatenate([self._self_index[own, 1], row_of + first_held]),
+            row=row_of,
+            kinds=tuple(kinds),
         )
 
     def _around(self, things: Sequence[SceneObject]) -> list[Solid]:
@@ -177,6 +208,11 @@ class PairBuilder:
                 )
             self._known[id(item)] = known
         return [self._known[id(item)][1] for item in things]
+
+    def _every_rate(self, solids: Sequence[Solid], layout: PairLayout) -> Array:
+        count = len(layout.own)
+        more = zip(layout.first[count:].tolist(), layout.second[count:].tolist(), strict=True)
+        return np.hstack([self._self_rate[:, layout.own], self._rates(solids, list(more))])
 
     def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
         if not pairs:

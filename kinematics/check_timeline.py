@@ -78,7 +78,7 @@ class Timeline:
         if t_s is self.t_s:
             values, quaternions = self._values, self.quaternions
         else:
-            values, _, quaternions = self._evaluate(t_s)
+            values, quaternions, _ = self._evaluate(t_s, with_rates=False)
         return Configurations(t_s, values[:, :3], quaternions, rotations(quaternions), values[:, 3:])
 
     def knots(self, spacing_s: float) -> Array:
@@ -99,7 +99,7 @@ class Timeline:
         """
         inside = (self.t_s > knots_s[0]) & (self.t_s < knots_s[-1])
         times = np.union1d(knots_s, self.t_s[inside])
-        values, rates, quaternions = self._evaluate(times)
+        values, quaternions, rates = self._evaluate(times)
         third = np.diff(times)[:, None] / 3.0
         first, last = rates[:-1] * third, rates[1:] * third
         middle = np.diff(values, axis=0) - first - last
@@ -143,8 +143,8 @@ class Timeline:
             self._accelerations = (early, late)
         return self._accelerations
 
-    def _evaluate(self, t_s: Array) -> tuple[Array, Array, Array]:
-        """Values (base position, joints), their rates, and base quaternions."""
+    def _evaluate(self, t_s: Array, with_rates: bool = True) -> tuple[Array, Array, Array]:
+        """Values (base position, joints), base quaternions, and the values' rates, unless nobody asks."""
         i = np.clip(np.searchsorted(self.t_s, t_s, side="right") - 1, 0, len(self.t_s) - 2)
         h = self.spacing_s[i][:, None]
         u = (t_s - self.t_s[i])[:, None] / h
@@ -152,11 +152,14 @@ class Timeline:
         m0, m1 = self._rates[i] * h, self._rates[i + 1] * h
         change = p1 - p0
         bow, lean = m0 - change, change - m1
-        values = p0 + u * change + u * (1.0 - u) * ((1.0 - u) * bow + u * lean)
-        rates = (change + (1.0 - u) * (1.0 - 3.0 * u) * bow + u * (2.0 - 3.0 * u) * lean) / h
+        w = 1.0 - u
+        values = p0 + u * change + u * w * (w * bow + u * lean)
         quaternions = (1.0 - u) * self.quaternions[i] + u * self.quaternions[i + 1]
         quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
-        return values, rates, quaternions
+        if not with_rates:
+            return values, quaternions, values
+        rates = (change + w * (1.0 - 3.0 * u) * bow + u * (2.0 - 3.0 * u) * lean) / h
+        return values, quaternions, rates
 
 
 def rotations(quaternions: Array) -> Array:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.leg_ik import LegIk
+from kinematics.model_tree import model_tree
 from kinematics.robot_model import RobotModel
 from kinematics.stance_table import StanceTable
 from kinematics.trajectory import Stance
@@ -120,9 +121,8 @@ class FreeCoordinates:
     @cached_property
     def _flattened(self) -> tuple[Coordinates, Tree]:
         from kinematics.kernel.coordinates import standing_coordinates
-        from kinematics.kernel.tree import tree_of
 
-        return standing_coordinates(self._model, self._stance), tree_of(self._model.pin)
+        return standing_coordinates(self._model, self._stance), model_tree(self._model)
 
     def distance(self, a: Array, b: Array) -> float:
         """Weighted Euclidean distance of two points."""

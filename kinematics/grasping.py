@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
@@ -222,51 +222,57 @@ def _box_places(
     kinds: Sequence[tuple[float, float]],
     limit: float,
 ) -> _Places:
-    """Grasps of a box, or of a cylinder that lies; rotations by yaw and kind, shape (yaws, kinds, 3, 3)."""
-    found = [
-        (yaw, k, *placed)
-        for yaw in range(len(rotations))
-        for k, (tilt, at) in enumerate(kinds)
-        for placed in _box_placements(item, gripper, rotations[yaw, k], tilt, at, limit)
-    ]
-    return _Places(
-        yaw=np.array([row[0] for row in found], np.intp),
-        kind=np.array([row[1] for row in found], np.intp),
-        world_T_tcp=np.array([row[2] for row in found]).reshape(-1, 4, 4),
-        diameter_m=np.array([row[3] for row in found]),
-        suffix=[row[4] for row in found],
-        cost=np.array([row[5] for row in found]),
-    )
+    """Grasps of a box, or of a cylinder that lies: the opening is along one of the horizontal edges.
 
-
-def _box_placements(
-    item: SceneObject, gripper: GripperDescription, rotation: Array, tilt: float, at: float, limit: float
-) -> Iterator[tuple[Array, float, str, float]]:
-    """Places, openings, names and costs: the opening is along one of the horizontal edges."""
-    size = (
-        np.array(item.shape.size_m)
-        if isinstance(item.shape, Box)
-        else np.array([2 * item.shape.radius_m, 2 * item.shape.radius_m, item.shape.height_m])
-    )
+    Args:
+        item: What is grasped.
+        gripper: The hand's gripper.
+        rotations: Wanted ones by yaw and kind, shape (yaws, kinds, 3, 3).
+        kinds: Tilts and heights.
+        limit: What is wider than this is not held, m.
+    """
+    if isinstance(item.shape, Box):
+        size = item.shape.size_m
+    else:
+        size = 2.0 * item.shape.radius_m, 2.0 * item.shape.radius_m, item.shape.height_m
     axes = item.world_T_object[:3, :3]
     upward = int(np.argmax(np.abs(axes[2])))
-    height = float(size[upward])
-    for edge in range(3):
-        if edge == upward or size[edge] > limit:
-            continue
-        across = axes[:, edge] * np.array([1.0, 1.0, 0.0])
-        across /= np.linalg.norm(across)
-        if across @ rotation[:, 1] < 0.0:
-            across = -across
-        # turn the wanted heading so that the pads are parallel to the faces
-        turn = math.atan2(across[1], across[0]) - math.atan2(rotation[1, 1], rotation[0, 1])
-        turn = (turn + math.pi) % (2 * math.pi) - math.pi
-        turned = poses.rotation_z(turn) @ rotation
-        depth = _reach_in(height, at, 0.5 * float(size[3 - edge - upward]), tilt, gripper)
-        centre = item.world_T_object[:3, 3] + np.array([0.0, 0.0, depth])
-        for roll, signs in enumerate((np.ones(3), _HALF_TURN)):
-            place = poses.transform(turned * signs, centre)
-            yield place, float(size[edge]), f" edge {edge}{_ROLLED[roll]}", _ROLLED_COST[roll] + abs(turn)
+    edges = [edge for edge in range(3) if edge != upward and size[edge] <= limit]
+    yaws, count = len(rotations), len(kinds)
+    # (yaw, kind, edge, roll)
+    places = np.zeros((yaws, count, len(edges), 2, 4, 4))
+    places[..., 3, 3] = 1.0
+    cost = np.empty((yaws, count, len(edges), 2))
+    for k, edge in enumerate(edges):
+        turned, turn = _parallel_to(axes[:, edge], rotations)
+        half_depth = 0.5 * size[3 - edge - upward]
+        depths = [_reach_in(size[upward], at, half_depth, tilt, gripper) for tilt, at in kinds]
+        places[:, :, k, :, :3, 3] = item.world_T_object[:3, 3]
+        places[:, :, k, :, 2, 3] += np.array(depths)[:, None]
+        places[:, :, k, 0, :3, :3], places[:, :, k, 1, :3, :3] = turned, turned * _HALF_TURN
+        cost[:, :, k] = np.abs(turn)[..., None] + np.array(_ROLLED_COST)
+    each = 2 * len(edges)
+    return _Places(
+        yaw=np.repeat(np.arange(yaws), count * each),
+        kind=np.tile(np.repeat(np.arange(count), each), yaws),
+        world_T_tcp=places.reshape(-1, 4, 4),
+        diameter_m=np.tile(np.repeat([size[edge] for edge in edges], 2), yaws * count),
+        suffix=[f" edge {edge}{rolled}" for edge in edges for rolled in _ROLLED] * (yaws * count),
+        cost=cost.ravel(),
+    )
+
+
+def _parallel_to(edge: Array, rotations: Array) -> tuple[Array, Array]:
+    """Rotations, shape (yaws, kinds, 3, 3), turned so that the pads are parallel to the faces of an edge.
+
+    Returns:
+        They, and by how much they were turned about the vertical, shape (yaws, kinds), rad.
+    """
+    closing = rotations[..., :2, 1]
+    across = np.where(closing @ edge[:2] < 0.0, -1.0, 1.0)[..., None] * edge[:2]
+    turn = np.arctan2(across[..., 1], across[..., 0]) - np.arctan2(closing[..., 1], closing[..., 0])
+    turn = (turn + math.pi) % (2.0 * math.pi) - math.pi
+    return poses.rotations_z(turn.ravel()).reshape(rotations.shape) @ rotations, turn
 
 
 def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper: GripperDescription) -> float:

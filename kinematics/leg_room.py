@@ -14,11 +14,13 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.kernel import readiness
+from kinematics.robot_build import RobotBuild, robot_build
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 
 if TYPE_CHECKING:
     from kinematics.kernel.collision_kernel import CollisionKernel
+    from kinematics.kernel.robot_arrays import RobotArrays
 
 Array = NDArray[np.float64]
 
@@ -55,11 +57,19 @@ def leg_room(model: RobotModel) -> LegRoom | None:
         return _CoalLegRoom(model, geometry)
     # imported here: it brings the compiler
     from kinematics.kernel.collision_kernel import CollisionKernel
+
+    arrays = _leg_arrays(robot_build(model))
+    return _KernelLegRoom(CollisionKernel(arrays, PlanningScene(), self_margin_m=RESERVE_M))
+
+
+@functools.lru_cache(maxsize=4)
+def _leg_arrays(build: RobotBuild) -> RobotArrays:
+    """Made once for all models of a robot: that takes as long as a whole pick."""
     from kinematics.kernel.robot_arrays import RobotArrays
 
-    names = [model.link_of(item) for item in geometry.geometryObjects]
-    arrays = RobotArrays(model.pin, geometry, names)
-    return _KernelLegRoom(CollisionKernel(arrays, PlanningScene(), self_margin_m=RESERVE_M))
+    geometry = _between_legs(build.model)
+    names = [build.model.link_of(item) for item in geometry.geometryObjects]
+    return RobotArrays(build.model.pin, geometry, names)
 
 
 def _between_legs(model: RobotModel) -> pin.GeometryModel:

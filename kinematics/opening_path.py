@@ -97,8 +97,8 @@ class DoorArc:
         along, normal = turn @ np.array([0.0, -self.side, 0.0]), turn @ np.array([-1.0, 0.0, 0.0])
         arm = self.radius_m * along + self.standoff_m * normal
         place = np.array([self.hinge_m[0], self.hinge_m[1], self.height_m]) + arm
-        across = arm / np.linalg.norm(arm)
-        outward = -self.side * np.cross(UP, across)
+        across = arm / self.lever_m
+        outward = self.side * np.array([across[1], -across[0], 0.0])
         return HandlePoint(place, outward, across)
 
     def part_moved(self, odom_T_solid: Transform, s_from: float, s_to: float) -> Transform:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.curves import Curve, RoundedPolyline
+from kinematics.curves import Curve, PolynomialCurve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.leg_room import RESERVE_M, leg_room
 from kinematics.robot_model import RobotModel
@@ -97,7 +97,7 @@ class PathPlanner:
         ends = np.stack([start, goal])
         if not self.judge.polyline_is_free(ends):
             return None
-        curve = RoundedPolyline(ends, self._space.weights, ROUNDINGS[0])
+        curve = PolynomialCurve(ends)
         return curve if self._legs_stay_apart(curve, from_start=True) else None
 
     def curve_is_free(self, curve: Curve) -> bool:

@@ -38,7 +38,7 @@ class PlacePlanner:
             return plan
         if request.quick:
             return _no_plan(request, usual, usual.considered)
-        thorough = PlaceTask(self._model, request, LEAST_RESERVE_M, OTHER_SEEDS)
+        thorough = PlaceTask(self._model, request, LEAST_RESERVE_M, OTHER_SEEDS, before=usual)
         if (plan := self._first(thorough, request)) is not None:
             return plan
         considered = usual.considered + thorough.considered
@@ -46,7 +46,7 @@ class PlacePlanner:
         spots = tuple(replace(spot, below_m=min(spot.below_m, 0.0)) for spot in request.spots)
         if spots != request.spots:
             level = replace(request, spots=spots)
-            high = PlaceTask(self._model, level, LEAST_RESERVE_M, OTHER_SEEDS)
+            high = PlaceTask(self._model, level, LEAST_RESERVE_M, OTHER_SEEDS, before=thorough)
             if (plan := self._first(high, level)) is not None:
                 return plan
             considered += high.considered

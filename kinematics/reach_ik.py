@@ -14,6 +14,8 @@ from kinematics import planning_reserve
 from kinematics.errors import MissingPartError, ModelError
 from kinematics.free_coordinates import free_coordinates
 from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
+from kinematics.model_tree import model_tree
+from kinematics.planning_memory import planning_memory
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -63,7 +65,6 @@ class ReachIk:
         # imported here: they bring the compiler
         from kinematics.kernel import reach, reach_problem
         from kinematics.kernel.coordinates import standing_coordinates, standing_limits
-        from kinematics.kernel.tree import tree_of
 
         description = model.description
         if description.welded:
@@ -72,13 +73,13 @@ class ReachIk:
         self._model = model
         self._space = free_coordinates(model, stance)
         self._polygon = SupportPolygon(stance, description.soles)
-        self._tree = tree_of(model.pin)
+        self._tree = model_tree(model)
         self._coordinates = standing_coordinates(model, stance)
         self._limits = standing_limits(model, stance)
         self._least = self._limits.offset - planning_reserve.COM_RESERVE_M
         self._last_start: tuple[Array, Array, ReachSpace] | None = None
         self._margins_by_reserve: dict[float, tuple[Limits, Limits]] = {}
-        self._com_margin_m, self._data = description.com_margin_m, model.pin.createData()
+        self._com_margin_m, self._data = description.com_margin_m, planning_memory(model)
         self._soles = np.array([pose for _, pose in stance.soles])
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")

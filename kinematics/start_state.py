@@ -8,6 +8,7 @@ touched by that link. Everything else is judged as before.
 from __future__ import annotations
 
 import functools
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import coal
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 from kinematics.collision import coal_shape
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box
+from kinematics.shapes import Box, Shape
 
 Array = NDArray[np.float64]
 
@@ -48,12 +49,13 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
     geometry, placed = parts.geometry, parts.placed
     pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q)
     centres = np.array([at.act(centre) for at, centre in zip(placed.oMg, parts.centres_m, strict=True)])
+    items = list(scene.objects.values())
     relaxed = scene
-    for item in scene.objects.values():
+    for item, near in zip(items, _near(centres, parts.radii_m, items, reserve_m + ROOM_M), strict=True):
         keep_m = item.margin_m + reserve_m
         distances = {
             parts.links[k]: _distance(geometry.geometryObjects[k], placed.oMg[k], item)
-            for k in _near(centres, parts.radii_m, item, keep_m + ROOM_M)
+            for k in near
             if not scene.is_allowed(parts.links[k], item.name)
         }
         nearest = min(distances.values(), default=np.inf)
@@ -99,18 +101,24 @@ def _parts(model: RobotModel) -> _Parts:
     )
 
 
-def _near(centres_m: Array, radii_m: Array, item: SceneObject, near_m: float) -> list[int]:
-    """Which balls come near a box about an object."""
-    pose, shape = item.world_T_object, item.shape
-    local = (centres_m - pose[:3, 3]) @ pose[:3, :3]
-    if isinstance(shape, Box):
-        half = 0.5 * np.array(shape.size_m)
-    elif isinstance(shape, Ball):
-        half = np.full(3, shape.radius_m)
-    else:
-        half = np.array([shape.radius_m, shape.radius_m, 0.5 * shape.height_m])
+def _near(
+    centres_m: Array, radii_m: Array, items: Sequence[SceneObject], reserve_m: float
+) -> list[list[int]]:
+    """Which balls come near to a box about each object: nearer than its margin and a reserve."""
+    poses = np.array([item.world_T_object for item in items]).reshape(-1, 4, 4)
+    half = np.array([_half_extents_m(item.shape) for item in items]).reshape(-1, 1, 3)
+    local = (centres_m - poses[:, None, :3, 3]) @ poses[:, :3, :3]
     outside = np.maximum(np.abs(local) - half, 0.0)
-    return [int(k) for k in np.flatnonzero(np.sqrt(np.sum(outside**2, axis=1)) < radii_m + near_m)]
+    near_m = np.array([item.margin_m + reserve_m for item in items])[:, None] + radii_m
+    near = np.sqrt(np.sum(outside**2, axis=2)) < near_m
+    return [np.flatnonzero(row).tolist() for row in near]
+
+
+def _half_extents_m(shape: Shape) -> tuple[float, float, float]:
+    if isinstance(shape, Box):
+        x, y, z = shape.size_m
+        return 0.5 * x, 0.5 * y, 0.5 * z
+    return shape.radius_m, shape.radius_m, 0.5 * shape.height_m
 
 
 def _distance(part: pin.GeometryObject, at: pin.SE3, item: SceneObject) -> float:

@@ -11,6 +11,7 @@ they need it, until everything holds for the cubics between the samples.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -88,14 +89,17 @@ class TimedCurve:
 Configurations = Callable[[Array], Array | None]
 """Maps coordinates, shape (n, size), to configurations, shape (n, nq), or None when one has none."""
 
+Moving = Callable[[Array, Array], tuple[Array, Array] | None]
+"""Maps coordinates and their velocities, shape (n, size) each, to configurations and their derivatives."""
+
 
 class CurveTimer:
     """Gives one curve its time, at as many paces as are asked for."""
 
     def __init__(self, model: RobotModel, space: FreeCoordinates, stance: Stance, curve: Curve) -> None:
         self._model, self._space, self._stance = model, space, stance
-        self._configurations = _standing(model, space)
-        self._placed = placed_curve(curve, self._configurations)
+        self._standing = _Standing(model, space)
+        self._placed = placed_curve(curve, self._standing.configurations)
 
     def at(self, pace: Pace) -> Trajectory | None:
         """Make the trajectory that runs the curve from rest to rest within all limits.
@@ -109,7 +113,7 @@ class CurveTimer:
         if self._placed is None:
             return None
         limits = JointLimits(model.velocity, model.acceleration, model.jerk).at(pace)
-        timed = _timed(self._placed, self._configurations, limits, self._space.weights)
+        timed = _timed(self._placed, self._standing.moving, limits, self._space.weights)
         if timed is None:
             return None
         v = _velocity(timed.q, timed.rate)
@@ -138,7 +142,8 @@ def time_coordinates(
         The motion, or None when a point has no configuration, or limits cannot be held at any speed.
     """
     placed = placed_curve(curve, configurations)
-    return None if placed is None else _timed(placed, configurations, limits, weights)
+    moving = functools.partial(_differences, configurations)
+    return None if placed is None else _timed(placed, moving, limits, weights)
 
 
 def placed_curve(curve: Curve, configurations: Configurations) -> tuple[CurveGrid, Array] | None:
@@ -149,7 +154,7 @@ def placed_curve(curve: Curve, configurations: Configurations) -> tuple[CurveGri
 
 
 def _timed(
-    placed: tuple[CurveGrid, Array], configurations: Configurations, limits: JointLimits, weights: Array
+    placed: tuple[CurveGrid, Array], moving: Moving, limits: JointLimits, weights: Array
 ) -> TimedCurve | None:
     """``time_coordinates`` of a curve whose configurations are known."""
     grid, q = placed
@@ -168,11 +173,10 @@ def _timed(
         x, v, stray = running_mean(grid.points, grid.step, rates, times, window_s, count, weights, FOLLOWING)
         t_s = np.linspace(0.0, times[-1] + window_s, count)
         x[0], x[-1], v[0], v[-1] = grid.points[0], grid.points[-1], 0.0, 0.0
-        beside = configurations(np.concatenate([x, x + STEP_S * v, x - STEP_S * v]))
-        if beside is None:
+        motion = moving(x, v)
+        if motion is None:
             return None
-        q, ahead, behind = beside.reshape(3, count, -1)
-        rate = (ahead - behind) / (2.0 * STEP_S)
+        q, rate = motion
         joints, speeds = np.ascontiguousarray(q[:, -k:]), np.ascontiguousarray(rate[:, -k:])
         factor = excess(joints, speeds, t_s[1], limits.velocity, limits.acceleration, limits.jerk)
         far = stray / FOLLOWING
@@ -184,26 +188,54 @@ def _timed(
     return None
 
 
-def _standing(model: RobotModel, space: FreeCoordinates) -> Configurations:
-    """Configurations of a standing robot; while the pelvis rests, so do the legs."""
-    columns = 7 + model.indices(space.joints)
+def _differences(configurations: Configurations, x: Array, v: Array) -> tuple[Array, Array] | None:
+    """``Moving`` of any robot."""
+    beside = configurations(np.concatenate([x, x + STEP_S * v, x - STEP_S * v]))
+    if beside is None:
+        return None
+    q, ahead, behind = beside.reshape(3, len(x), -1)
+    return q, (ahead - behind) / (2.0 * STEP_S)
 
-    def configurations(x: Array) -> Array | None:
-        if np.ptp(x[:, :6], axis=0).max() > STILL:
-            q, reached = space.to_q(x)
+
+class _Standing:
+    """Configurations of a robot on its feet or its mount; while the pelvis rests, so do the legs."""
+
+    def __init__(self, model: RobotModel, space: FreeCoordinates) -> None:
+        self._space, self._columns = space, 7 + model.indices(space.joints)
+        self._base = space.base_size
+
+    def configurations(self, x: Array) -> Array | None:
+        """``Configurations`` of this robot."""
+        if not self._pelvis_rests(x):
+            q, reached = self._space.to_q(x)
             return q if reached.all() else None
-        first, reached = space.to_q(x[:1])
+        first, reached = self._space.to_q(x[:1])
         q = np.repeat(first, len(x), axis=0)
-        q[:, columns] = x[:, 6:]
+        q[:, self._columns] = x[:, self._base :]
         return q if reached.all() else None
 
-    return configurations
+    def moving(self, x: Array, v: Array) -> tuple[Array, Array] | None:
+        """``Moving`` of this robot."""
+        if not self._pelvis_rests(x):
+            return _differences(self.configurations, x, v)
+        q = self.configurations(x)
+        if q is None:
+            return None
+        rate = np.zeros_like(q)
+        rate[:, self._columns] = v[:, self._base :]
+        return q, rate
+
+    def _pelvis_rests(self, x: Array) -> bool:
+        return bool(np.ptp(x[:, : self._base], axis=0).max(initial=0.0) <= STILL)
 
 
 def _velocity(q: Array, slope: Array) -> Array:
     """Velocities in Pinocchio's convention from the derivative of ``q``, shapes (n, nq) to (n, nv)."""
     v = np.empty((len(q), q.shape[1] - 1))
     v[:, 6:] = slope[:, 7:]
+    if not slope[:, :7].any():
+        v[:, :6] = 0.0
+        return v
     xyz, w = q[:, 3:6], q[:, 6:7]
     d_xyz, d_w = slope[:, 3:6], slope[:, 6:7]
     # local angular velocity 2 * conj(quaternion) * derivative

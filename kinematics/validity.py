@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import functools
 import itertools
-from collections.abc import Hashable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
@@ -20,6 +19,7 @@ from kinematics.errors import ModelError
 from kinematics.free_coordinates import free_coordinates
 from kinematics.kernel import readiness
 from kinematics.planning_reserve import COM_RESERVE_M, LIMIT_NOISE_RAD
+from kinematics.robot_build import RobotBuild, robot_build
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -141,46 +141,23 @@ def _kernel_is_there() -> bool:
     return readiness.usable()
 
 
-@dataclass(frozen=True, slots=True)
-class _Build:
-    """A robot by what its arrays are made from: another model of the same robot needs none of its own."""
-
-    made_from: Hashable
-    model: RobotModel = field(compare=False)
-
-
-@functools.lru_cache(maxsize=8)
-def _build(model: RobotModel) -> _Build:
-    robot = model.description
-    made_from = (
-        robot.planning_urdf,
-        frozenset(frozenset(pair) for pair in robot.disabled_collisions),
-        tuple((name, tuple(joints)) for name, joints in sorted(robot.groups.items())),
-        tuple((hand, repr(gripper)) for hand, gripper in sorted(robot.grippers.items())),
-        (robot.welded, *robot.mount_xyz_m, *robot.mount_rpy_rad),
-        # what is carried belongs to the model, not to the robot's data
-        b"".join(inertia.toDynamicParameters().tobytes() for inertia in model.pin.inertias),
-    )
-    return _Build(made_from, model)
-
-
 def _arrays(model: RobotModel) -> RobotArrays:
-    return _arrays_of(_build(model))
+    return _arrays_of(robot_build(model))
 
 
 def _hand_arrays(model: RobotModel, hand: Hand) -> RobotArrays:
-    return _hand_arrays_of(_build(model), hand)
+    return _hand_arrays_of(robot_build(model), hand)
 
 
 @functools.lru_cache(maxsize=4)
-def _arrays_of(build: _Build) -> RobotArrays:
+def _arrays_of(build: RobotBuild) -> RobotArrays:
     from kinematics.kernel.robot_arrays import humanoid_arrays
 
     return humanoid_arrays(build.model)
 
 
 @functools.lru_cache(maxsize=8)
-def _hand_arrays_of(build: _Build, hand: Hand) -> RobotArrays:
+def _hand_arrays_of(build: RobotBuild, hand: Hand) -> RobotArrays:
     from kinematics.kernel.hand_kernel import hand_arrays
 
     return hand_arrays(build.model, hand)

@@ -14,6 +14,8 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.kernel import readiness
+from kinematics.model_tree import model_tree
+from kinematics.planning_memory import planning_memory
 from kinematics.robot_model import RobotModel
 from kinematics.stance import SupportPolygon
 from kinematics.stance_table import StanceTable
@@ -26,15 +28,11 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-class _Ground:
-    """What is the same for every motion on one stance; making it costs as much as 30 instants."""
-
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
-        self.polygon = SupportPolygon(stance, model.description.soles)
-        self.data = model.pin.createData()
+def _support_polygon(model: RobotModel, stance: Stance) -> SupportPolygon:
+    return SupportPolygon(stance, model.description.soles)
 
 
-_ground = StanceTable(_Ground)
+_polygon = StanceTable(_support_polygon)
 
 
 def zmp_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> Array:
@@ -48,12 +46,12 @@ def zmp_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> Ar
     Returns:
         Margins, shape (k,), m; infinite for a welded robot.
     """
-    ground = _ground(model, stance)
+    data = planning_memory(model)
     q, v, a = motion.q, motion.v, motion.a
-    wrench = np.array([pin.rnea(model.pin, ground.data, q[k], v[k], a[k])[:6] for k in range(len(q))])
+    wrench = np.array([pin.rnea(model.pin, data, q[k], v[k], a[k])[:6] for k in range(len(q))])
     force, moment = rotate(q[:, 3:7], wrench[:, :3]), rotate(q[:, 3:7], wrench[:, 3:])
     moment += cross(q[:, :3], force)
-    return ground.polygon.margins_m(_zmp(force, moment))
+    return _polygon(model, stance).margins_m(_zmp(force, moment))
 
 
 def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> tuple[Array, Array]:
@@ -68,12 +66,12 @@ def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -
         Margins of the ZMP and of the CoM's ground projection, shape (k,) each, m; infinite for a
         welded robot.
     """
-    ground = _ground(model, stance)
+    polygon = _polygon(model, stance)
     if model.description.welded or not readiness.usable():
-        com = np.array([pin.centerOfMass(model.pin, ground.data, q)[:2] for q in motion.q])
-        return zmp_margins_m(model, stance, motion), ground.polygon.margins_m(com)
+        com = np.array([pin.centerOfMass(model.pin, planning_memory(model), q)[:2] for q in motion.q])
+        return zmp_margins_m(model, stance, motion), polygon.margins_m(com)
     force, moment, com = compiled_loads(model, motion)
-    return ground.polygon.margins_m(_zmp(force, moment)), ground.polygon.margins_m(com[:, :2])
+    return polygon.margins_m(_zmp(force, moment)), polygon.margins_m(com[:, :2])
 
 
 def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Array, Array]:
@@ -94,10 +92,7 @@ def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Arra
 @functools.lru_cache(maxsize=4)
 def _masses(model: RobotModel) -> tuple[Tree, Array]:
     """The robot's tree, and the inertia of each body about its centre of mass, shape (bodies, 3, 3)."""
-    # imported here: it brings the compiler
-    from kinematics.kernel.tree import tree_of
-
-    return tree_of(model.pin), np.array([np.array(inertia.inertia) for inertia in model.pin.inertias])
+    return model_tree(model), np.array([np.array(inertia.inertia) for inertia in model.pin.inertias])
 
 
 def _zmp(force: Array, moment: Array) -> Array:

@@ -6,9 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.gaze import gaze_joints
-from kinematics.robot_description import Hand
+from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import SceneObject
-from kinematics.support import half_height_m, support_of
+from kinematics.shapes import Box
+from kinematics.support import support_of, top_m
+from kinematics.trajectory import Trajectory
 from trees.sight import in_view
 from trees.sight_of_tops import ABOVE_M, SightOfTops, is_over
 from trees.steps import Step, Target
@@ -22,6 +24,8 @@ _BESIDE_M = 0.12
 _DIRECTIONS = 6
 # A hand that is higher than this above a top passes over what stands on it.
 _TALL_M = 0.35
+# A hand that goes less far than this stays where it is.
+_MOVED_M = 0.02
 
 
 def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> Array:
@@ -38,19 +42,46 @@ def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> 
     Returns:
         Points just above the top, odometry frame, shape (n, 3); none when all was looked at.
     """
-    scene, policy, model = toolbox.world.scene, toolbox.policy, toolbox.model
+    scene = toolbox.world.scene
     item = scene.objects.get(target.name)
-    top = None if item is None else support_of(item, scene, policy.support_gap_m)
+    top = None if item is None else support_of(item, scene, toolbox.policy.support_gap_m)
     if top is None:
         return np.empty((0, 3))
-    sight = SightOfTops(toolbox.world.glimpses, model.description.camera, policy.blocked_by_hand_m)
+    return _unseen(toolbox, _about(_way_of(toolbox, reach.trajectory, hand), top))
+
+
+def unseen_below(toolbox: Toolbox, trajectory: Trajectory) -> Array:
+    """The same for hands that are to go nowhere in particular: under their ways, on whatever has a top.
+
+    Args:
+        toolbox: What was looked at.
+        trajectory: The planned motion; hands that stay where they are do not count.
+
+    Returns:
+        Points just above tops, odometry frame, shape (n, 3); none when all was looked at.
+    """
+    scene = toolbox.world.scene
+    tops = [item for item in scene.objects.values() if not item.movable and isinstance(item.shape, Box)]
+    ways = [_way_of(toolbox, trajectory, hand) for hand in HANDS]
+    moved = [way for way in ways if float(np.abs(way - way[0]).max()) > _MOVED_M]
+    places = [place for way in moved for top in tops for place in _about(way[way[:, 2] > top_m(top)], top)]
+    return _unseen(toolbox, places)
+
+
+def _way_of(toolbox: Toolbox, trajectory: Trajectory, hand: Hand) -> Array:
+    """Places of a hand on its way, shape (n, 3)."""
+    model = toolbox.model
     frame = model.description.tcp_frames[hand]
-    rows = np.linspace(0, len(reach.trajectory.q) - 1, _LOOKED_AT).astype(int)
-    way = np.array([model.frame_pose(q, frame)[:3, 3] for q in reach.trajectory.q[rows]])
-    places = [
-        place for place in _about(way, top) if not sight.shows(place) and in_reach_of_the_eyes(toolbox, place)
-    ]
-    return np.array(places).reshape(-1, 3)
+    rows = np.linspace(0, len(trajectory.q) - 1, _LOOKED_AT).astype(int)
+    return np.array([model.frame_pose(q, frame)[:3, 3] for q in trajectory.q[rows]])
+
+
+def _unseen(toolbox: Toolbox, places: list[Array]) -> Array:
+    """Those of some places that no look has shown and the head can be turned to, shape (n, 3)."""
+    policy, camera = toolbox.policy, toolbox.model.description.camera
+    sight = SightOfTops(toolbox.world.glimpses, camera, policy.blocked_by_hand_m)
+    unseen = [place for place in places if not sight.shows(place) and in_reach_of_the_eyes(toolbox, place)]
+    return np.array(unseen).reshape(-1, 3)
 
 
 def in_reach_of_the_eyes(toolbox: Toolbox, place: Array) -> bool:
@@ -64,7 +95,7 @@ def in_reach_of_the_eyes(toolbox: Toolbox, place: Array) -> bool:
 
 def _about(way: Array, top: SceneObject) -> list[Array]:
     """Points just above a top, at and about a hand's way, where the hand is low; shape (3,) each."""
-    height_m = float(top.world_T_object[2, 3]) + half_height_m(top)
+    height_m = top_m(top)
     turns = 2.0 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
     about = _BESIDE_M * np.column_stack([np.cos(turns), np.sin(turns), np.zeros(_DIRECTIONS)])
     low = way[way[:, 2] < height_m + _TALL_M].copy()

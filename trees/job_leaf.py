@@ -16,9 +16,10 @@ class JobLeaf(Leaf):
     """Submits one request, polls the job, cancels it when it ends early."""
 
     _job: Job | None = None
+    _refused: Failure | None = None
 
-    def request(self) -> PlanRequest:
-        """What to ask."""
+    def request(self) -> PlanRequest | Failure:
+        """What to ask, or why there is nothing to ask."""
         raise NotImplementedError
 
     def accept(self, answer: Any) -> Failure | None:
@@ -27,11 +28,17 @@ class JobLeaf(Leaf):
 
     def begin(self) -> None:
         """Submit the request."""
-        self._job = None
-        self._job = self.toolbox.planning.submit(self.request())
+        self._job = self._refused = None
+        request = self.request()
+        if isinstance(request, Failure):
+            self._refused = request
+        else:
+            self._job = self.toolbox.planning.submit(request)
 
     def step(self) -> Status | Failure:
         """Poll the job."""
+        if self._refused is not None:
+            return self._refused
         if self._job is None:
             raise RuntimeError(f"{self.name} was ticked before it began")
         if not self._job.done:

@@ -11,6 +11,7 @@ from py_trees.blackboard import Client
 from py_trees.common import Status
 from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
 
+from trees.abstract_once import ask_once
 from trees.contract import Contract
 from trees.events import LeafFailed, Measured, NotSo
 from trees.failure_chain import place_of
@@ -20,6 +21,8 @@ from trees.toolbox import Toolbox
 
 RUNNING = Status.RUNNING
 DONE = Status.SUCCESS
+
+ask_once()
 
 
 class Leaf(BehaviourWithPorts):

@@ -251,7 +251,8 @@ class Antecedents(Discourse):
 
     def _person(self, value: Nominal) -> Any:
         if value.reference == "him" or is_them(value):
-            people = list(dict.fromkeys(self._people))
+            named = dict.fromkeys(self._people)
+            people = [one for one in named if may_be(value.said, one)] or list(named)
             if len(people) != 1 or (is_them(value) and self._is_several()):
                 raise ask("who is meant?", [str(person.kind) for person in people])
             if not may_be(value.said, people[0]):

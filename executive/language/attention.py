@@ -38,6 +38,8 @@ from executive.language.phrases import (
 from executive.vocabulary.inflection import plural
 
 _BESIDE = ("RELATION", "NEXT_TO")
+_HERE = frozenset({"there", "room", "here"})
+"""Words that may stand for the place that was named before, or for all that is in view."""
 
 
 def _side(parts: Parts) -> str | None:
@@ -150,8 +152,10 @@ def _asked(
 
 def _find(parts: Parts) -> Clause:
     bundles = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
-    if any("there" in word.said.split() for word in words(parts, "IS_THERE")):
+    if any(_HERE & set(word.said.split()) for word in words(parts, "IS_THERE", "LEFT_OVER")):
         bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
+    elif words(parts, "IF_THERE"):
+        bundles = [(one.with_slot("there_are", "opened"),) for (one,) in bundles]
     return clause(parts, bundles)
 
 
@@ -203,7 +207,7 @@ def _count(parts: Parts) -> Clause:
             raise unfit()
         if nominal.sort in ("me", "name"):
             raise unfit()
-    if any("there" in word.said.split() for word in words(parts, "THERE_ARE")):
+    if any(_HERE & set(word.said.split()) for word in words(parts, "THERE_ARE", "LEFT_OVER")):
         bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
     return clause(parts, bundles)
 

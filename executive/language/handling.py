@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -35,7 +34,6 @@ from executive.language.phrases import (
     Clause,
     Item,
     Meaning,
-    Mention,
     Nominal,
     Pair,
     Relative,
@@ -44,7 +42,21 @@ from executive.language.phrases import (
 )
 from executive.language.placing import put_draft
 
-_SHARP = frozenset({"knife", "scissors", "screwdriver", "drill"})
+_SHARP = frozenset(
+    {
+        "knife",
+        "scissors",
+        "screwdriver",
+        "drill",
+        "lighter",
+        "matches",
+        "axe",
+        "razor",
+        "needle",
+        "bread knife",
+        "steak knife",
+    }
+)
 _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
 
 
@@ -70,7 +82,16 @@ def _pick(parts: Parts) -> Clause:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
-    return clause(parts, [(_pick_bundle(one),) for one in each])
+    bundles = [(_pick_bundle(one),) for one in each]
+    if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
+        bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
+    return clause(parts, bundles)
+
+
+def _get_out(parts: Parts) -> Clause:
+    if words(parts, "OUT")[0].said != "out":
+        raise unfit()
+    return _pick(parts)
 
 
 def _fetch(parts: Parts) -> Clause:
@@ -186,8 +207,12 @@ def _bring_pairs(parts: Parts) -> Clause:
 
 
 def _pair(parts: Parts) -> Pair | None:
-    person, item = parts
-    if not isinstance(person, Nominal) or not person.is_person or item.of.is_person:
+    person, item = (part for part in parts if not isinstance(part, Word))
+    if (
+        not isinstance(person, Nominal)
+        or not (person.is_person or person.reference == "them")
+        or item.of.is_person
+    ):
         return None
     return Pair(person, item)
 
@@ -241,35 +266,6 @@ def _can_i_have(parts: Parts) -> Clause:
     return clause(parts, [_give_bundle(one, ME) for one in each])
 
 
-def _mention(parts: Parts) -> Clause:
-    """A statement of where a thing is."""
-    each = arranged(tuple(part for part in parts if isinstance(part, (Item, Where))))
-    (one,) = each
-    nominal = one.object
-    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
-        raise unfit()
-    placed = one.source is not None or nominal.relation is not None
-    if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
-        raise unfit()
-    if nominal.count == "some" or (nominal.plural and not nominal.counted and not nominal.determined):
-        raise trouble("how many of them?", asks=True)
-    if nominal.plural and not nominal.counted:
-        nominal = replace(nominal, count="all")
-    return Clause((), "base", mention=Mention(nominal, one.source))
-
-
-def _mention_state(parts: Parts) -> Clause:
-    """A statement that something is open or closed, of which only the opposite can be asked."""
-    (item,) = (part for part in parts if isinstance(part, Item))
-    nominal = item.of
-    is_door = nominal.sort in ("container", "door") and nominal.is_single and nominal.determined
-    wished = {"should", "must"} & set(words(parts, "IS_AT")[0].said.split())
-    if wished or not is_door or item.details or nominal.reference or nominal.anaphoric:
-        raise unfit()
-    state = "open" if words(parts, "OPENED") else "closed"
-    return Clause((), "base", mention=Mention(nominal, state=state))
-
-
 def _want(parts: Parts) -> Clause:
     each = arranged(parts)
     for one in each:
@@ -282,6 +278,7 @@ def _want(parts: Parts) -> Clause:
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "pick": _pick,
     "fetch": _fetch,
+    "get_out": _get_out,
     "bring": _bring,
     "carry": _carry,
     "bring_it": _bring_it,
@@ -291,8 +288,6 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "give_pairs": _give_pairs,
     "can_i_have": _can_i_have,
     "want": _want,
-    "mention": _mention,
-    "mention_state": _mention_state,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -13,8 +13,11 @@ FILLER = "FILLER"
 MANNER = "manner"
 """Meaning of those fillers that say how something is to be done."""
 
+TIME = "time"
+"""Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
+
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "HESITATION", "ADDRESSED", *_AT_FIRST})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
     {
@@ -231,7 +234,8 @@ class Lattice:
         Args:
             start: The place.
             commands: Word classes that a command begins with. What was ``said`` of a text that goes on
-                after a separator with one of them is that separator: it may be a command of its own.
+                after a separator with one of them is that separator: it may be a command of its own. Of
+                a text that a time follows it is ``TIME``.
         """
         size = len(self.pieces)
         if start >= size or self.pieces[start].is_mark:
@@ -239,9 +243,16 @@ class Lattice:
         stops = [end for end in range(start + 1, size + 1) if self._may_end(end)]
         goes_on = self._goes_on(start, commands)
         return [
-            Word("TEXT", self.text(start, end), start, end, goes_on[1] if end > goes_on[0] else "")
+            Word(
+                "TEXT", self.text(start, end), start, end, goes_on[1] if end > goes_on[0] else self._time(end)
+            )
             for end in stops
         ]
+
+    def _time(self, position: int) -> str:
+        """``TIME`` where a time begins that may belong to the words before it."""
+        begins = self._own[position] if position < len(self.pieces) else ()
+        return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
 
     def _goes_on(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
         """Where after a place the first separator stands that a command may follow, and its text."""

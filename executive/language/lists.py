@@ -63,7 +63,21 @@ def _items(parts: Parts) -> Items | Trouble:
         unclear = unclear or said_twice(each, links) or _told_later(each, links)
         if unclear is not None:
             return unclear
-    return shared_adjective(each) or Items(each)
+    return shared_adjective(each) or Items(_with_article(each))
+
+
+def _with_article(each: tuple[Item, ...]) -> tuple[Item, ...]:
+    """With the article of the first: "the cups and saucers"."""
+    first = each[0].of
+    if not (first.determined and first.plural and first.is_plain) or first.counted:
+        return each
+    return tuple(
+        replace(one, of=replace(one.of, determined=True)) if _is_bare_plural(one.of) else one for one in each
+    )
+
+
+def _is_bare_plural(nominal: Nominal) -> bool:
+    return nominal.plural and nominal.is_plain and not (nominal.counted or nominal.reference)
 
 
 def _both_items(parts: Parts) -> Items | Trouble | None:
@@ -155,10 +169,10 @@ def _alternatives_of_a_kind(parts: Parts) -> Trouble | None:
 
 
 def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
-    """The red and the blue box: two boxes."""
+    """The red and the blue box: two boxes; or more than two."""
     noun = nominal_of(parts)
     features = [part for part in parts if isinstance(part, (Feature, Relative))]
-    if noun is None or noun.plural or len(words(parts, "DET")) < 2:
+    if noun is None or noun.plural or len(words(parts, "DET")) != len(features):
         return None
     each = [described(replace(noun, determined=True), (feature,)) for feature in features]
     trouble = next((one for one in each if isinstance(one, Trouble)), None)

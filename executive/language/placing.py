@@ -11,7 +11,7 @@ from executive.language.arranging import Parts, arranged, clause, guarded, troub
 from executive.language.handled_thing import BACK, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.nominals import words
-from executive.language.phrases import Bundle, Clause, Meaning, Nominal, Relative, Where, draft
+from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Relative, Where, draft
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
 """Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""
@@ -93,6 +93,13 @@ def _put(parts: Parts) -> Clause:
     if stays:
         bundles = [tuple(each.with_slot("stays", True) for each in bundle) for bundle in bundles]
     return clause(parts, bundles)
+
+
+def _shall_go(parts: Parts) -> Clause:
+    """The milk needs to go in the fridge: nothing is told of it but where it goes."""
+    if any(part.details for part in parts if isinstance(part, Item)):
+        raise unfit()
+    return _put(parts)
 
 
 def _put_into(parts: Parts) -> Clause:
@@ -188,6 +195,7 @@ def _push(parts: Parts) -> Clause:
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put": _put,
     "put_it": _put_it,
+    "shall_go": _shall_go,
     "put_into": _put_into,
     "move_thing": _move_thing,
     "drop": _drop,

@@ -153,7 +153,7 @@ class Resolver(Antecedents):
             if one.get("fetched"):
                 one = replace(one, slots=tuple(slot for slot in one.slots if slot[0] != "fetched"))
                 thing = one.get("object")
-                held = self._held_as(thing, one.get("source"))
+                held = self._held_as(thing, one.get("source")) if isinstance(thing, Nominal) else None
                 if isinstance(thing, ObjectOf) or thing.reference or held is not None:
                     last = held or (thing if isinstance(thing, ObjectOf) else self._it(thing, one.action))
                     if last.task in self._held and one.get("source") is None:
@@ -186,14 +186,18 @@ class Resolver(Antecedents):
             resolved = thing
         root = resolved.task if isinstance(resolved, ObjectOf) else index
         if one.action == "pick" and root in self._held:
+            if _is_only_lifted(one) and named is None:
+                return ObjectOf(root)  # "grasp it and lift it"
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
+        if one.action in PUTS_DOWN and resolved is not None and root in self._held and one.get("source"):
+            raise ask("it is in the hand by then: is another one meant?")
         if one.action == "hand_over" and named is not None and self._is_given(named):
             raise ask(f"the {named.kind or 'one'} is given away by then: is another one meant?")
         slots: dict[str, Any] = {}
-        if one.get("there_are") and one.get("source") is None and self._places:
-            raise ask("only there, or in all that is in view?", [f"the {self._places[-1].kind}"])
+        if one.get("there_are") and one.get("source") is None and (around := self._around(one)):
+            raise ask("only there, or in all that is in view?", [f"the {around[-1].kind}"])
         if one.get("stays") and root not in self._held and root not in self._placed:
             raise ask("shall it be put there, or stay where it is?")  # "leave the cup on the table"
         if one.action in ("place", "put_in") and named is not None and _is_beside_itself(named, one):
@@ -201,7 +205,7 @@ class Resolver(Antecedents):
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
         for name, value in one.slots:
-            if name in ("there_are", "again", "stays"):
+            if name in ("there_are", "again", "stays", "holds"):
                 continue
             if name == "object":
                 slots["object"] = resolved
@@ -228,9 +232,10 @@ class Resolver(Antecedents):
                 slots["person"] = self._person(value)
             elif name == "text":
                 slots["words"] = value
-                self._people += self._people_in(value)
             else:
                 slots[name] = value
+        if "words" in slots:
+            self._people += self._people_in(slots["words"])  # "her" who is told is none of them
         action = slots.pop("action", one.action)
         if action in ("place", "put_in"):
             goal = (action, slots.get("on"), slots.get("to"))
@@ -242,6 +247,8 @@ class Resolver(Antecedents):
             raise UnresolvedError(
                 Trouble(f"{slots['object']!r} is a person, and nothing to {action}", slots["object"])
             )
+        if action == "walk_to" and self._is_there_already(slots["to"]):
+            return ObjectOf(root)  # "come, stand next to me"
         self._commands.append(_TYPES[action](text, **slots))
         if named is not None:
             self._entities.append(Entity(index, self._clause, named))
@@ -258,22 +265,41 @@ class Resolver(Antecedents):
             self._given.add(root)
         return ObjectOf(root)
 
-    def _held_as(self, thing: Any, source: Nominal | None) -> ObjectOf | None:
-        """What a task before picks up that is described in the very same words, or None."""
-        return next(
-            (
-                ObjectOf(entity.task)
-                for entity in self._entities
-                if entity.task in self._held
-                and entity.of == thing
-                and self._sources.get(entity.task) == source
-            ),
-            None,
-        )
+    def _held_as(self, thing: Nominal, source: Nominal | None) -> ObjectOf | None:
+        """What a task before picks up that is described in the very same words, or None.
+
+        Raises:
+            UnresolvedError: It may be one of several, or another that is not in the hand.
+        """
+        if thing.anaphoric:
+            thing = self._same_kind(thing)
+        fitting = {
+            entity.task: entity.of
+            for entity in self._entities
+            if entity.task in self._held
+            and entity.of == replace(thing, anaphoric=entity.of.anaphoric)
+            and source in (None, self._sources.get(entity.task))
+        }
+        if not fitting:
+            return None
+        elsewhere = source is None and any(task in self._sources for task in fitting)
+        if len(fitting) > 1 or (elsewhere and thing.indefinite):
+            raise ask(f"which {thing.kind or 'one'} is meant?")
+        return ObjectOf(next(iter(fitting)))
 
     def _is_given(self, thing: Nominal) -> bool:
         """Whether a task before gives away what is described in the very same words."""
         return any(entity.task in self._given and entity.of == thing for entity in self._entities)
+
+    def _around(self, one: Draft) -> list[Nominal]:
+        """Where "is there a cup?" may be asked of: what was opened, and places, if not "see if there is"."""
+        opened = [entity.of for entity in self._entities if entity.of.sort == "container"]
+        return opened if one.get("there_are") == "opened" else [*self._places, *opened]
+
+    def _is_there_already(self, place: Any) -> bool:
+        """Whether the task before walks to the same place."""
+        last = self._commands[-1] if self._commands else None
+        return isinstance(last, tasks.WalkToTask) and last.to == place
 
     def _was_opened(self, what: Any) -> bool:
         """Whether a task before opens it, so that to close it "again" is to close it."""
@@ -281,6 +307,11 @@ class Resolver(Antecedents):
         if isinstance(what, ObjectOf):
             return what.task in opened
         return any(isinstance(one, tasks.OpenTask) and one.object == what for one in self._commands)
+
+
+def _is_only_lifted(one: Draft) -> bool:
+    """Whether nothing is said of picking a thing up that may not be so once it is held."""
+    return all(one.get(slot) is None for slot in ("hand", "source", "holds"))
 
 
 def _reference(thing: Any) -> str | None:

@@ -87,7 +87,7 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
         if one.after_first and (index != 1 or isinstance(parts[0].part, Group)):
             return UNCLEAR_ORDER  # "go home, open the drawer first, then ..."
         separator = one.separator if index else Separator.STOP
-        if waiting is not None and separator is not Separator.AND:
+        if waiting is not None and separator is not Separator.AND and not _is_listed(parts[index:]):
             if separator is not Separator.STOP:
                 return UNCLEAR_ORDER  # "before A, B, then C": is C before A as well?
             done += waiting
@@ -106,6 +106,14 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
         else:
             done += one.part.second
     return (*done, *(waiting or ()))
+
+
+def _is_listed(parts: Sequence[Further]) -> bool:
+    """Whether commas go on to an "and", as in "before A, B, C and D"."""
+    if not parts or parts[0].separator is not Separator.COMMA:
+        return False
+    rest = next((one for one in parts if one.separator is not Separator.COMMA), None)
+    return rest is not None and rest.separator is Separator.AND
 
 
 def _is_clear(group: Group, separator: Separator, follows: Separator, goes_before: bool) -> bool:

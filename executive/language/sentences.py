@@ -8,10 +8,22 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, Literal
 
-from executive.language import attention, going, handling, lists, nominals, places, placing, speech
+from executive.language import (
+    attention,
+    going,
+    handling,
+    lists,
+    nominals,
+    places,
+    placing,
+    speech,
+    statements,
+)
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
+from executive.language.speech import UNQUOTED
+from executive.language.statements import may_be_said, with_places
 
 Parts = tuple[Any, ...]
 
@@ -50,7 +62,7 @@ def _list_number(parts: Parts) -> _Numbered | None:
 
 
 def _step_number(parts: Parts) -> _Numbered | None:
-    (said,) = nominals.words(parts, "NUM", "AMOUNT")
+    (said,) = nominals.words(parts, "NUM", "AMOUNT", "LETTER")
     return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
 
 
@@ -122,6 +134,14 @@ def _fronted(parts: Parts) -> Clause | None:
     return replace(command, bundles=((changed, *rest),), terse=True)
 
 
+_STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
+
+def _ordinal_step(parts: Parts) -> _Numbered | None:
+    said = parts[0].meaning
+    return _Numbered(_STEPS.index(said) + 1) if said in _STEPS else None
+
+
 _TAKES = {
     "hand": frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"}),
     "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
@@ -177,11 +197,17 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
+    placed = with_places(parts)
+    if placed is None:
+        return None
+    parts = placed
     said = [
         part if isinstance(part, Further) else Further(Separator.NOTHING, part)
         for part in parts
         if isinstance(part, (Clause, Group, Further))
     ]
+    if may_be_said(parts):
+        return Trouble(UNQUOTED, asks=True)
     clauses = in_order(said)
     if isinstance(clauses, Trouble):
         return clauses
@@ -244,9 +270,11 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **going.MEANINGS,
         **attention.MEANINGS,
         **speech.MEANINGS,
+        **statements.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
         "step_number": _step_number,
+        "ordinal_step": _ordinal_step,
         "clause": _clause,
         "clause_with_hand": _clause_with_hand,
         "fronted": _fronted,

@@ -13,7 +13,8 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import Parts, clause, guarded, trouble, unfit
-from executive.language.lattice import Word
+from executive.language.discourse import is_them
+from executive.language.lattice import TIME, Word
 from executive.language.nominals import words
 from executive.language.phrases import Clause, Meaning, Nominal, draft
 
@@ -40,6 +41,7 @@ _ATTACHED = re.compile(
 _STATED = re.compile(
     r"\w[\w' ]*? (?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?"
     r"|love|want|said)\b|(?:i|we|they|he|she|it|that|there|here|what|let)'(?:s|re|m|ll|ve|d)\b"
+    r"|\w[\w ]*'s (?:ready|done|here|served|waiting|late|coming|over|open|closed|on its way|gone)\b"
 )
 """A subject and a verb: somebody is told something."""
 
@@ -97,7 +99,7 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if (
         _UNSPOKEN.search(text)
-        or word.said
+        or (word.said and not (greeting and word.said == TIME))
         or _ATTACHED.search(lowered)
         or (not greeting and _ORDERED.match(lowered))
         or not (greeting or _STATED.match(lowered) or (that and _TOLD.match(lowered)))
@@ -117,7 +119,7 @@ def _say(parts: Parts) -> Clause:
 
 def _say_to(parts: Parts) -> Clause:
     person = next(part for part in parts if isinstance(part, Nominal))
-    if not person.is_person or person.plural:
+    if not is_them(person) and (not person.is_person or person.plural):
         raise unfit()
     told = words(parts, "TELL")
     if told and person.sort == "me":

@@ -31,7 +31,9 @@ _WORD = re.compile(
 BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
 """Bridge words, which are matched whole; elsewhere an underscore is a space."""
 
-_KEYS = frozenset({"words", "same", "refusal", "meaning", "plural", "inflect", "proper", "irregular"})
+_KEYS = frozenset(
+    {"words", "same", "refusal", "meaning", "plural", "plurals", "inflect", "proper", "irregular"}
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -258,7 +260,10 @@ def _classes(name: str, table: Mapping[str, Any], irregular: Mapping[str, str]) 
             words[f"{meaning}:ed"] = tuple(dict.fromkeys(participle(one, irregular) for one in phrases))
     yield WordClass(name, words, table.get("refusal"), table.get("meaning", {}))
     if "plural" in table:
-        several = {meaning: tuple(map(plural, phrases)) for meaning, phrases in words.items()}
+        more = table.get("plurals", {})
+        several = {
+            meaning: (*map(plural, phrases), *more.get(meaning, ())) for meaning, phrases in words.items()
+        }
         yield WordClass(table["plural"], several, derived=True)
     if table.get("proper"):
         owners = {meaning: tuple(f"{one}'s" for one in phrases) for meaning, phrases in words.items()}

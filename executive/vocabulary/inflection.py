@@ -7,7 +7,7 @@ from collections.abc import Mapping
 _VOWELS = "aeiou"
 _PLURAL_LINES = """
 knife:knives shelf:shelves bookshelf:bookshelves man:men woman:women person:people child:children
-mouse:mice potato:potatoes tomato:tomatoes mango:mangoes gentleman:gentlemen dice:dice tooth:teeth
+mouse:mice potato:potatoes tomato:tomatoes mango:mangoes gentleman:gentlemen dice:dices tooth:teeth
 scissors:scissors glasses:glasses somebody:people someone:people anyone:people anybody:people
 fish:fish leaf:leaves loaf:loaves shelves:shelves
 """

@@ -151,10 +151,13 @@ class CollisionKernel:
             scene: One that was made of this one's scene by allowing pairs.
 
         Returns:
-            None when the scene differs in more than that.
+            None when the scene differs in more than that, or in what a held body may touch of the robot:
+            those pairs are no part of what can be changed.
         """
         mine = self._scene
-        if scene.objects is not mine.objects or scene.attached or mine.attached:
+        if scene.objects is not mine.objects or scene.attached is not mine.attached:
+            return None
+        if mine.attached and any(pair.isdisjoint(mine.objects) for pair in scene.allowed ^ mine.allowed):
             return None
         other = copy.copy(self)
         other._scene, other._judged = scene, judged_in(self._robot, scene)

@@ -102,13 +102,18 @@ class FakeWorld:
         q = self.motion.reference()
         efforts = self._motion_efforts(q, self.motion.acceleration())
         for hand, gripper in self.grippers.items():
-            force = np.array(self.pull_n.get(hand, (0.0, 0.0, 0.0)))
-            if gripper.holding is not None and self.world.carried_by(gripper.holding) is not None:
-                depth = self.world.pressed_m(gripper.holding)
-                force[2] += 0.0 if depth is None else SUPPORT_N + SUPPORT_N_M * depth
-            if force.any():
-                efforts -= self._lever(q, hand).T @ force
+            pull_n = self.pull_n.get(hand)
+            support_n = self._support_n(gripper)
+            if pull_n is not None or support_n:
+                efforts -= self._lever(q, hand).T @ np.add(pull_n or (0.0, 0.0, 0.0), (0.0, 0.0, support_n))
         return efforts
+
+    def _support_n(self, gripper: FakeGripper) -> float:
+        """What something below carries of what a hand holds."""
+        if gripper.holding is None or self.world.carried_by(gripper.holding) is None:
+            return 0.0
+        depth = self.world.pressed_m(gripper.holding)
+        return 0.0 if depth is None else SUPPORT_N + SUPPORT_N_M * depth
 
     def _motion_efforts(self, q: NDArray[np.float64], a: NDArray[np.float64]) -> NDArray[np.float64]:
         """What the motion alone asks for; kept, since a robot that holds asks for the same again."""

@@ -130,7 +130,7 @@ def test_greetings_statements_and_quotations_are_said(sentence, words):
 @pytest.mark.parametrize(
     "sentence",
     [
-        "pick up the toy robot",
+        "pick up the wooden robot",
         "pick up the cup on my left",
         "find the cups",
         "describe the boxes",

@@ -7,6 +7,7 @@ import pytest
 
 from kinematics import poses
 from kinematics.collision import CollisionWorld
+from kinematics.curves import PolynomialCurve
 from kinematics.errors import KinematicsError, MissingPartError
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.ik_result import IkTolerance
@@ -118,6 +119,16 @@ def test_a_welded_arm_moves_between_random_postures_among_boxes(
         assert verdict.min_com_margin_m == np.inf
 
     assert detours >= 2  # both ways of planning were used
+
+
+def test_a_welded_arm_that_turns_its_last_joint_alone_keeps_the_others_still(panda, panda_space):
+    start = panda_space.from_q(panda.q_home)
+    goal = start + np.eye(7)[6] * 0.5
+
+    trajectory = time_curve(panda, panda_space, NO_STANCE, PolynomialCurve(np.stack([start, goal])), PACE)
+
+    assert np.abs(trajectory.q[:, :13] - panda.q_home[:13]).max() < 1e-12
+    assert np.ptp(trajectory.q[:, 13]) == pytest.approx(0.5)
 
 
 def test_planner_and_checker_agree_about_a_welded_arm(panda, panda_space, panda_checker, among_boxes):

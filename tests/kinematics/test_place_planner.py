@@ -10,6 +10,7 @@ from kinematics.collision import CollisionWorld
 from kinematics.place_planner import PlacePlanner
 from kinematics.place_requests import PlaceRequest, Spot
 from kinematics.place_task import TURNS_RAD
+from kinematics.reach_ik import ReachIk
 from kinematics.requests import NoPlan, PlacePlan
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
@@ -103,3 +104,31 @@ def test_a_hand_without_room_below_ends_where_the_box_should_stand(talos, stance
     assert isinstance(answer, PlacePlan)
     below = talos.frame_pose(answer.lower.trajectory.q[-1], gripper.tcp_frame) @ low
     assert below[2, 3] == pytest.approx(0.85 + 0.5 * BOX.height_m, abs=1e-3)
+
+
+@pytest.fixture
+def searches(monkeypatch):
+    """Poses and postures that inverse kinematics were searched for, in order."""
+    made, solve = [], ReachIk.solve
+
+    def noted(self, world_T_tcp, q_seed, *more, **named):
+        made.append((np.round(world_T_tcp, 9).tobytes(), np.round(q_seed, 9).tobytes()))
+        return solve(self, world_T_tcp, q_seed, *more, **named)
+
+    monkeypatch.setattr(ReachIk, "solve", noted)
+    return made
+
+
+def test_a_spot_far_out_of_reach_is_given_up_after_two_turns_from_home(talos, stance, make, searches):
+    answer = PlacePlanner(talos).plan(request(talos, stance, make, 0.85, (1.5, -0.34)))
+
+    assert isinstance(answer, NoPlan)
+    assert len({pose for pose, _ in searches}) == place_task.FAR_TURNS
+    assert len({seed for _, seed in searches}) <= 2  # home, and the posture that holds it
+
+
+def test_later_rounds_do_not_search_again_what_the_first_has_found(talos, stance, make, searches):
+    answer = PlacePlanner(talos).plan(request(talos, stance, make, 0.85, (0.72, 0.25)))
+
+    assert isinstance(answer, NoPlan)
+    assert len(searches) == len(set(searches)) > len(TURNS_RAD)

@@ -2,7 +2,8 @@
 
 import dataclasses
 
-from kinematics import validity
+from kinematics import leg_room, validity
+from kinematics.robot_build import robot_build
 from kinematics.robot_model import RobotModel
 from robots.description import load_description
 
@@ -15,6 +16,12 @@ def test_two_models_of_one_robot_share_their_arrays():
     assert validity._arrays(first) is validity._arrays(again)
     assert validity._hand_arrays(first, "left") is validity._hand_arrays(again, "left")
     assert validity._hand_arrays(first, "left") is not validity._hand_arrays(first, "right")
+
+
+def test_two_models_of_one_robot_share_the_arrays_of_their_legs():
+    first, again = (robot_build(RobotModel(load_description("talos"))) for _ in range(2))
+
+    assert leg_room._leg_arrays(first) is leg_room._leg_arrays(again)
 
 
 def test_what_is_carried_makes_another_robot():

@@ -66,7 +66,9 @@ joints within their limits. *length* is how far the joints went from the first s
 
 _COLLISION = """\
 Straight lines of 2 rad from random free configurations of the Panda, in the scenes of all families. An
-optimistic error calls a line free that collides by Coal at every 1/256 rad, a pessimistic one the reverse.
+optimistic error calls a line free that collides by Coal at every 1/256 rad, a pessimistic one the reverse. A
+peer is asked twice: with the step that its documentation takes, and with the referee's, which tells what an
+answer costs that is as right as ours.
 """
 
 _CHECKER = """\

@@ -20,7 +20,7 @@ from trees.if_shifted import IfShifted
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
 from trees.unless_held import UnlessHeld
-from trees.unless_seen import UnlessSeen
+from trees.unless_seen import UnlessSeen, UnlessSeenBelow
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]
@@ -143,6 +143,14 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
             Port("grasp", "input", "Grasp", description="which hand"),
             Port("reach", "input", "Step", description="its planned way"),
         ),
+        children=(1, 1),
+        transparent=True,
+    ),
+    UnlessSeenBelow: NodeKind(
+        "UnlessSeenBelow",
+        "Decorator",
+        lambda parts: UnlessSeenBelow(parts.children[0], parts.toolbox),
+        ports=(Port("reach", "input", "Step", description="the planned way of a hand"),),
         children=(1, 1),
         transparent=True,
     ),

@@ -12,7 +12,7 @@ from kinematics.gaze import gaze_joints
 from kinematics.requests import Grasp
 from kinematics.robot_description import RobotDescription
 from trees.aim import Aim
-from trees.hand_ways import unseen_on_way
+from trees.hand_ways import unseen_below, unseen_on_way
 from trees.policy import Gaze
 from trees.ports import ports
 from trees.steps import Step, Target
@@ -119,3 +119,17 @@ class LookAtWay(Aim):
         places = unseen_on_way(self.toolbox, target, self.get_input("reach"), hand)
         point = places.mean(axis=0) if len(places) else target.odom_T_object[:3, 3]
         return joints_that_show(self.toolbox, point)
+
+
+class LookBelowWay(Aim):
+    """Look at what hands are to pass over and nobody has looked at; straight on where there is nothing."""
+
+    INPUT_PORTS = ports(reach=Step)
+    OUTPUT_PORTS = ports()
+
+    def joints(self) -> Mapping[str, float]:
+        """The head joints' goal, rad."""
+        places = unseen_below(self.toolbox, self.get_input("reach").trajectory)
+        if not len(places):
+            return joints_of(self.toolbox.policy.search_gazes[0], self.toolbox.model.description)
+        return joints_that_show(self.toolbox, places.mean(axis=0))

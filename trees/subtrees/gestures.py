@@ -6,16 +6,23 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
+from trees.best_effort import BestEffort
 from trees.failures import Failure, FailureKind
+from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.go_home import GoHome
+from trees.leaves.look_at import LookBelowWay
 from trees.leaves.look_at_place import LookAtPlace
-from trees.leaves.point_at import PointAt
+from trees.leaves.plan_pointing import PlanPointing
 from trees.leaves.raise_hand import RaiseHand
+from trees.leaves.stream_motion import StreamMotion
+from trees.leaves.survey import Survey
 from trees.leaves.swing_hand import SwingHand
+from trees.leaves.verify_pointing import VerifyPointing
 from trees.leaves.wait import Hold
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
+from trees.unless_seen import UnlessSeenBelow
 
 
 def wave(toolbox: Toolbox) -> Behaviour:
@@ -33,11 +40,26 @@ def point_at(toolbox: Toolbox) -> Behaviour:
     """Find it, point at it for a while, and lower the arm. Reads "task", writes "evidence"."""
     children: list[Behaviour] = [
         search_place("find it", toolbox, everywhere(toolbox)),
-        PointAt("stretch arm", toolbox),
+        PlanPointing("plan pointing", toolbox),
+        _look_below_the_way(toolbox),
+        _look_below_the_way(toolbox),  # for what was found there, the arm may go elsewhere
+        CheckTrajectory("check pointing", toolbox, {"step": "reach", "checked": "checked_reach"}),
+        StreamMotion("stretch arm", toolbox, {"checked": "checked_reach"}),
+        VerifyPointing("see where it points", toolbox),
         Hold("hold", toolbox, toolbox.policy.pointing_hold_s),
         GoHome("lower arm", toolbox),
     ]
     return tidily("point at", children, toolbox)
+
+
+def _look_below_the_way(toolbox: Toolbox) -> Behaviour:
+    """Near a table an arm that points passes over things that the search for one of them did not show."""
+    children: list[Behaviour] = [
+        BestEffort(LookBelowWay("look", toolbox)),
+        Survey("survey", toolbox, {"sightings_now": "sightings"}, keeping=True),
+        PlanPointing("plan again", toolbox),
+    ]
+    return UnlessSeenBelow(Sequence("look below the way", memory=True, children=children), toolbox)
 
 
 def look_at(toolbox: Toolbox) -> Behaviour:

@@ -34,6 +34,8 @@ _FELT_SHARE = 0.4
 """Seen: 0.2 at most of a jam (what coupling a jammed joint takes away), 1.5 and more of a pressed hand."""
 _FORETOLD_SHARE = 0.5
 """A joint whose torque is foretold by the others to this share is pressed from outside; seen: 0.8 to 1.1."""
+_PRESSED_S = 0.5
+"""Followers are judged by as long: a wrist that was bent by a hit is back later than the rest of its arm."""
 
 
 class _Arm:
@@ -67,11 +69,14 @@ class ArmResistance:
         self._outside, self._mean_q = np.zeros(len(names)), np.zeros(len(names))
         self._bound_rad = _BOUND_SHARE * allowed_nm / self._stiffness
         self._periods = 0
+        self._remembered = round(_PRESSED_S / period_s)
+        self._pressed = np.full(len(names), -self._remembered - 1)
 
     def forget(self) -> None:
         """Begin anew: whatever has not moved so far may have been held."""
         for arm in self._arms:
             arm.anchor[:] = np.inf
+        self._pressed[:] = self._periods - self._remembered - 1
 
     def judge(self, state: RobotState, setpoint: JointSetpoint, room: float = 1.0) -> list[Finding]:
         """Take one period's readings, made while the robot followed a setpoint.
@@ -123,14 +128,16 @@ class ArmResistance:
         return found
 
     def touched(self, part: str, q: Array) -> bool:
-        """Whether a joint is held back by something that presses on the hand of its arm.
+        """Whether a joint is held back by something that presses on the hand of its arm, or just was.
 
         Args:
             part: Name of the joint.
             q: Estimated configuration, shape (nq,).
         """
         j = self._names.index(part)
-        return any(self._is_foretold(arm, q, j) for arm in self._arms if j in arm.joints)
+        if any(self._is_foretold(arm, q, j) for arm in self._arms if j in arm.joints):
+            self._pressed[j] = self._periods
+        return bool(self._periods - self._pressed[j] <= self._remembered)
 
     def _is_foretold(self, arm: _Arm, q: Array, j: int) -> bool:
         """Whether what the arm's other joints feel explains the torque of one of them."""

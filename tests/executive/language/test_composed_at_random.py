@@ -250,6 +250,11 @@ def values(of):
     return {of} if isinstance(of, str) else set()
 
 
+def is_endless(task):
+    """Whether it is a motion that a duration could still be said of."""
+    return task["action"] == "move" and {"distance_m", "duration_s"}.isdisjoint(task)
+
+
 def clauses():
     """Commands of the corpus that stand for themselves, with what they mean."""
     found = {}
@@ -271,6 +276,7 @@ def clauses():
                     and not {"pick", "put", "take"} & set(rest)
                     and len(actions) <= 1
                     and actions.isdisjoint({"say", "stop"})
+                    and not any(map(is_endless, sentence["tasks"]))
                 ):
                     found[said] = sentence["tasks"]
     return sorted(found.items())

@@ -52,7 +52,7 @@ def test_an_order_that_could_be_two_is_asked_for(sentence):
         "take the cup, the fork and the bowl and put both of them on the table",
         "take the box on the bench, the one next to the can",
         "take the cup, the red one, and the bottle",
-        "tell Ana that Ben is in the kitchen and go to him",
+        "tell Sam that Kim is in the kitchen and go to him",
         "opening the fridge?",
         "say put the can on the table",
     ],

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import coal
 import numpy as np
 import pinocchio as pin
@@ -136,11 +138,14 @@ def test_whatever_is_where_a_fingertip_passes_while_the_pelvis_moves_is_found(ar
     assert found > 25
 
 
-def test_a_judge_that_allows_more_answers_as_one_made_for_it(arrays, talos, stance, space, make, at_random):
+@pytest.mark.parametrize("holding", [False, True])
+def test_a_judge_that_allows_more_answers_as_one_made_for_it(
+    arrays, talos, stance, space, make, at_random, holding
+):
     rng = np.random.default_rng(21)
-    scene = at_random.scene(rng, talos, make)
+    scene = at_random.scene(rng, talos, make, held=holding)
     links = [name for name in arrays.solids_of if "gripper_right" in name]
-    more = scene.allowing([(link, name) for link in links for name in scene.objects])
+    more = scene.allowing([(link, name) for link in (*links, *scene.attached) for name in scene.objects])
     first = CollisionKernel.standing(arrays, talos, stance, scene, 0.004, 0.005)
     shared = first.allowing(more)
     own = CollisionKernel.standing(arrays, talos, stance, more, 0.004, 0.005)
@@ -152,6 +157,17 @@ def test_a_judge_that_allows_more_answers_as_one_made_for_it(arrays, talos, stan
     assert answers == [(strict.is_free(point), own.is_free(point)) for point in x]
     assert sum(loose and not tight for tight, loose in answers) > 2
     assert first.allowing(scene.without_object("table")) is None
+
+
+def test_a_judge_of_a_held_body_is_made_anew_when_that_may_touch_more_of_the_robot(
+    arrays, talos, stance, make, at_random
+):
+    scene = at_random.scene(np.random.default_rng(21), talos, make, held=True)
+    first = CollisionKernel.standing(arrays, talos, stance, scene)
+    (held,) = scene.attached
+
+    assert first.allowing(scene.allowing([(held, "torso_2_link")])) is None
+    assert first.allowing(replace(scene, attached=dict(scene.attached))) is None
 
 
 def test_distances_are_lower_bounds_and_nearly_coals(arrays, talos, stance, space, make, at_random):

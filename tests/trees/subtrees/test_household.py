@@ -109,6 +109,29 @@ def test_pointing_is_measured_against_the_thing(stage):
 
     assert tree.status == "success"
     assert tree.evidence["off_m"] <= 0.10
+    assert asked(stage, PointRequest)
+
+
+def test_an_arm_is_not_stretched_over_a_table_that_was_not_looked_at(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.45, -0.45)))
+    stage.fake.world.hidden.add("blue cup")
+    stage.when("look below the way", stage.fake.world.hidden.clear)
+    started = []
+    stage.when("stretch arm", lambda: started.append(asked(stage, PointRequest)[-1].scene))
+
+    tree = run(stage, PointAtTask("point at the red cup", RED_CUP))
+
+    assert tree.status == "success"
+    assert "blue cup" not in asked(stage, PointRequest)[0].scene.objects
+    assert ["blue cup" in scene.objects for scene in started] == [True]
+
+
+def test_an_arm_that_passes_over_nothing_is_stretched_at_once(stage_with):
+    stage = stage_with(ANA)
+
+    tree = run(stage, PointAtTask("point at Ana", person="Ana"))
+
+    assert tree.status == "success"
     assert len(asked(stage, PointRequest)) == 1
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 from executive.assembly import assemble
+from executive.session import Session
+from executive.settled_heap import settled_heap
 from executive.task_result import TaskResult, chain
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
@@ -55,22 +57,10 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
             FaultBench(trial.aim, trial.scene, world.truth, world.faults, assembly.perception, phases, rng),
             fault,
         )
-    results: list[TaskResult] = []
     planning = PlanningWatch(assembly.planning)
-    for task in trial.first if trial.sentence else trial.tasks:
-        planning.begin()
-        with assembly.session.events.heard_by(planning.take):
-            results.append(assembly.session.run_task(task))
-        if results[-1].outcome != "done":
-            break
-    prepared = all(result.outcome == "done" for result in results)
-    if trial.sentence and prepared:
-        planning.begin()
-        with assembly.session.events.heard_by(planning.take):
-            results += assembly.session.submit(trial.sentence, on_question="first").result()
-    elif not trial.sentence:
-        prepared = len(results) == len(trial.tasks)
-    assembly.session.hold(AFTER_S)
+    with settled_heap():
+        results, prepared = _asked(assembly.session, trial, planning)
+        assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)
     last = results[-1]
     links = chain(last.failure)
@@ -96,6 +86,25 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         realtime_factor=last.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,
         numbers={**verdict.numbers, "slowest_plan_ms": round(max(planning.requests_ms, default=0.0), 1)},
     )
+
+
+def _asked(session: Session, trial: Trial, planning: PlanningWatch) -> tuple[list[TaskResult], bool]:
+    """How the tasks ended, and whether all came to the last one; ``planning`` counted for that alone."""
+    results: list[TaskResult] = []
+    for task in trial.first if trial.sentence else trial.tasks:
+        planning.begin()
+        with session.events.heard_by(planning.take):
+            results.append(session.run_task(task))
+        if results[-1].outcome != "done":
+            break
+    prepared = all(result.outcome == "done" for result in results)
+    if trial.sentence and prepared:
+        planning.begin()
+        with session.events.heard_by(planning.take):
+            results += session.submit(trial.sentence, on_question="first").result()
+    elif not trial.sentence:
+        prepared = len(results) == len(trial.tasks)
+    return results, prepared
 
 
 def _outcome(suite: str, said: str) -> str:

@@ -108,3 +108,39 @@ def test_a_hand_at_what_does_not_give_way_is_not_stuck_though_one_joint_feels_ne
 
     assert stuck_joints(talos, torques) == set()
     assert stuck_joints(talos, alone) == {SHOULDER}
+
+
+WRIST = "arm_left_7_joint"
+# What the left arm felt while a fingertip hit a cup, and 0.4 s later, when all but the wrist was back
+# (`point_at`, seed 392020, from a time when arms were stretched over tables that nobody had looked at).
+HIT = -12.6, -15.1, -21.5, 21.0, 1.9, -1.4, 9.8
+AFTERWARDS = 2.0, 0.3, -1.6, 7.7, 0.3, 1.3, 7.7
+
+
+def feel(resistance, talos, arm_nm, seconds):
+    """Let the left arm feel torques beyond what its motion needs."""
+    n = len(talos.description.actuated)
+    q, still, effort = np.zeros(n), np.zeros(n), np.zeros(n)
+    effort[talos.group("left_arm")] = arm_nm
+    for k in range(round(seconds / PERIOD_S)):
+        state = RobotState(k * PERIOD_S, q, still, effort, np.zeros(3), np.zeros(3), np.zeros((2, 6)))
+        resistance.judge(state, JointSetpoint(k * PERIOD_S, k, "it", q, still, still))
+        if k % 10 == 0:
+            yield resistance.touched(WRIST, talos.q_home)
+
+
+@pytest.mark.requirement("F5")
+def test_a_wrist_that_was_bent_by_a_hit_is_not_stuck_though_the_rest_of_its_arm_is_back(talos):
+    resistance = ArmResistance(talos, PERIOD_S)
+
+    assert list(feel(resistance, talos, HIT, 0.3))[-1]
+    later = list(feel(resistance, talos, AFTERWARDS, 1.0))
+
+    assert all(later[:20])
+    assert not later[-1]
+
+
+def test_a_wrist_that_nothing_has_hit_is_held_back_by_itself(talos):
+    resistance = ArmResistance(talos, PERIOD_S)
+
+    assert not any(feel(resistance, talos, AFTERWARDS, 0.5))

@@ -1,0 +1,140 @@
+"""What is stated beside commands: where a thing is, that something is open, why something is asked for."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.arranging import Parts, arranged, guarded, unfit
+from executive.language.nominals import words
+from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
+from executive.language.scopes import Further, Group
+
+
+class _Reason:
+    """Why a command before it was given; it changes nothing."""
+
+    __slots__ = ()
+
+
+_REASON = _Reason()
+
+
+def _mention(parts: Parts) -> Clause:
+    """A statement of where a thing is."""
+    each = arranged(tuple(part for part in parts if isinstance(part, (Item, Where))))
+    (one,) = each
+    nominal = one.object
+    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
+        raise unfit()
+    placed = one.source is not None or nominal.relation is not None
+    if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
+        raise unfit()
+    if nominal.count == "some" or (nominal.plural and not nominal.counted):
+        nominal = replace(nominal, count="all")
+    return Clause((), "base", mention=Mention(nominal, one.source))
+
+
+def _mention_lost(parts: Parts) -> Clause:
+    """A statement that something is to be found, which nothing but "find it" follows up."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    nominal = item.of
+    if nominal.sort != "thing" or item.details or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    if nominal.count != 1 or (nominal.plural and not nominal.paired):
+        raise unfit()
+    return Clause((), "base", mention=Mention(nominal))
+
+
+def _mention_state(parts: Parts) -> Clause:
+    """A statement that something is open or closed, of which only the opposite can be asked."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    nominal = item.of
+    is_door = nominal.sort in ("container", "door") and nominal.is_single and nominal.determined
+    wished = {"should", "must"} & {one for word in words(parts, "IS_AT") for one in word.said.split()}
+    if wished or not is_door or item.details or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    state = "open" if words(parts, "OPENED") else "closed"
+    return Clause((), "base", mention=Mention(nominal, state=state))
+
+
+def _reason_after(_parts: Parts) -> _Reason:
+    return _REASON
+
+
+def _located_after(parts: Parts) -> Where:
+    where: Where = parts[-1]
+    return where
+
+
+def may_be_said(parts: Parts) -> bool:
+    """Whether a reason stands where words to say may go on: "say hello, I'm cold"."""
+    return any(
+        after is _REASON and _last_action(before) == "say" for before, after in itertools.pairwise(parts)
+    )
+
+
+def _last_action(part: Any) -> str | None:
+    part = part.part if isinstance(part, Further) else part
+    last = (*part.first, *part.second)[-1] if isinstance(part, Group) else part
+    return str(last.bundles[-1][-1].action) if isinstance(last, Clause) and last.bundles else None
+
+
+def with_places(parts: Parts) -> Parts | None:
+    """With what is said after a command of where its thing is: "bring me the book, it's on the shelf".
+
+    None where a command has no thing that alone can be meant.
+    """
+    found: list[Any] = []
+    for part in parts:
+        if not isinstance(part, Where):
+            found.append(part)
+            continue
+        before = found.pop()
+        of = before.part if isinstance(before, Further) else before
+        placed = _PLACED((of, part)) if isinstance(of, Clause) else None
+        if not isinstance(placed, Clause):
+            return None
+        found.append(replace(before, part=placed) if isinstance(before, Further) else placed)
+    return tuple(found)
+
+
+_LOCATED = frozenset({"pick", "hand_over", "find"})
+"""Tasks of a thing that may have a place."""
+
+
+def _placed(parts: Parts) -> Clause:
+    """A command with where its only thing is, unless it names another that may be meant."""
+    command, where = parts
+    if len(command.bundles) != 1 or where.role in ("to", "from"):
+        raise unfit()
+    first, *rest = command.bundles[0]
+    named = first.get("object")
+    goals = [value for one in (first, *rest) for name, value in one.slots if name in ("to", "on", "there")]
+    if first.action not in _LOCATED or not all(isinstance(one, Nominal) and one.is_person for one in goals):
+        raise unfit()
+    if not isinstance(named, Nominal) or named.reference or first.get("source") or named.relation:
+        raise unfit()
+    (one,) = arranged((Item(named, (where,)),))
+    slots = tuple((name, one.object if name == "object" else value) for name, value in first.slots)
+    told = replace(first, slots=slots).with_slot("source", one.source)
+    placed: Clause = replace(command, bundles=((told, *rest),))
+    return placed
+
+
+_PLACED = guarded(_placed)
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "mention": _mention,
+    "mention_lost": _mention_lost,
+    "mention_state": _mention_state,
+    "reason_after": _reason_after,
+    "located_after": _located_after,
+}
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+)
