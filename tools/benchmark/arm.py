@@ -45,12 +45,13 @@ class PeerEntry:
     slow: bool = False
 
 
-# The fastest of them takes part twice: as documented, and so fine that nearly all of its paths are free,
+# The fastest of them take part twice: as documented, and so fine that nearly all of their paths are free,
 # which is what this project's planner owes.
 PEERS = (
     PeerEntry("roboplan", "plan_roboplan"),
     PeerEntry("roboplan", "plan_roboplan", 0.005, ", step 0.005"),
     PeerEntry("ompl", "plan_ompl"),
+    PeerEntry("ompl", "plan_ompl", 0.005, ", step 0.005"),
     PeerEntry("pyroboplan", "plan_pyroboplan", slow=True),
 )
 

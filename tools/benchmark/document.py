@@ -17,7 +17,7 @@ from tools.benchmark.contest import COLUMNS, Standing, cells
 from tools.benchmark.peers.environments import NAMES, PeerEnvironment
 
 RUNNERS = Path(__file__).parent / "peers" / "runners"
-_NO_PROTOCOL = ("line_protocol", "coal_scene", "reach_tolerance")
+_NO_PROTOCOL = ("line_protocol", "coal_scene", "reach_tolerance", "pick_coordinates")
 
 _HEAD = """\
 # Benchmarks
@@ -47,6 +47,15 @@ _PICK = """\
 TALOS takes a cup amid 3 to 12 things on a table: grasp, whole-body inverse kinematics, path, timing and the
 check of all motions. What has no plan is given to a long search with OMPL and Coal over twelve coordinates,
 which shares neither grasps nor goals nor planner with the product, to tell whether it was possible.
+
+The same picks are given to the fastest of the peers one after another: mink, OMPL over Coal, toppra. They get
+the product's grasps in its order, the same solids, margins and limits, and what passes between them costs
+nothing. They move trunk and one arm, nine joints over legs that stay, which is less to solve than the
+product's whole body and enough for most of these tables; or pelvis and legs too: neither OMPL nor roboplan
+plans for closed chains, so the legs follow by the product's own closed form. They end with the first plan
+that holds, and pay for neither jerk, efforts nor balance in motion. Their last judgement is by samples, where
+the product's is a proof: once at every 1/256 rad of any joint, as the referee of `arm` looks, and once at
+every 0.5 ms, as the referee of the checker does near solids.
 """
 
 _IK = """\

@@ -1,9 +1,15 @@
-"""A pick from request to checked motions, amid clutter, and how many of the possible ones are found."""
+"""A pick from request to checked motions, amid clutter, beside the same by peers, and how many are found."""
 
 from __future__ import annotations
 
+import contextlib
 import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests import CheckRequest, PickPlan, PickRequest
@@ -13,11 +19,26 @@ from robots.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import peer_process
+from tools.benchmark.pick_peers import PARTS, STAGES, PeerPick, PeerPicker, peer_picker
 from tools.benchmark.pick_search import BUDGET_S, RUNNER, LongSearch
 from tools.benchmark.problems.picks import picks
 from tools.benchmark.report import Report
 
+Array = NDArray[np.float64]
+
 QUICK_BUDGET_S = 5.0
+# What the peers move, and whether that is the whole body.
+SPACES = {"trunk and arm": False, "whole body": True}
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """One pick, by the product and, where they are installed, by the peers, once in each of ``SPACES``."""
+
+    request: PickRequest
+    solved: bool
+    own_s: float
+    peers: Mapping[str, PeerPick]
 
 
 def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
@@ -27,23 +48,18 @@ def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
     possible.
     """
     model = RobotModel(load_description("talos"))
-    planner = MotionPlanner(model)
-    environment = PeerEnvironment("ompl", cache)
-    found_s: list[float] = []
-    refused_s: list[float] = []
-    unsolved: list[PickRequest] = []
-    for number, request in enumerate(picks(model, samples or (8 if quick else 200), seed=0)):
-        if number == 0:
-            _solves(planner, request)
-        began_s = time.process_time()
-        solved = _solves(planner, request)
-        (found_s if solved else refused_s).append(time.process_time() - began_s)
-        if not solved:
-            unsolved.append(request)
-    count = len(found_s) + len(refused_s)
-    notes, possible = [f"{len(found_s)} of {count} picks were planned and checked, seed 0."], 0
-    if environment.is_ready:
-        with peer_process(environment, RUNNER) as process:
+    missing = [name for name in PARTS if not PeerEnvironment(name, cache).is_ready]
+    with contextlib.ExitStack() as stack:
+        peers = {
+            name: stack.enter_context(peer_picker(model, cache, whole_body))
+            for name, whole_body in ({} if missing else SPACES).items()
+        }
+        trials = _trials(model, peers, samples or (8 if quick else 200))
+    found_s = [trial.own_s for trial in trials if trial.solved]
+    notes, possible = [f"{len(found_s)} of {len(trials)} picks were planned and checked, seed 0."], 0
+    unsolved = [trial.request for trial in trials if not trial.solved]
+    if "ompl" not in missing:
+        with peer_process(PeerEnvironment("ompl", cache), RUNNER) as process:
             search = LongSearch(process, model, cache / "talos")
             budget_s = QUICK_BUDGET_S if quick else BUDGET_S
             answers = [search.search(request, budget_s) for request in unsolved]
@@ -51,9 +67,95 @@ def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
         notes.append(
             f"Of {len(unsolved)} picks without a plan the search solved {possible}, in {budget_s:.0f} s each."
         )
-    else:
-        notes.append("ompl: its environment is not there (python -m tools.benchmark.peers)")
-    return Report("pick", quick, _figures(found_s, refused_s, possible), notes=notes)
+    notes += [f"{name}: its environment is not there (python -m tools.benchmark.peers)" for name in missing]
+    refused_s = [trial.own_s for trial in trials if not trial.solved]
+    figures = [*_figures(found_s, refused_s, possible), *peer_figures(trials)]
+    return Report("pick", quick, figures, notes=[*notes, *peer_notes(trials)])
+
+
+def _trials(model: RobotModel, peers: Mapping[str, PeerPicker], count: int) -> list[Trial]:
+    """Everybody in turn, beginning with another one each time, after a first pick that does not count."""
+    planner = MotionPlanner(model)
+    trials = []
+    for number, request in enumerate(picks(model, count, seed=0)):
+        if number == 0:
+            _solves(planner, request)
+            for peer in peers.values():
+                peer.pick(request)
+        found: dict[str, PeerPick] = {}
+        solved, own_s = False, 0.0
+        turn = ["", *peers]
+        begin = number % len(turn)
+        for name in (*turn[begin:], *turn[:begin]):
+            if name:
+                found[name] = peers[name].pick(request)
+                continue
+            began_s = time.process_time()
+            solved = _solves(planner, request)
+            own_s = time.process_time() - began_s
+        trials.append(Trial(request, solved, own_s, found))
+    return trials
+
+
+def peer_figures(trials: Sequence[Trial]) -> list[Figure]:
+    """The product beside the peers, on those picks that both planned."""
+    found = []
+    for name in SPACES:
+        both = _both(trials, name)
+        if both:
+            own_ms = [1e3 * own_s for own_s, _ in both]
+            for how, peer_s in _judged(both).items():
+                peer = f"mink, OMPL and toppra, {name}, Coal every {how}"
+                found.append(figure("pick that both planned, ms", own_ms, peer, (1e3 * peer_s).tolist()))
+    return found
+
+
+def peer_notes(trials: Sequence[Trial]) -> list[str]:
+    """How many the peers planned, the spread of the ratios, and where the peers' time goes."""
+    notes = []
+    for name in SPACES:
+        both = _both(trials, name)
+        if not both:
+            continue
+        planned = sum(trial.peers[name].solved for trial in trials)
+        own_s = np.array([own_s for own_s, _ in both])
+        ratios = ", ".join(
+            f"{_quartiles(peer_s / own_s)} and at the p95 {_p95(peer_s) / _p95(own_s):.1f} (every {how})"
+            for how, peer_s in _judged(both).items()
+        )
+        stages = ", ".join(
+            f"{stage} {1e3 * float(np.median([peer.seconds.get(stage, 0.0) for _, peer in both])):.1f}"
+            for stage in STAGES
+        )
+        notes.append(
+            f"Peers, {name}: {planned} of {len(trials)} picks planned; times slower on single picks that "
+            f"both planned, quartiles: {ratios}; medians of the stages, ms: {stages}."
+        )
+    return notes
+
+
+def _judged(both: Sequence[tuple[float, PeerPick]]) -> dict[str, Array]:
+    """The peers' times by how often the last judgement looks."""
+    return {
+        "1/256 rad": np.array([peer.by_way_s for _, peer in both]),
+        "0.5 ms": np.array([peer.by_time_s for _, peer in both]),
+    }
+
+
+def _both(trials: Sequence[Trial], name: str) -> list[tuple[float, PeerPick]]:
+    return [
+        (trial.own_s, trial.peers[name])
+        for trial in trials
+        if trial.solved and name in trial.peers and trial.peers[name].solved
+    ]
+
+
+def _quartiles(values: Array) -> str:
+    return "–".join(f"{value:.1f}" for value in np.percentile(values, (25, 75)))
+
+
+def _p95(samples: Array) -> float:
+    return float(np.percentile(samples, 95))
 
 
 def _figures(found_s: list[float], refused_s: list[float], possible: int) -> list[Figure]:

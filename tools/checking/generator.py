@@ -23,7 +23,8 @@ from tools.checking.motions import (
 )
 from tools.checking.placing import Placer, random_rotation, random_shape
 from tools.checking.profiles import Profile
-from tools.checking.referee import CollisionWorld, Referee, Verdict
+from tools.checking.referee import Referee, Verdict
+from tools.checking.solid_world import SolidWorld
 
 Array = NDArray[np.float64]
 
@@ -81,6 +82,7 @@ class Generator:
         self._choreographer = Choreographer(model)
         self._placer = Placer(model)
         self._referee = Referee(model)
+        self._judged: tuple[Trajectory, Verdict] | None = None
 
     def case(self, kind: Kind, rng: np.random.Generator) -> Case:
         """Draw until the referee agrees that the case is what it should be.
@@ -97,7 +99,7 @@ class Generator:
             if made is None:
                 continue
             trajectory, scene, size = made
-            verdict = self._referee.judge_alone(trajectory)
+            verdict = self._alone(trajectory)
             if kind not in _NEEDS_NO_SCENE and not (kind == "sound" and verdict.unsafe):
                 verdict = self._referee.judge(trajectory, scene, verdict)
             wanted = (
@@ -108,6 +110,12 @@ class Generator:
             if wanted:
                 return Case(kind, size, trajectory, scene, verdict)
         raise RuntimeError(f"no case of kind {kind!r} in {_TRIES} tries")
+
+    def _alone(self, trajectory: Trajectory) -> Verdict:
+        """What the referee says without a scene: asked before something is placed, and once more after."""
+        if self._judged is None or self._judged[0] is not trajectory:
+            self._judged = trajectory, self._referee.judge_alone(trajectory)
+        return self._judged[1]
 
     def _timed(self, rng: np.random.Generator, motion: Motion) -> Trajectory:
         return self._with_use(rng, motion, rng.uniform(0.35, 0.97))
@@ -121,7 +129,7 @@ class Generator:
 
     def _sound(self, rng: np.random.Generator, _: float) -> tuple[Trajectory, PlanningScene, float] | None:
         trajectory = self._timed(rng, random_motion(self._model, rng))
-        if self._referee.judge_alone(trajectory).unsafe:
+        if self._alone(trajectory).unsafe:
             return None
         return trajectory, self._surroundings(rng, trajectory), 0.0
 
@@ -235,22 +243,22 @@ class Generator:
         self, motion: Motion, scene: PlanningScene, size: float, rng: np.random.Generator
     ) -> Trajectory | None:
         """Scale a motion until its deepest contact is ``size`` deep."""
-        world = CollisionWorld(self._model, scene)
+        world = SolidWorld(self._model, scene)
         s = np.linspace(0.0, 1.0, 60)
         rows, _ = self._choreographer.unit(Motion(motion.joints), s)
         home = rows[0].copy()
 
-        def depth(scale: float) -> float:
+        def sinks(scale: float) -> bool:
             moved = rows.copy()
             moved[:, 7:] = home[7:] + scale * (rows[:, 7:] - home[7:])
-            return max(float(-(world.distances(q) - world.margins).min()) for q in moved[::3])
+            return any(world.nearer_than(q, -size) for q in moved[::3])
 
-        if depth(1.0) < size:
+        if not sinks(1.0):
             return None
         low, high = 0.0, 1.0
         while high - low > 0.01:
             middle = 0.5 * (low + high)
-            low, high = (middle, high) if depth(middle) < size else (low, middle)
+            low, high = (low, middle) if sinks(middle) else (middle, high)
         scaled = {index: profile.scaled(high) for index, profile in motion.joints.items()}
         return self._timed(rng, Motion(scaled, motion.pelvis))
 
@@ -258,7 +266,7 @@ class Generator:
         if rng.random() < 0.3:
             return self._graze(rng)
         trajectory = self._with_use(rng, random_motion(self._model, rng), rng.uniform(0.5, 0.97))
-        if self._referee.judge_alone(trajectory).unsafe:
+        if self._alone(trajectory).unsafe:
             return None
         scene = self._surroundings(rng, trajectory) if rng.random() < 0.5 else PlanningScene()
         item = self._random_object(rng, "obstacle")
@@ -269,7 +277,7 @@ class Generator:
         """A fast arm that just touches something, for a few milliseconds."""
         group = str(rng.choice(["left_arm", "right_arm"]))
         trajectory = self._with_use(rng, random_motion(self._model, rng, [group]), 0.97)
-        if self._referee.judge_alone(trajectory).unsafe:
+        if self._alone(trajectory).unsafe:
             return None
         size = float(np.exp(rng.uniform(np.log(0.0001), np.log(0.001))))
         item = self._random_object(rng, "obstacle")
@@ -279,7 +287,7 @@ class Generator:
     def _thin(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         """A rod of 1 mm in the way of a fast motion."""
         trajectory = self._with_use(rng, random_motion(self._model, rng), rng.uniform(0.7, 0.97))
-        if self._referee.judge_alone(trajectory).unsafe:
+        if self._alone(trajectory).unsafe:
             return None
         rod = Cylinder(_THIN_RADIUS_M, rng.uniform(0.05, 0.6))
         item = self._random_object(rng, "obstacle", rod)
@@ -304,7 +312,7 @@ class Generator:
             return None
         scene = PlanningScene().with_object(placed)
         brief = self._placer.is_brief(trajectory, scene, "obstacle", _BRIEF_S)
-        if not brief or self._referee.judge_alone(trajectory).unsafe:
+        if not brief or self._alone(trajectory).unsafe:
             return None
         return trajectory, scene, size
 
@@ -317,7 +325,7 @@ class Generator:
             trajectory = self._sink(motion, scene, size, rng)
             return None if trajectory is None else (trajectory, scene, size)
         trajectory = self._timed(rng, motion)
-        if self._referee.judge_alone(trajectory).unsafe:
+        if self._alone(trajectory).unsafe:
             return None
         item = self._random_object(rng, "obstacle")
         placed = self._placer.place(rng, trajectory, scene, item, -size, link="held thing")
@@ -339,7 +347,7 @@ class Generator:
             return Motion(base.joints, {direction: profile})
 
         def missing(shift: float) -> float:
-            trajectory = self._choreographer.trajectory(motion(shift), 10.0, times * 10.0)
+            trajectory = self._choreographer.trajectory(motion(shift), 10.0, times * 10.0, times)
             return self._model.description.com_margin_m - self._referee.com_margin_m(trajectory)
 
         low, high = 0.0, 0.02

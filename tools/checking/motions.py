@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation
 
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance, Trajectory
@@ -18,7 +19,7 @@ Array = NDArray[np.float64]
 
 PELVIS = ("x", "y", "z", "yaw", "pitch")
 _PELVIS_SIZE = {"x": 0.04, "y": 0.05, "z": 0.06, "yaw": 0.15, "pitch": 0.1}
-_LEG_INSTANTS = 121
+_LEG_INSTANTS = np.linspace(0.0, 1.0, 121)
 _GROUPS = ("left_arm", "right_arm", "torso", "head")
 
 
@@ -79,7 +80,7 @@ class Choreographer:
         self.model = model
         self.stance = stance_at_home(model)
         self._data = model.pin.createData()
-        self._known: dict[int, tuple[Motion, CubicSpline]] = {}
+        self._known: tuple[Motion, Array, CubicSpline] | None = None
         self._feet = [
             (model.frame_id(name), pin.SE3(world_T_sole), self._leg_columns(model.frame_id(name)))
             for name, world_T_sole in self.stance.soles
@@ -90,8 +91,13 @@ class Choreographer:
         jacobian = pin.getFrameJacobian(self.model.pin, self._data, frame, pin.LOCAL)
         return np.flatnonzero(np.abs(jacobian[:, 6:]).any(axis=0)) + 6
 
-    def unit(self, motion: Motion, s: Array) -> tuple[Array, Array]:
+    def unit(self, motion: Motion, s: Array, exact_at: Array = _LEG_INSTANTS) -> tuple[Array, Array]:
         """Configurations, shape (n, nq), and derivatives with respect to s, shape (n, nv).
+
+        Args:
+            motion: The motion.
+            s: Instants, shape (n,).
+            exact_at: Where the feet are kept exactly; a cubic spline runs between.
 
         Raises:
             UnfitMotionError: The feet cannot stay.
@@ -103,13 +109,13 @@ class Choreographer:
             q[:, 7 + index] += values
             v[:, 6 + index] = rates
         if motion.pelvis:
-            self._move_pelvis(motion, s, q, v)
+            self._move_pelvis(motion, s, q, v, exact_at)
         return q, v
 
-    def _move_pelvis(self, motion: Motion, s: Array, q: Array, v: Array) -> None:
+    def _move_pelvis(self, motion: Motion, s: Array, q: Array, v: Array, exact_at: Array) -> None:
         q[:, :7], v[:, :6] = self._base(motion, s)
         columns = np.concatenate([columns for _, _, columns in self._feet])
-        legs = self._legs(motion)
+        legs = self._legs(motion, exact_at)
         q[:, columns + 1], v[:, columns] = legs(s), legs(s, 1)
 
     def _base(self, motion: Motion, s: Array) -> tuple[Array, Array]:
@@ -117,26 +123,19 @@ class Choreographer:
         still = np.zeros_like(s)
         place = {name: motion.pelvis[name](s) if name in motion.pelvis else (still, still) for name in PELVIS}
         home = pin.XYZQUATToSE3(self.model.q_home[:7])
-        pose, twist = np.empty((len(s), 7)), np.empty((len(s), 6))
-        for i in range(len(s)):
-            yaw, pitch = place["yaw"][0][i], place["pitch"][0][i]
-            heading = pin.utils.rotate("z", yaw)
-            rotation = heading @ pin.utils.rotate("y", pitch) @ home.rotation
-            shift = np.array([place[name][0][i] for name in ("x", "y", "z")])
-            velocity = np.array([place[name][1][i] for name in ("x", "y", "z")])
-            spin = np.array([0.0, 0.0, place["yaw"][1][i]])
-            spin += heading @ np.array([0.0, place["pitch"][1][i], 0.0])
-            pose[i, :3] = home.translation + shift
-            pose[i, 3:] = pin.Quaternion(rotation).coeffs()
-            twist[i] = np.concatenate([rotation.T @ velocity, rotation.T @ spin])
-        return pose, twist
+        heading = Rotation.from_rotvec(np.outer(place["yaw"][0], (0.0, 0.0, 1.0)))
+        leaning = Rotation.from_rotvec(np.outer(place["pitch"][0], (0.0, 1.0, 0.0)))
+        rotation = heading * leaning * Rotation.from_matrix(home.rotation)
+        shift, velocity = (np.column_stack([place[name][k] for name in ("x", "y", "z")]) for k in (0, 1))
+        spin = heading.apply(np.outer(place["pitch"][1], (0.0, 1.0, 0.0)))
+        spin[:, 2] += place["yaw"][1]
+        pose = np.hstack([home.translation + shift, rotation.as_quat()])
+        return pose, np.hstack([rotation.apply(velocity, inverse=True), rotation.apply(spin, inverse=True)])
 
-    def _legs(self, motion: Motion) -> CubicSpline:
+    def _legs(self, motion: Motion, s: Array) -> CubicSpline:
         """Leg joints that keep the feet: exact at some instants, a cubic spline between."""
-        known = self._known.get(id(motion))
-        if known is not None and known[0] is motion:
-            return known[1]
-        s = np.linspace(0.0, 1.0, _LEG_INSTANTS)
+        if self._known is not None and self._known[0] is motion and self._known[1] is s:
+            return self._known[2]
         q, v = np.tile(self.model.q_home, (len(s), 1)), np.zeros((len(s), self.model.nv))
         q[:, :7], v[:, :6] = self._base(motion, s)
         columns = np.concatenate([columns for _, _, columns in self._feet])
@@ -145,7 +144,7 @@ class Choreographer:
                 q[i, columns + 1] = q[i - 1, columns + 1] + v[i - 1, columns] * (s[i] - s[i - 1])
             self._keep_feet(q[i], v[i])
         legs = CubicSpline(s, q[:, columns + 1], bc_type=((1, v[0, columns]), (1, v[-1, columns])))
-        self._known = {id(motion): (motion, legs)}
+        self._known = motion, s, legs
         return legs
 
     def _keep_feet(self, q: Array, v: Array) -> None:
@@ -190,13 +189,15 @@ class Choreographer:
             max(speed.max() / use, np.sqrt(acceleration.max() / use), np.cbrt(jerk.max() / use), 0.3)
         )
 
-    def trajectory(self, motion: Motion, duration_s: float, times_s: Array) -> Trajectory:
-        """Sample a motion at some times.
+    def trajectory(
+        self, motion: Motion, duration_s: float, times_s: Array, exact_at: Array = _LEG_INSTANTS
+    ) -> Trajectory:
+        """Sample a motion at some times; ``exact_at`` as for ``unit``.
 
         Raises:
             UnfitMotionError: The feet cannot stay.
         """
-        q, v = self.unit(motion, times_s / duration_s)
+        q, v = self.unit(motion, times_s / duration_s, exact_at)
         return Trajectory(self.model.joints, self.stance, times_s, q, v / duration_s)
 
 

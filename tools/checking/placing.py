@@ -8,15 +8,20 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics import poses
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from kinematics.trajectory import Trajectory
-from tools.checking.referee import CollisionWorld, Referee
+from tools.checking.ray import Ray
+from tools.checking.referee import Referee
+from tools.checking.solid_world import SolidWorld
 
 Array = NDArray[np.float64]
 
 _CLOSENESS_M = 0.00005
+# Along a ray from the robot, at most.
+_FAR_M = 1.2
 
 
 def random_shape(rng: np.random.Generator) -> Shape:
@@ -95,38 +100,28 @@ class Placer:
             ray -= (ray @ ahead) * ahead
         ray /= np.linalg.norm(ray)
 
-        def at(distance: float) -> SceneObject:
-            pose = item.world_T_object.copy()
-            pose[:3, 3] = origin + distance * ray
-            return replace(item, world_T_object=pose)
-
-        world = CollisionWorld(self._model, scene.with_object(item), only=frozenset([item.name]))
-
-        def gap(distance: float) -> float:
-            world.move(item.name, at(distance).world_T_object)
-            return min(float((world.distances(q) - world.margins).min()) for q in rows)
-
-        far = 1.2
-        if gap(far) < gap_m or gap(0.0) > gap_m:
+        placed = replace(item, world_T_object=poses.transform(item.world_T_object[:3, :3], origin))
+        world = SolidWorld(self._model, scene.with_object(placed), only=frozenset([item.name]))
+        along = Ray(self._model, world, item.name, origin, ray, rows)
+        if along.nearer_than(_FAR_M, gap_m) or not along.nearer_than(0.0, gap_m):
             return None
-        low, high = 0.0, far
+        low, high = 0.0, _FAR_M
         while high - low > _CLOSENESS_M:
             middle = 0.5 * (low + high)
-            if gap(middle) > gap_m:
-                high = middle
-            else:
-                low = middle
-        return at(low if gap_m < 0.0 else high)
+            low, high = (middle, high) if along.nearer_than(middle, gap_m) else (low, middle)
+        distance = low if gap_m < 0.0 else high
+        pose = poses.transform(item.world_T_object[:3, :3], origin + distance * ray)
+        return replace(item, world_T_object=pose)
 
     def is_brief(self, trajectory: Trajectory, scene: PlanningScene, name: str, most_s: float) -> bool:
         """Tell whether an object is touched for about ``most_s`` at most in the whole motion."""
-        world = CollisionWorld(self._model, scene, only=frozenset([name]))
+        world = SolidWorld(self._model, scene, only=frozenset([name]))
         # a coarse look tells most of the cases that are not, soon
         for step_s, most in ((0.02, 1), (0.25 * most_s, 4)):
             instants = np.asarray(np.arange(0.0, trajectory.duration_s, step_s), dtype=np.float64)
             touched = 0
             for q in self._referee.configurations(trajectory, instants):
-                touched += bool((world.distances(q) <= world.margins).any())
+                touched += world.nearer_than(q, 0.0)
                 if touched > most:
                     return False
         return True

@@ -7,29 +7,25 @@ the checker. It is right up to its step: 0.5 ms, and where two solids come near,
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cache
 
-import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 from scipy.spatial import ConvexHull
+from scipy.spatial.transform import Rotation
 
 from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.scene import PlanningScene
 from kinematics.trajectory import Trajectory
+from tools.checking.contact_search import ContactSearch
+from tools.checking.definition import Definition
+from tools.checking.solid_world import SolidWorld
 
 Array = NDArray[np.float64]
 
-STEP_S = 0.0005
-STEP_M = 0.0002
-_LOOK_S = 0.02
-_NEAR_M = 0.05
-"""Pairs farther apart than this at two looks that follow each other are not looked at between: they
-would have to close in at 5 m/s."""
 _STANCE_STEP_S = 0.004
+_TIPPING_STEP_S = 0.01
 
 
 @dataclass
@@ -67,6 +63,7 @@ class Referee:
     def __init__(self, model: RobotModel) -> None:
         self.model = model
         self._data = model.pin.createData()
+        self._defined: tuple[Trajectory, Definition] | None = None
 
     def judge_alone(self, trajectory: Trajectory) -> Verdict:
         """Judge limits, stance and balance: what needs no scene."""
@@ -115,7 +112,12 @@ class Referee:
 
     def configurations(self, trajectory: Trajectory, times: Array) -> Array:
         """The definition of ``Trajectory`` between its samples, shape (n, nq)."""
-        return _Definition(trajectory)(times)
+        return self._definition(trajectory)(times)
+
+    def _definition(self, trajectory: Trajectory) -> Definition:
+        if self._defined is None or self._defined[0] is not trajectory:
+            self._defined = trajectory, Definition(trajectory)
+        return self._defined[1]
 
     def com_margin_m(self, trajectory: Trajectory) -> float:
         """Smallest distance of the CoM to the edge of the support polygon, at the samples alone."""
@@ -139,17 +141,19 @@ class Referee:
         rows = self.configurations(trajectory, times)
         hull = self._hull(trajectory)
         feet = [(robot.frame_id(name), name, pin.SE3(pose)) for name, pose in trajectory.stance.soles]
-        margins = np.empty(len(times))
+        coms, apart = np.empty((len(times), 2)), np.empty((len(feet), len(times), 4, 4))
+        inverses = [target.inverse() for _, _, target in feet]
         for i, q in enumerate(rows):
-            com = pin.centerOfMass(model, data, q)
-            margins[i] = -(hull[:, :2] @ com[:2] + hull[:, 2]).max()
-            pin.updateFramePlacements(model, data)
-            for frame, name, target in feet:
-                apart = target.actInv(data.oMf[frame])
-                slip = float(np.linalg.norm(apart.translation))
-                tilt = float(np.linalg.norm(pin.log3(apart.rotation)))
-                if slip > 0.001 or tilt > 0.002:
-                    verdict.add("stance", max(slip, tilt), name)
+            coms[i] = pin.centerOfMass(model, data, q)[:2]
+            for k, (frame, _, _) in enumerate(feet):
+                apart[k, i] = (inverses[k] * pin.updateFramePlacement(model, data, frame)).homogeneous
+        margins = -(coms @ hull[:, :2].T + hull[:, 2]).max(axis=1)
+        for (_, name, _), poses in zip(feet, apart, strict=True):
+            slip = np.linalg.norm(poses[:, :3, 3], axis=1)
+            tilt = Rotation.from_matrix(poses[:, :3, :3]).magnitude()
+            strays = (slip > 0.001) | (tilt > 0.002)
+            if strays.any():
+                verdict.add("stance", float(np.maximum(slip, tilt)[strays].max()), name)
         verdict.com_margin_m = float(margins.min())
         missing = robot.description.com_margin_m - margins
         if missing.max() > 1e-6:
@@ -159,217 +163,30 @@ class Referee:
     def _tipping(self, trajectory: Trajectory, hull: Array, verdict: Verdict) -> None:
         """ZMP from the change of the centroidal momentum, by differences of momenta."""
         model, data = self.model.pin, self._data
-        end = trajectory.duration_s
-        times = np.asarray(np.arange(0.0, end, 0.01), dtype=np.float64)
-        t = trajectory.t_s
-
-        def momentum(at: Array) -> tuple[Array, Array]:
-            rows = self.configurations(trajectory, at)
-            twists = np.stack([np.interp(at, t, column) for column in trajectory.v.T], axis=1)
-            values, coms = [], []
-            for q, v in zip(rows, twists, strict=True):
-                values.append(pin.computeCentroidalMomentum(model, data, q, v).vector.copy())
-                coms.append(data.com[0].copy())
-            return np.array(values), np.array(coms)
-
-        before, after = np.maximum(times - 0.01, 0.0), np.minimum(times + 0.01, end)
-        first, _ = momentum(before)
-        last, _ = momentum(after)
-        _, com = momentum(times)
-        change = (last - first) / (after - before)[:, None]
+        end, t = trajectory.duration_s, trajectory.t_s
+        times = np.append(np.arange(0.0, end, _TIPPING_STEP_S), end)
+        rows = self.configurations(trajectory, times)
+        twists = np.stack([np.interp(times, t, column) for column in trajectory.v.T], axis=1)
+        momenta, com = np.empty((len(times), 6)), np.empty((len(times), 3))
+        for i, (q, v) in enumerate(zip(rows, twists, strict=True)):
+            momenta[i] = pin.computeCentroidalMomentum(model, data, q, v).vector
+            com[i] = data.com[0]
+        # from the instant before to the one after, which the end has not
+        after, com = np.arange(1, len(times)), com[:-1]
+        before = np.maximum(after - 2, 0)
+        change = (momenta[after] - momenta[before]) / (times[after] - times[before])[:, None]
         lift = change[:, 2] + self.model.mass_kg * 9.81
         x = com[:, 0] - (com[:, 2] * change[:, 0] + change[:, 4]) / lift
         y = com[:, 1] - (com[:, 2] * change[:, 1] - change[:, 3]) / lift
         margin = -(np.column_stack([x, y]) @ hull[:, :2].T + hull[:, 2]).max(axis=1)
         verdict.zmp_margin_m = float(margin.min())
         if margin.min() < 0.0:
-            verdict.add("tipping", float(-margin.min()), "ZMP", float(np.ptp(times[margin < 0.0])))
+            verdict.add("tipping", float(-margin.min()), "ZMP", float(np.ptp(times[:-1][margin < 0.0])))
 
     def _collisions(self, trajectory: Trajectory, scene: PlanningScene, verdict: Verdict) -> None:
-        world, motion = CollisionWorld(self.model, scene), _Definition(trajectory)
-        looks = np.append(np.arange(0.0, trajectory.duration_s, _LOOK_S), trajectory.duration_s)
-        rows = motion(looks)
-        moving = world.moving_pairs(trajectory)
-        gaps = np.full((len(looks), len(world.names)), np.inf)
-        gaps[0] = world.distances(rows[0]) - world.margins
-        for k in range(1, len(looks)):
-            gaps[k, moving] = world.distances(rows[k], moving) - world.margins[moving]
-        touching: dict[int, list[float]] = {}
-        for pair in np.flatnonzero(gaps[0] <= 0.0):
-            self._touch(world, verdict, touching, int(pair), float(gaps[0, pair]), 0.0)
-        near = np.minimum(gaps[:-1], gaps[1:]) < _NEAR_M
-        for window in np.flatnonzero(near[:, moving].any(axis=1)):
-            pairs = moving[near[window, moving]]
-            start, end = looks[window], looks[window + 1]
-            times = np.linspace(start, end, int(np.ceil((end - start) / STEP_S)) + 1)
-            steps = motion(times)
-            least = np.array([world.distances(q, pairs) for q in steps]) - world.margins[pairs]
-            for k, column in np.argwhere(least <= 0.0):
-                pair, gap = int(pairs[column]), float(least[k, column])
-                self._touch(world, verdict, touching, pair, gap, float(times[k]))
-            for k in range(len(times) - 1):
-                # what could touch between these two steps, with points two metres from every joint
-                moved = np.abs(steps[k + 1] - steps[k]).sum()
-                close = (least[k] > 0.0) & (least[k + 1] > 0.0) & (least[k] + least[k + 1] < 2.0 * moved)
-                if not close.any():
-                    continue
-                fine = np.linspace(times[k], times[k + 1], int(np.clip(moved / STEP_M, 1, 50)) + 1)
-                for t_s, q in zip(fine, motion(fine), strict=True):
-                    found = world.distances(q, pairs[close]) - world.margins[pairs[close]]
-                    verdict.least_distance_m = min(verdict.least_distance_m, float(found.min()))
-                    for pair, gap in zip(pairs[close], found, strict=True):
-                        if gap <= 0.0:
-                            self._touch(world, verdict, touching, int(pair), float(gap), float(t_s))
-            verdict.least_distance_m = min(verdict.least_distance_m, float(least.min()))
-        for pair, contact in touching.items():
-            kind = world.kinds[pair]
-            verdict.duration_s[kind] = max(verdict.duration_s[kind], max(contact) - min(contact))
-
-    @staticmethod
-    def _touch(
-        world: CollisionWorld,
-        verdict: Verdict,
-        touching: dict[int, list[float]],
-        pair: int,
-        gap: float,
-        t_s: float,
-    ) -> None:
-        if gap == 0.0 and world.margins[pair] > 0.0:
-            return
-        touching.setdefault(pair, []).append(t_s)
-        verdict.add(world.kinds[pair], -gap, " and ".join(world.names[pair]))
-
-
-class _Definition:
-    """What ``Trajectory`` says about any time."""
-
-    def __init__(self, trajectory: Trajectory) -> None:
-        t, q, v = trajectory.t_s, trajectory.q, trajectory.v
-        world = [pin.XYZQUATToSE3(row[:7]).rotation @ twist[:3] for row, twist in zip(q, v, strict=True)]
-        self._base = CubicHermiteSpline(t, q[:, :3], np.array(world))
-        self._joints = CubicHermiteSpline(t, q[:, 7:], v[:, 6:])
-        self._t, self._quaternion = t, q[:, 3:7].copy()
-        for i in range(1, len(t)):
-            if self._quaternion[i] @ self._quaternion[i - 1] < 0.0:
-                self._quaternion[i] *= -1.0
-
-    def __call__(self, times: Array) -> Array:
-        blend = np.stack([np.interp(times, self._t, column) for column in self._quaternion.T], axis=1)
-        blend /= np.linalg.norm(blend, axis=1, keepdims=True)
-        return np.hstack([self._base(times), blend, self._joints(times)])
-
-
-@cache
-def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
-    """The robot's links as hulls of their meshes, made here and not by the product."""
-    geometry = pin.buildGeomFromUrdfString(
-        model.pin, model.description.planning_urdf, pin.GeometryType.COLLISION
-    )
-    for item in geometry.geometryObjects:
-        if isinstance(item.geometry, coal.BVHModelBase):
-            item.geometry.buildConvexHull(True, "Qt")
-            item.geometry = item.geometry.convex
-    for pair in model.geometry().collisionPairs:
-        geometry.addCollisionPair(pair)
-    return geometry
-
-
-def _hulls(model: RobotModel) -> pin.GeometryModel:
-    return _pristine_hulls(model).copy()
-
-
-class CollisionWorld:
-    """Robot, held objects and scene in one Pinocchio geometry model.
-
-    Attributes:
-        names: Of each judged pair.
-        kinds: "self", "scene" or "held", of each pair.
-        margins: Distance that each pair has to keep, shape (p,).
-    """
-
-    def __init__(self, model: RobotModel, scene: PlanningScene, only: frozenset[str] | None = None) -> None:
-        self._model = model
-        self.geometry = _hulls(model)
-        links = [model.link_of(item) for item in self.geometry.geometryObjects]
-        own = [(pair.first, pair.second) for pair in self.geometry.collisionPairs]
-        self.geometry.removeAllCollisionPairs()
-        owner, role = list(links), ["robot"] * len(links)
-        touch: dict[int, frozenset[str]] = {}
-        for body in scene.attached.values():
-            frame = model.pin.frames[model.frame_id(body.frame)]
-            place = frame.placement * pin.SE3(body.frame_T_object)
-            index = self._add(body.body, int(frame.parentJoint), place)
-            owner.append(body.body.name)
-            role.append("held")
-            touch[index] = body.touch_links
-        margin = {}
-        for item in scene.objects.values():
-            index = self._add(item, 0, pin.SE3(item.world_T_object))
-            owner.append(item.name)
-            role.append("scene")
-            margin[index] = item.margin_m
-        self.names: list[tuple[str, str]] = []
-        self.kinds: list[str] = []
-        margins: list[float] = []
-        pairs = [] if only is not None else list(own)
-        for i in range(len(links), len(owner)):
-            for j in range(i):
-                if role[i] == role[j] == "scene" or (only is not None and owner[i] not in only):
-                    continue
-                if role[i] == "held" and owner[j] in touch[i]:
-                    continue
-                pairs.append((j, i))
-        for j, i in pairs:
-            if scene.is_allowed(owner[j], owner[i]):
-                continue
-            self.geometry.addCollisionPair(pin.CollisionPair(j, i))
-            self.names.append((owner[j], owner[i]))
-            roles = {role[i], role[j]}
-            self.kinds.append("held" if "held" in roles else "scene" if "scene" in roles else "self")
-            margins.append(margin.get(i, 0.0))
-        self.margins = np.array(margins)
-        self._data = model.pin.createData()
-        self._placed = self.geometry.createData()
-
-    def moving_pairs(self, trajectory: Trajectory) -> NDArray[np.intp]:
-        """Pairs that a trajectory moves relative to each other."""
-        tree = self._model.pin
-        still = {
-            k + 2
-            for k in range(len(trajectory.joints))
-            if not np.ptp(trajectory.q[:, 7 + k]) and not trajectory.v[:, 6 + k].any()
-        }
-        if not np.ptp(trajectory.q[:, :7], axis=0).any() and not trajectory.v[:, :6].any():
-            still.add(1)
-        items = self.geometry.geometryObjects
-        above = [set(tree.supports[item.parentJoint]) if item.parentJoint else set() for item in items]
-        return np.array(
-            [
-                k
-                for k, pair in enumerate(self.geometry.collisionPairs)
-                if ((above[pair.first] ^ above[pair.second]) - {0}) - still
-            ],
-            dtype=np.intp,
-        )
-
-    def move(self, name: str, world_T_object: Array) -> None:
-        """Put a scene object elsewhere."""
-        index = self.geometry.getGeometryId(name)
-        self.geometry.geometryObjects[index].placement = pin.SE3(world_T_object)
-
-    def distances(self, q: Array, pairs: NDArray[np.intp] | None = None) -> Array:
-        """Signed distances of all pairs, or of some, at one configuration."""
-        pin.updateGeometryPlacements(self._model.pin, self._data, self.geometry, self._placed, q)
-        which = range(len(self.names)) if pairs is None else pairs
-        compute, geometry, placed = pin.computeDistance, self.geometry, self._placed
-        return np.array([compute(geometry, placed, int(k)).min_distance for k in which])
-
-    def _add(self, item: SceneObject, joint: int, place: pin.SE3) -> int:
-        shape = item.shape
-        if isinstance(shape, Box):
-            solid = coal.Box(*shape.size_m)
-        elif isinstance(shape, Cylinder):
-            solid = coal.Cylinder(shape.radius_m, shape.height_m)
-        elif isinstance(shape, Ball):
-            solid = coal.Sphere(shape.radius_m)
-        return int(self.geometry.addGeometryObject(pin.GeometryObject(item.name, joint, place, solid)))
+        world = SolidWorld(self.model, scene)
+        search = ContactSearch(self.model, world, self._definition(trajectory), trajectory.duration_s)
+        verdict.least_distance_m = search.least_m
+        for pair, contact in search.contacts.items():
+            lasted_s = contact.last_s - contact.first_s
+            verdict.add(world.kinds[pair], contact.depth_m, " and ".join(world.names[pair]), lasted_s)

@@ -7,7 +7,7 @@ from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
 from kinematics.trajectory import CheckedTrajectory, FindingKind, Trajectory, Unsafe
-from tools.checking.referee import CollisionWorld
+from tools.checking.solid_world import SolidWorld
 
 SHOULDER = "arm_right_1_joint"
 
@@ -72,7 +72,8 @@ def test_the_margin_of_an_object_is_kept_to_a_tenth_of_a_millimetre(talos, motio
 
 
 def exact_gap(talos, scene):
-    return float(CollisionWorld(talos, scene, only=frozenset(scene.objects)).distances(talos.q_home).min())
+    world = SolidWorld(talos, scene, only=frozenset(scene.objects))
+    return float((world.gaps(talos.q_home) + world.margins).min())
 
 
 @pytest.mark.requirement("S6")

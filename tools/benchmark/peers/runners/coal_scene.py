@@ -38,16 +38,17 @@ def with_objects(geometry: Any, objects: list[Document]) -> Any:
 
 
 class BroadPhase:
-    """Whether a configuration collides, by Pinocchio's dynamic tree of bounding boxes before Coal.
+    """Whether a configuration collides, by a broad phase of Pinocchio's that tries all boxes before Coal.
 
-    Four to five times as fast as asking each pair, with the same answers.
+    With so few solids about twice as fast as its dynamic tree (8 to 14 us instead of 17 to 28 for the arm in
+    six scenes), which is four to five times as fast as asking each pair; with the same answers.
     """
 
     def __init__(self, model: Any, scene: Any) -> None:
         self._model, self._data = model, model.createData()
         self._geometry_data = scene.createData()
         self._scene = scene
-        manager = pin.BroadPhaseManager_DynamicAABBTreeCollisionManager
+        manager = pin.BroadPhaseManager_NaiveCollisionManager
         self._manager = manager(model, scene, self._geometry_data)
 
     def collides(self, q: Any) -> bool:

@@ -1,0 +1,126 @@
+"""Robot, held objects and scene as solids of Pinocchio and Coal: the referee's, not the product's."""
+
+from __future__ import annotations
+
+from functools import cache, cached_property
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from kinematics.robot_model import RobotModel
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Ball, Box, Cylinder
+from tools.checking.enclosing_balls import EnclosingBalls
+
+Array = NDArray[np.float64]
+
+
+class SolidWorld:
+    """Every pair of solids that is judged, in one Pinocchio geometry model.
+
+    Args:
+        model: The robot.
+        scene: What it holds, what is around, and which pairs may touch.
+        only: Judge pairs with these alone.
+
+    Attributes:
+        names: Of each judged pair.
+        kinds: "self", "scene" or "held", of each pair.
+        margins: Distance that each pair has to keep, shape (p,).
+    """
+
+    def __init__(self, model: RobotModel, scene: PlanningScene, only: frozenset[str] | None = None) -> None:
+        self._model = model
+        self.geometry = _pristine_hulls(model).copy()
+        links = [model.link_of(item) for item in self.geometry.geometryObjects]
+        own = [(pair.first, pair.second) for pair in self.geometry.collisionPairs]
+        self.geometry.removeAllCollisionPairs()
+        owner, role = list(links), ["robot"] * len(links)
+        touch: dict[int, frozenset[str]] = {}
+        for body in scene.attached.values():
+            frame = model.pin.frames[model.frame_id(body.frame)]
+            place = frame.placement * pin.SE3(body.frame_T_object)
+            index = self._add(body.body, int(frame.parentJoint), place)
+            owner.append(body.body.name)
+            role.append("held")
+            touch[index] = body.touch_links
+        margin = {}
+        for item in scene.objects.values():
+            index = self._add(item, 0, pin.SE3(item.world_T_object))
+            owner.append(item.name)
+            role.append("scene")
+            margin[index] = item.margin_m
+        self.names: list[tuple[str, str]] = []
+        self.kinds: list[str] = []
+        margins: list[float] = []
+        pairs = [] if only is not None else list(own)
+        for i in range(len(links), len(owner)):
+            for j in range(i):
+                if role[i] == role[j] == "scene" or (only is not None and owner[i] not in only):
+                    continue
+                if role[i] == "held" and owner[j] in touch[i]:
+                    continue
+                pairs.append((j, i))
+        for j, i in pairs:
+            if scene.is_allowed(owner[j], owner[i]):
+                continue
+            self.geometry.addCollisionPair(pin.CollisionPair(j, i))
+            self.names.append((owner[j], owner[i]))
+            roles = {role[i], role[j]}
+            self.kinds.append("held" if "held" in roles else "scene" if "scene" in roles else "self")
+            margins.append(margin.get(i, 0.0))
+        self.margins = np.array(margins)
+        self._data = model.pin.createData()
+        self._placed = self.geometry.createData()
+
+    def gaps(self, q: Array, pairs: NDArray[np.intp] | None = None) -> Array:
+        """Signed distances beyond the margins of all pairs, or of some, at one configuration."""
+        pin.updateGeometryPlacements(self._model.pin, self._data, self.geometry, self._placed, q)
+        which = range(len(self.names)) if pairs is None else pairs.tolist()
+        compute, geometry, placed = pin.computeDistance, self.geometry, self._placed
+        found = np.array([compute(geometry, placed, k).min_distance for k in which])
+        return np.asarray(found - (self.margins if pairs is None else self.margins[pairs]))
+
+    def nearer_than(self, q: Array, gap_m: float) -> bool:
+        """Tell whether any pair has this gap or less; asked are those alone whose enclosing balls have."""
+        pin.updateGeometryPlacements(self._model.pin, self._data, self.geometry, self._placed, q)
+        compute, geometry, placed = pin.computeDistance, self.geometry, self._placed
+        least = self._balls.gaps_m(placed) - self.margins
+        candidates = np.flatnonzero(least <= gap_m)
+        for k in candidates[np.argsort(least[candidates])].tolist():
+            if compute(geometry, placed, k).min_distance - self.margins[k] <= gap_m:
+                return True
+        return False
+
+    @cached_property
+    def _balls(self) -> EnclosingBalls:
+        return EnclosingBalls(self.geometry)
+
+    def _add(self, item: SceneObject, joint: int, place: pin.SE3) -> int:
+        shape = item.shape
+        if isinstance(shape, Box):
+            solid = coal.Box(*shape.size_m)
+        elif isinstance(shape, Cylinder):
+            solid = coal.Cylinder(shape.radius_m, shape.height_m)
+        elif isinstance(shape, Ball):
+            solid = coal.Sphere(shape.radius_m)
+        solid.computeLocalAABB()
+        return int(self.geometry.addGeometryObject(pin.GeometryObject(item.name, joint, place, solid)))
+
+
+@cache
+def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
+    """The robot's links as hulls of their meshes, made here and not by the product."""
+    geometry = pin.buildGeomFromUrdfString(
+        model.pin, model.description.planning_urdf, pin.GeometryType.COLLISION
+    )
+    for item in geometry.geometryObjects:
+        if isinstance(item.geometry, coal.BVHModelBase):
+            item.geometry.buildConvexHull(True, "Qt")
+            item.geometry = item.geometry.convex
+        item.geometry.computeLocalAABB()
+    for pair in model.geometry().collisionPairs:
+        geometry.addCollisionPair(pair)
+    return geometry
