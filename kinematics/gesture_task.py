@@ -36,7 +36,8 @@ RESERVE_M = 0.003
 STARTS = 12
 # Residual that a posture may keep: a centimetre, or half a degree.
 ENOUGH = 0.02
-_SPREAD_RAD = 0.6
+# How far beside home random starts are.
+SPREAD_RAD = 0.6
 
 
 class GestureTask:
@@ -125,12 +126,13 @@ class GestureTask:
         goodness: str,
         enough: float = ENOUGH,
         starts: int = STARTS,
+        spread_rad: float = SPREAD_RAD,
     ) -> MovePlan | NoPlan:
         """Plan to a posture with a small residual that is ``good`` and free, looking at a point."""
         reasons: Counter[str] = Counter()
         joints = (*self.arm, *self._turning)
         columns = 7 + self._model.indices(joints)
-        for q_seed in self._starts(columns, look_m, starts):
+        for q_seed in self._starts(columns, look_m, starts, spread_rad):
             found = arm_posture(self._model, q_seed, joints, residual, self._home[columns])
             if found.error > enough:
                 reasons["out of reach"] += 1
@@ -160,7 +162,9 @@ class GestureTask:
         trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)
         return MovePlan(PlannedStep(name, trajectory, self.scene))
 
-    def _starts(self, columns: NDArray[np.intp], look_m: Array, count: int) -> Iterator[Array]:
+    def _starts(
+        self, columns: NDArray[np.intp], look_m: Array, count: int, spread_rad: float
+    ) -> Iterator[Array]:
         """From home with the trunk turned, the other arm where it is, then random ones about that."""
         q = self._home.copy()
         other_arm = self._model.group("left_arm" if self._hand == "right" else "right_arm")
@@ -170,7 +174,7 @@ class GestureTask:
         yield q
         for _ in range(count):
             other = q.copy()
-            other[columns] += self._rng.uniform(-_SPREAD_RAD, _SPREAD_RAD, len(columns))
+            other[columns] += self._rng.uniform(-spread_rad, spread_rad, len(columns))
             yield other
 
     def _moving(self, joints: Sequence[str]) -> list[int]:
