@@ -11,6 +11,7 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gesture_planner import GesturePlanner
+from kinematics.gesture_task import RESERVE_M
 from kinematics.handle_planner import HandlePlanner
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner, PathSettings
@@ -92,14 +93,17 @@ class MotionPlanner:
         if space.base_size:
             goal[:3] += request.pelvis_m
         scene = relaxed_at(model, request.scene, request.q_start)
+        spare = relaxed_at(model, request.scene, request.q_start, RESERVE_M)
         arms = [j for hand in ("left", "right") for j in model.description.groups[f"{hand}_arm"]]
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
         curve = None
-        for around, settings in (
-            (wide_berth(model, scene, request.q_start), PathSettings()),
-            (scene, _PATIENT),
+        for around, reserve_m, settings in (
+            (wide_berth(model, spare, request.q_start, RESERVE_M), RESERVE_M, PathSettings()),
+            (spare, RESERVE_M, PathSettings()),
+            (scene, 0.0, _PATIENT),
         ):
-            planner = PathPlanner(model, space, validity(model, request.stance, around), settings)
+            judge = validity(model, request.stance, around, reserve_m)
+            planner = PathPlanner(model, space, judge, settings)
             curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
             if curve is not None:
                 break

@@ -19,13 +19,16 @@ BERTH_M = 0.01
 """Beside the margin: 20 mm in all are exceeded once in 3,000."""
 
 
-def wide_berth(model: RobotModel, scene: PlanningScene, q: NDArray[np.float64]) -> PlanningScene:
+def wide_berth(
+    model: RobotModel, scene: PlanningScene, q: NDArray[np.float64], reserve_m: float
+) -> PlanningScene:
     """Widen the margins of movable things, as far as a configuration keeps them.
 
     Args:
         model: The robot.
         scene: What is around, as ``q`` is free in it.
         q: Where the robot is, shape (nq,).
+        reserve_m: What the caller adds to every margin.
 
     Returns:
         A scene in which no margin is narrower; for planning alone, and never to be judged by.
@@ -34,7 +37,7 @@ def wide_berth(model: RobotModel, scene: PlanningScene, q: NDArray[np.float64]) 
     if not any(item.movable for item in items):
         return scene
     wide = [replace(item, margin_m=item.margin_m + BERTH_M) if item.movable else item for item in items]
-    kept = relaxed_at(model, scene.with_objects(wide), q).objects
+    kept = relaxed_at(model, scene.with_objects(wide), q, reserve_m).objects
     return scene.with_objects(
         replace(item, margin_m=max(item.margin_m, kept[item.name].margin_m)) for item in items
     )

@@ -78,7 +78,7 @@ def test_furniture_and_what_is_near_at_the_start_keep_their_margins(talos, stanc
     far = SceneObject("far", Ball(0.04), poses.translation(1.0, 0.0, 0.5), margin_m=MARGIN_M)
     wall = replace(far, name="wall", shape=Box((0.1, 1.0, 1.0)), movable=False)
 
-    wide = wide_berth(talos, PlanningScene().with_objects([near, far, wall]), talos.q_home).objects
+    wide = wide_berth(talos, PlanningScene().with_objects([near, far, wall]), talos.q_home, 0.0).objects
 
     assert wide["far"].margin_m == MARGIN_M + BERTH_M
     assert wide["wall"].margin_m == MARGIN_M

@@ -5,9 +5,12 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from kinematics.requests import RetreatRequest
+from kinematics.scene import SceneObject
+from kinematics.support import lowest_point_m
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.contract import Contract
 from trees.failures import Failure
+from trees.felt_support import lowered_supports
 from trees.held import HeldObject
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import MotionLeaf, motion_failure
@@ -142,13 +145,20 @@ class LowerFurther(PlannedMotionLeaf):
             return None
         toolbox, held, placement = self.toolbox, self.get_input("held"), self.get_input("placement")
         pairs = [(min(held.name, name), max(held.name, name)) for name in placement.touches]
+        scene = lowered_supports(toolbox.world.scene, placement.touches, self._lowest_m(held))
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene.allowing(pairs),
+            scene=scene.allowing(pairs),
             hand=held.hand,
             world_offset_m=(0.0, 0.0, -toolbox.policy.further_m),
         )
+
+    def _lowest_m(self, held: HeldObject) -> float:
+        """Height of the lowest point of what the hand holds, by the encoders."""
+        model, q = self.toolbox.model, self.toolbox.sensing.state().q
+        pose = model.frame_pose(q, model.description.tcp_frames[held.hand]) @ held.tcp_T_object
+        return lowest_point_m(SceneObject(held.name, held.shape, pose))
 
     def step(self) -> Status | Failure:
         """Plan and check while the hand is felt at rest; then move and feel."""

@@ -6,8 +6,9 @@ import pytest
 from kinematics import poses
 from kinematics.gesture_requests import OfferRequest, PointRequest, RaiseHandRequest
 from kinematics.place_requests import PlaceRequest
-from kinematics.requests import NoPlan, PickRequest
+from kinematics.requests import NoPlan, PickRequest, RetreatRequest
 from kinematics.shapes import Box
+from kinematics.support import top_m
 from kinematics.view_request import ViewRequest
 from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.fake.fake_world import bowl, cup, person, table
@@ -215,6 +216,19 @@ def test_a_cup_under_which_nothing_is_felt_is_kept(stage):
     assert tree.status == "failure"
     assert stage.fake.world.carried_by("red cup") == "right"
     assert "nothing is felt under the red cup" in tree.failure.message
+
+
+def test_a_table_that_seemed_higher_does_not_bar_the_way_farther_down(stage):
+    stage.play(stage.pick())
+    stage.fake.detector.offset_m["table"] = (0.0, 0.0, 0.02)
+
+    tree = run(stage, PlaceTask("put it down", None, on="table"))
+
+    further = [request for request in asked(stage, RetreatRequest) if request.world_offset_m[2] < 0.0]
+    tops_m = [top_m(request.scene.objects["table"]) for request in further]
+    assert tree.status == "success"
+    assert len(tops_m) > 1
+    assert tops_m[-1] < top_m(stage.told.scene.objects["table"]) - 0.005
 
 
 def test_an_early_touch_leads_to_another_spot(stage):
