@@ -35,7 +35,7 @@ from kinematics.requests import (
 )
 from kinematics.retreat_planner import plan_retreat
 from kinematics.robot_model import RobotModel
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, touching_at_rest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.validity import validity
@@ -107,6 +107,11 @@ class MotionPlanner:
             curve = planner.plan(start, goal, moving, np.random.default_rng(request.seed))
             if curve is not None:
                 break
+        if curve is None:
+            q_goal = space.to_q(goal[None, :])[0][0]
+            scene = touching_at_rest(model, scene, request.q_start, q_goal)
+            planner = PathPlanner(model, space, validity(model, request.stance, scene))
+            curve = planner.straight(start, goal)
         if curve is None:
             world = CollisionWorld(model, scene)
             pair = world.colliding_pair(space.to_q(goal[None, :])[0][0]) or world.colliding_pair(

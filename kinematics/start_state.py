@@ -30,6 +30,8 @@ KEPT_SHARE = 0.6
 # A start that keeps its margin by less than this is stuck as well: a way is judged in pieces, and the first
 # of them counts as too near whichever way it leads.
 ROOM_M = 0.002
+# Links whose poses differ by less than this stay where they are.
+_AT_REST = 1e-9
 
 
 def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: float = 0.0) -> PlanningScene:
@@ -70,6 +72,37 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
             touching = [link for link, distance in distances.items() if distance < reserve_m + SLACK_M]
             relaxed = relaxed.allowing((link, item.name) for link in touching)
     return relaxed
+
+
+def touching_at_rest(model: RobotModel, scene: PlanningScene, q_start: Array, q_goal: Array) -> PlanningScene:
+    """Let links that stay where they are be as near to things as they are.
+
+    A hand that is believed to be inside a door is believed so wrongly, or holds it; either way the head
+    may turn to look again.
+
+    Args:
+        model: The robot.
+        scene: What is around.
+        q_start, q_goal: Ends of a straight line between configurations, shape (nq,).
+
+    Returns:
+        The same scene when no link that rests is too near to anything.
+    """
+    parts = _parts(model)
+    geometry, placed = parts.geometry, parts.placed
+    pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q_goal)
+    there = [pin.SE3(at) for at in placed.oMg]
+    pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q_start)
+    resting = {k for k, at in enumerate(placed.oMg) if at.isApprox(there[k], _AT_REST)}
+    centres = np.array([at.act(centre) for at, centre in zip(placed.oMg, parts.centres_m, strict=True)])
+    items = list(scene.objects.values())
+    pairs = [
+        (parts.links[k], item.name)
+        for item, near in zip(items, _near(centres, parts.radii_m, items, ROOM_M), strict=True)
+        for k in resting.intersection(near)
+        if _distance(geometry.geometryObjects[k], placed.oMg[k], item) < item.margin_m + ROOM_M
+    ]
+    return scene.allowing(pairs) if pairs else scene
 
 
 @dataclass(frozen=True, slots=True)

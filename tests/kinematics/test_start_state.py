@@ -5,7 +5,7 @@ import pytest
 from kinematics import poses
 from kinematics.collision import CollisionWorld
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest, MovePlan, MoveRequest
+from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
 from kinematics.start_state import relaxed_at
@@ -71,3 +71,20 @@ def test_a_start_that_just_keeps_its_margin_gets_two_millimetres_of_room(talos, 
     relaxed = relaxed_at(talos, scene, talos.q_home)
 
     assert relaxed.objects["ball"].margin_m == pytest.approx(nearest_m - spare_m - given_m, abs=1e-4)
+
+
+def test_a_head_may_turn_while_a_hand_is_believed_to_be_in_furniture(talos, stance):
+    scene = PlanningScene().with_object(ball_at_the_hand(talos, -0.01, movable=False))
+    planner = MotionPlanner(talos)
+
+    looking = planner.answer(
+        MoveRequest(talos.q_home, stance, scene, {"head_2_joint": -0.1}, keep_others=True)
+    )
+    waving = planner.answer(
+        MoveRequest(talos.q_home, stance, scene, {"arm_right_4_joint": -1.0}, keep_others=True)
+    )
+
+    assert isinstance(looking, MovePlan)
+    checked = planner.answer(CheckRequest(looking.step.trajectory, looking.step.scene))
+    assert isinstance(checked, CheckedTrajectory)
+    assert isinstance(waving, NoPlan)
