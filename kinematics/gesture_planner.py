@@ -52,19 +52,9 @@ CARRY_TILT_RAD = 0.02
 CARRY_LOOK_M = np.array([2.0, 0.0, 0.6])
 # A pointing hand stays this far from what it points at.
 POINT_ROOM_M = 0.15
-# And this far where things stand about it.
-POINT_WIDE_M = 0.35
-# Ways to point, tried with each hand in turn: the hand so far above the line from the shoulder, so far from
-# what it points at, and the number of starts. Above a table there is more room for an arm that is held high,
-# and amid things for one that is drawn back.
-POINT_WAYS = (
-    (0.0, POINT_ROOM_M, 1),
-    (0.12, POINT_ROOM_M, 2),
-    (0.24, POINT_ROOM_M, 2),
-    (0.12, POINT_WIDE_M, 2),
-    (0.24, POINT_WIDE_M, 2),
-    (0.0, POINT_ROOM_M, STARTS),
-)
+# Ways to point, tried with each hand in turn: the hand so far above the line from the shoulder, and the
+# number of starts. Above a table there is more room for an arm that is held high.
+POINT_WAYS = ((0.0, 1), (0.12, 2), (0.24, 2), (0.0, STARTS))
 # How far beside home an arm begins that searches how to point: its elbow has to find its way up. Of 45 plans
 # amid things each took half the time that it took with half of this.
 POINT_SPREAD_RAD = 1.2
@@ -140,15 +130,13 @@ class GesturePlanner:
         tasks.sort(key=lambda task: float(np.linalg.norm(task.shoulder(request.q_start) - target)))
         answer: MovePlan | NoPlan = NoPlan("no hand may be used", {})
         # the other hand before many postures of the first
-        for task, above_m, room_m, starts in [(task, *way) for way in POINT_WAYS for task in tasks]:
+        for task, above_m, starts in [(task, *way) for way in POINT_WAYS for task in tasks]:
 
-            def residual(
-                q: Array, task: GestureTask = task, above_m: float = above_m, room_m: float = room_m
-            ) -> Array:
+            def residual(q: Array, task: GestureTask = task, above_m: float = above_m) -> Array:
                 tcp, elbow, shoulder = task.tcp(q), task.elbow(q), task.shoulder(q)
                 towards = target - shoulder
                 far = float(np.linalg.norm(towards))
-                reach = max(min(STRETCHED * task.length_m(q), far - room_m), 0.2)
+                reach = max(min(STRETCHED * task.length_m(q), far - POINT_ROOM_M), 0.2)
                 return np.concatenate(
                     [
                         _unlike(tcp[:3, 3] - elbow, target - elbow),

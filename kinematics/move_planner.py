@@ -77,11 +77,11 @@ def _way(model: RobotModel, request: MoveRequest, ends: _Ends, scene: PlanningSc
         ends.space.index(joint) for name in ("left_arm", "right_arm", "torso") for joint in groups[name]
     ]
     spare = relaxed_at(model, request.scene, request.q_start, RESERVE_M)
-    for around, reserve_m, settings in (
-        (wide_berth(model, spare, request.q_start, RESERVE_M), RESERVE_M, PathSettings()),
-        (spare, RESERVE_M, PathSettings()),
-        (scene, 0.0, _PATIENT),
-    ):
+    wide = wide_berth(model, spare, request.q_start, RESERVE_M)
+    ways = [(spare, RESERVE_M, PathSettings()), (scene, 0.0, _PATIENT)]
+    if wide is not spare:
+        ways.insert(0, (wide, RESERVE_M, PathSettings()))
+    for around, reserve_m, settings in ways:
         judge = validity(model, request.stance, around, reserve_m)
         planner = PathPlanner(model, ends.space, judge, settings)
         curve = planner.plan(ends.start, ends.goal, moving, np.random.default_rng(request.seed))

@@ -49,8 +49,7 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
     """
     parts = _parts(model)
     geometry, placed = parts.geometry, parts.placed
-    pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q)
-    centres = np.array([at.act(centre) for at, centre in zip(placed.oMg, parts.centres_m, strict=True)])
+    centres = _placed_centres(model, parts, q)
     items = list(scene.objects.values())
     relaxed = scene
     for item, near in zip(items, _near(centres, parts.radii_m, items, reserve_m + ROOM_M), strict=True):
@@ -90,11 +89,10 @@ def touching_at_rest(model: RobotModel, scene: PlanningScene, q_start: Array, q_
     """
     parts = _parts(model)
     geometry, placed = parts.geometry, parts.placed
-    pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q_goal)
+    _placed_centres(model, parts, q_goal)
     there = [pin.SE3(at) for at in placed.oMg]
-    pin.updateGeometryPlacements(model.pin, parts.data, geometry, placed, q_start)
+    centres = _placed_centres(model, parts, q_start)
     resting = {k for k, at in enumerate(placed.oMg) if at.isApprox(there[k], _AT_REST)}
-    centres = np.array([at.act(centre) for at, centre in zip(placed.oMg, parts.centres_m, strict=True)])
     items = list(scene.objects.values())
     pairs = [
         (parts.links[k], item.name)
@@ -132,6 +130,12 @@ def _parts(model: RobotModel) -> _Parts:
         tuple(np.array(item.geometry.aabb_center) for item in items),
         np.array([item.geometry.aabb_radius for item in items]),
     )
+
+
+def _placed_centres(model: RobotModel, parts: _Parts, q: Array) -> Array:
+    """Place the geometries in ``parts`` at a configuration; centres of their balls, shape (n, 3)."""
+    pin.updateGeometryPlacements(model.pin, parts.data, parts.geometry, parts.placed, q)
+    return np.array([at.act(centre) for at, centre in zip(parts.placed.oMg, parts.centres_m, strict=True)])
 
 
 def _near(
