@@ -11,7 +11,7 @@ from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import furniture
 from robots.scene_description import SceneDescription, SceneItem
 from robots.scene_words import COLORS
-from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, pad_name, set_role
+from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, PAD_SOLREF_FRICTION, pad_name, set_role
 from robots.simulated.furniture_model import add_moving_part
 from robots.simulated.geom_roles import WORLD_GROUP, Role
 from robots.simulated.hollow import hollow_parts
@@ -69,6 +69,7 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
                 condim=4,
                 friction=friction_row(item.friction, PATCH_RADIUS_M),
                 solref=list(PAD_SOLREF),
+                solreffriction=list(PAD_SOLREF_FRICTION),
                 solimp=list(PAD_SOLIMP),
             )
         for piece in scene.furniture:

@@ -126,12 +126,20 @@ class Hold:
         kp = self.stand.description.gains[self.stand.description.gripper_joints[index]].stiffness
         self.stand.gripper[index] = self.truth.joint_positions()[joint] - effort_nm / kp
 
-    def close(self, effort_nm: float, seconds: float = 0.8) -> None:
-        """Close on the cup while something holds it in the air, then let go of it."""
-        place = self.truth.world_T_tcp(self.hand).copy()
+    def close(self, effort_nm: float, seconds: float = 0.8, lying_above_m: float | None = None) -> None:
+        """Close on the cup while something holds it in the air, then let go of it.
+
+        Args:
+            effort_nm: The gripper's.
+            seconds: Until it is let go.
+            lying_above_m: The cup lies along the fingers, so far above the middle of the hand; else it stands.
+        """
+        place = poses.translation(*self.truth.world_T_tcp(self.hand)[:3, 3])
+        if lying_above_m is not None:
+            place = place @ poses.transform(poses.rotation_y(0.5 * np.pi), (0.0, 0.0, lying_above_m))
 
         def each() -> None:
-            self.stand.world.faults.teleport(self.cup, poses.translation(*place[:3, 3]))
+            self.stand.world.faults.teleport(self.cup, place)
             self.press(effort_nm)
 
         self.stand.run(seconds, each)
@@ -146,7 +154,7 @@ class Hold:
 
 @pytest.fixture
 def cup_in_hand(robot_model):
-    def make(mass_kg=0.3, radius_m=0.03, friction=0.6, hand="left", effort_nm=None):
+    def make(mass_kg=0.3, radius_m=0.03, friction=0.6, hand="left", effort_nm=None, lying_above_m=None):
         item = SceneItem(
             "cup",
             "cup",
@@ -161,7 +169,8 @@ def cup_in_hand(robot_model):
         stand.move_to(_arm_posture(robot_model, hand, poses.translation(0.35, side * 0.30, 1.05)), 1.5)
         stand.run(0.2)
         hold = Hold(stand, hand)
-        hold.close(robot_model.description.grippers[hand].effort_nm if effort_nm is None else effort_nm)
+        effort_nm = robot_model.description.grippers[hand].effort_nm if effort_nm is None else effort_nm
+        hold.close(effort_nm, lying_above_m=lying_above_m)
         return hold
 
     return make

@@ -42,6 +42,31 @@ def test_a_held_cup_does_not_slip(cup_in_hand, mass_kg, radius_m, friction):
     assert not hold.truth.fallen()
 
 
+@pytest.mark.parametrize("above_m", [0.003, 0.006, 0.009])
+def test_normals_of_pads_that_a_cup_lies_along_carry_none_of_its_weight(cup_in_hand, above_m):
+    # With an edge of a pad under the cup they carried it, or pushed it on.
+    hold = cup_in_hand(mass_kg=0.3, lying_above_m=above_m)
+
+    contacts = hold.truth.pad_contacts("cup")
+
+    assert {contact.pad for contact in contacts} == set(hold.stand.description.grippers["left"].pad_links)
+    assert sum(contact.tangential for contact in contacts)[2] == pytest.approx(0.3 * GRAVITY_M_S2, rel=0.02)
+
+
+def test_a_held_cup_stays_where_it_is_in_a_hand_that_swings_to_and_fro(cup_in_hand):
+    # With the time constant of the normal forces it slid by 4.3 mm.
+    hold = cup_in_hand(mass_kg=0.2)
+    stand, home = hold.stand, hold.stand.q[7:].copy()
+    turned = home.copy()
+    turned[list(stand.description.joints).index("torso_1_joint")] += 0.5
+    before = hold.truth.tcp_T_object("left", "cup")[:3, 3]
+
+    for posture in (turned, home) * 3:
+        stand.move_to(posture, 0.8)
+
+    assert np.linalg.norm(hold.truth.tcp_T_object("left", "cup")[:3, 3] - before) < 0.001
+
+
 @pytest.mark.parametrize("friction", [0.4, 0.7, 1.0])
 def test_the_contacts_have_the_friction_of_the_scene(cup_in_hand, friction):
     hold = cup_in_hand(friction=friction)
