@@ -132,7 +132,7 @@ class Hold:
         Args:
             effort_nm: The gripper's.
             seconds: Until it is let go.
-            lying_above_m: The cup lies along the fingers, so far above the middle of the hand; else it stands.
+            lying_above_m: The cup lies along the fingers, so far above the hand's middle; else it stands.
         """
         place = poses.translation(*self.truth.world_T_tcp(self.hand)[:3, 3])
         if lying_above_m is not None:
