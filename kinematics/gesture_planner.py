@@ -48,6 +48,11 @@ STRETCHED = 0.85
 # Where a carried object is, from the shoulder: ahead, inwards, down.
 CARRY_M = (0.36, 0.05, 0.26)
 CARRY_TILT_RAD = 0.02
+# So much higher where something stands beside it that the sway of the first steps could reach: a cup knocked
+# over a can that its hand had stood 3 cm above and 8 cm beside.
+CARRY_RAISED_M = (0.0, 0.1, 0.2)
+CARRY_ROOM_M = 0.06
+CARRY_STARTS = 3
 # Where a robot that carries something looks, from the middle of its feet: ahead, aside, and height.
 CARRY_LOOK_M = np.array([2.0, 0.0, 0.6])
 # A pointing hand stays this far from what it points at.
@@ -214,8 +219,8 @@ class GesturePlanner:
         watched = home[:3] + facing @ CARRY_LOOK_M
         watched[2] = CARRY_LOOK_M[2]
 
-        def residual(q: Array) -> Array:
-            place = task.shoulder(q) + facing @ (ahead, -task.outwards * inwards, -down)
+        def residual(q: Array, raised_m: float) -> Array:
+            place = task.shoulder(q) + facing @ (ahead, -task.outwards * inwards, raised_m - down)
             tcp = task.tcp(q)
             item = tcp @ body.frame_T_object
             return np.concatenate(
@@ -230,7 +235,17 @@ class GesturePlanner:
         def upright(q: Array) -> bool:
             return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(CARRY_TILT_RAD))
 
-        return task.reach("carry", residual, watched, upright, "upright", enough=0.08)
+        has_room = task.room_for(CARRY_ROOM_M)
+
+        def good(q: Array) -> bool:
+            return upright(q) and has_room(q)
+
+        for raised_m in CARRY_RAISED_M:
+            raised = partial(residual, raised_m=raised_m)
+            answer = task.reach("carry", raised, watched, good, "upright, with room", 0.08, CARRY_STARTS)
+            if isinstance(answer, MovePlan):
+                return answer
+        return task.reach("carry", partial(residual, raised_m=0.0), watched, upright, "upright", enough=0.08)
 
 
 def _unlike(a: Array, b: Array) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -153,6 +154,16 @@ class GestureTask:
                 continue
             return self.timed(name, curve, GESTURE_PACE)
         return NoPlan(f"no posture of the {self._hand} arm for that was found", reasons)
+
+    def room_for(self, sway_m: float) -> Callable[[Array], bool]:
+        """Whether a configuration keeps so much more than their margins from all movable things."""
+        items = self.scene.objects.values()
+        if not any(item.movable for item in items):
+            return lambda _: True
+        wide = (replace(item, margin_m=item.margin_m + sway_m) for item in items if item.movable)
+        scene = self.scene.with_objects(wide)
+        judge = validity(self._model, self._stance, scene, RESERVE_M, RESERVE_M)
+        return lambda q: judge.points_are_free(self.space.from_q(q)[None, :])
 
     def timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:
         """Give a free curve its time."""
