@@ -20,13 +20,11 @@ class FakeRobot:
 
     Attributes:
         stuck: Names of joints that do not move any more.
-        effort: What the effort sensors read, Nm, shape (n,); set by whoever plays the world.
     """
 
     def __init__(self, description: RobotDescription, clock: Clock) -> None:
         """Stand at home, hands open."""
         self.stuck: set[str] = set()
-        self.effort: Array = np.zeros(len(description.actuated))
         self._description = description
         self._clock = clock
         self._q = np.array([description.home[name] for name in description.actuated])
@@ -38,7 +36,7 @@ class FakeRobot:
         return self._description
 
     def read(self) -> RobotState:
-        """Perfect readings of a robot that stands on both feet."""
+        """Perfect readings of a robot that stands on both feet; what its joints bear, the world knows."""
         feet = len(self._description.soles)
         wrench = np.zeros((feet, 6))
         wrench[:, 2] = 900.0 / feet
@@ -46,7 +44,7 @@ class FakeRobot:
             stamp_s=self._clock.now_s(),
             q=self._q.copy(),
             v=self._v.copy(),
-            effort=self.effort.copy(),
+            effort=np.zeros_like(self._q),
             gyro=np.zeros(3),
             accelerometer=np.array([0.0, 0.0, _GRAVITY_M_S2]),
             foot_wrench=wrench,
