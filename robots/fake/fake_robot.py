@@ -13,6 +13,7 @@ from robots.interface import JointSetpoint, RobotState
 Array = NDArray[np.float64]
 
 _GRAVITY_M_S2 = 9.81
+_WEIGHT_N = 900.0
 
 
 class FakeRobot:
@@ -29,6 +30,11 @@ class FakeRobot:
         self._clock = clock
         self._q = np.array([description.home[name] for name in description.actuated])
         self._v = np.zeros_like(self._q)
+        feet = len(description.soles)
+        # what every reading has in common; nobody may write to it
+        self._effort, self._gyro = _constant(np.zeros_like(self._q)), _constant(np.zeros(3))
+        self._accelerometer = _constant(np.array([0.0, 0.0, _GRAVITY_M_S2]))
+        self._wrench = _constant(np.tile([0.0, 0.0, _WEIGHT_N / feet, 0.0, 0.0, 0.0], (feet, 1)))
 
     @property
     def description(self) -> RobotDescription:
@@ -37,17 +43,14 @@ class FakeRobot:
 
     def read(self) -> RobotState:
         """Perfect readings of a robot that stands on both feet; what its joints bear, the world knows."""
-        feet = len(self._description.soles)
-        wrench = np.zeros((feet, 6))
-        wrench[:, 2] = 900.0 / feet
         return RobotState(
             stamp_s=self._clock.now_s(),
             q=self._q.copy(),
             v=self._v.copy(),
-            effort=np.zeros_like(self._q),
-            gyro=np.zeros(3),
-            accelerometer=np.array([0.0, 0.0, _GRAVITY_M_S2]),
-            foot_wrench=wrench,
+            effort=self._effort,
+            gyro=self._gyro,
+            accelerometer=self._accelerometer,
+            foot_wrench=self._wrench,
         )
 
     def command(self, setpoint: JointSetpoint) -> None:
@@ -72,3 +75,8 @@ class FakeRobot:
 
     def advance(self, period_s: float) -> None:
         """Nothing to do: there is no physics."""
+
+
+def _constant(array: Array) -> Array:
+    array.setflags(write=False)
+    return array

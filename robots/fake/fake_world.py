@@ -142,7 +142,7 @@ class FakeWorld:
         hands_nm = [self.grippers[hand].effort_nm for hand in HANDS]
         q = self.motion.reference()
         q[7:] = readings.q[: len(self.model.joints)]
-        if not np.array_equal(q, self._q):
+        if q.tobytes() != self._q.tobytes():
             self._q = q
             self._poses.clear()
         return lambda: SensedState(replace(readings, effort=np.append(efforts(), hands_nm)), lambda: q)

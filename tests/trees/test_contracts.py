@@ -1,5 +1,6 @@
 """What every leaf must declare, found by looking at all of them."""
 
+import functools
 import importlib
 import inspect
 import pkgutil
@@ -28,6 +29,10 @@ LEAVES = [
 ]
 
 
+# What leaves have in common would be parsed again for each of them.
+source_of = functools.cache(inspect.getsource)
+
+
 @pytest.mark.parametrize("leaf", LEAVES, ids=lambda leaf: leaf.__name__)
 def test_a_leaf_declares_its_promises(leaf):
     contract = leaf.CONTRACT
@@ -44,7 +49,7 @@ def test_a_leaf_declares_its_promises(leaf):
 @pytest.mark.parametrize("leaf", LEAVES, ids=lambda leaf: leaf.__name__)
 def test_a_leaf_reads_and_writes_every_port_that_it_declares(leaf):
     parts = [part for part in leaf.__mro__ if part.__module__.startswith("trees.") and part is not Leaf]
-    source = "".join(inspect.getsource(part) for part in parts)
+    source = "".join(map(source_of, parts))
 
     for port in leaf.INPUT_PORTS:
         assert f'get_input("{port}")' in source or f'optional("{port}")' in source
