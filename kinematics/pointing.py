@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.robot_description import Hand
@@ -25,9 +24,7 @@ def beside_ray_m(start: Array, through: Array, point: Array) -> float:
 
 def link_moved_by(model: RobotModel, joint: str) -> str:
     """Name of the link that a joint moves; its origin is on the joint's axis."""
-    index = model.pin.getJointId(joint)
-    frames = (frame for frame in model.pin.frames if frame.parentJoint == index)
-    return next(str(frame.name) for frame in frames if frame.type == pin.FrameType.BODY)
+    return model.moved_links[joint]
 
 
 def elbow_frame(model: RobotModel, hand: Hand) -> str:

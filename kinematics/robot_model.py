@@ -70,6 +70,15 @@ class RobotModel:
         """Mass of the whole robot."""
         return float(pin.computeTotalMass(self.pin))
 
+    @cached_property
+    def moved_links(self) -> Mapping[str, str]:
+        """The link that each joint moves, by the joint's name; its origin is on the joint's axis."""
+        links: dict[str, str] = {}
+        for frame in self.pin.frames:
+            if frame.type == pin.FrameType.BODY:
+                links.setdefault(str(self.pin.names[frame.parentJoint]), str(frame.name))
+        return links
+
     def carrying(self, masses_kg: Mapping[Hand, float]) -> RobotModel:
         """The same robot with point masses at its TCPs: its CoM, its mass and its dynamics are those of both.
 

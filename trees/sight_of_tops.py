@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.robot_description import CameraDescription
 from kinematics.scene import SceneObject
@@ -77,5 +76,6 @@ def is_over(top: SceneObject, point: Array) -> bool:
     """Whether a point, shape (3,), is over a top; beside it nothing stands on it."""
     if not isinstance(top.shape, Box):
         return True
-    local = (poses.inverse(top.world_T_object) @ np.append(point, 1.0))[:2]
-    return bool(np.all(np.abs(local) <= 0.5 * np.array(top.shape.size_m[:2])))
+    local: list[float] = (point - top.world_T_object[:3, 3]).dot(top.world_T_object[:3, :3]).tolist()
+    length_m, width_m, _ = top.shape.size_m
+    return abs(local[0]) <= 0.5 * length_m and abs(local[1]) <= 0.5 * width_m

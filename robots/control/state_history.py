@@ -6,7 +6,7 @@ from collections import deque
 
 from robots.sensed_state import SensedState
 
-_KEPT_S = 2.0
+KEPT_S = 2.0
 """Pictures are at most some tenths of a second late."""
 
 
@@ -16,7 +16,7 @@ class StateHistory:
     def __init__(self, first: SensedState, period_s: float) -> None:
         """Begin with one state; one follows each control period."""
         self._period_s = period_s
-        self._states = deque([first], maxlen=round(_KEPT_S / period_s))
+        self._states = deque([first], maxlen=round(KEPT_S / period_s))
 
     def add(self, state: SensedState) -> None:
         """Remember the newest one."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -85,11 +87,17 @@ class FakeMotion:
         """Configuration that is commanded now, shape (nq,)."""
         return self._q.copy()
 
-    def acceleration(self) -> Array:
-        """Of the trajectory under way, shape (nv,): what its efforts are felt from."""
+    def acceleration(self) -> Callable[[], Array]:
+        """Tells that of this instant, shape (nv,), also later: what the efforts are felt from."""
         if self._active is None:
-            return np.zeros(len(self._q) - 1)
+            return self._at_rest
         trajectory, elapsed_s = self._active[0].trajectory, self._clock.now_s() - self._active[2]
+        return lambda: self._accelerated(trajectory, elapsed_s)
+
+    def _at_rest(self) -> Array:
+        return np.zeros(len(self._q) - 1)
+
+    def _accelerated(self, trajectory: Trajectory, elapsed_s: float) -> Array:
         if self._sampler is None or self._sampler[0] is not trajectory:
             self._sampler = trajectory, TrajectorySampler(trajectory)
         return self._sampler[1].at(min(elapsed_s, trajectory.duration_s)).a

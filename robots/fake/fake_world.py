@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +17,11 @@ from kinematics.robot_model import RobotModel
 from kinematics.shapes import Box, Cylinder
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.clock import ManualClock
-from robots.control.state_history import StateHistory
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_planning import FakePlanning
 from robots.fake.fake_robot import FakeRobot
+from robots.fake.fake_sensing import FakeSensing, Sense
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.truth_view import TrueObject
@@ -63,7 +64,7 @@ class FakeWorld:
         self.pull_n: dict[Hand, tuple[float, float, float]] = {}
         self.robot = FakeRobot(model.description, self.clock)
         self.motion = FakeMotion(model, self.clock)
-        self._posed_at: NDArray[np.float64] = np.empty(0)
+        self._q = self.motion.reference()
         self._poses: dict[str, Transform] = {}
         self._dynamics = dynamics or StandingDynamics(model, self.motion.stance())
         camera = model.description.camera
@@ -74,7 +75,7 @@ class FakeWorld:
         }
         self.detector = ScriptedDetector(self.world, camera, self.clock)
         self.planning = FakePlanning(model, self.clock, check)
-        self.sensing = StateHistory(self._sense(), period_s)
+        self.sensing = FakeSensing(self.clock.now_s(), self._sense(), period_s)
         self._period_s = period_s
         self._carried_out: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None = None
 
@@ -85,7 +86,7 @@ class FakeWorld:
         for gripper in self.grippers.values():
             gripper.advance(self._period_s)
         self._follow()
-        self.sensing.add(self._sense())
+        self.sensing.add(self.clock.now_s(), self._sense())
         self.world.carry()
         self.detector.advance()
 
@@ -93,19 +94,23 @@ class FakeWorld:
         """Put the robot where motion and grippers have it; there is no control loop in between."""
         fingers = [self.grippers[hand].position_rad for hand in HANDS]
         self.robot.be_at(np.concatenate([self.motion.reference()[7:], fingers]))
-        self.robot.effort = np.zeros(len(self.model.description.actuated))
-        self.robot.effort[: len(self.model.joints)] = self._body_efforts()
-        self.robot.effort[-len(HANDS) :] = [self.grippers[hand].effort_nm for hand in HANDS]
 
-    def _body_efforts(self) -> NDArray[np.float64]:
-        """What holds the posture, less what supports and people carry."""
-        q = self.motion.reference()
-        efforts = self._motion_efforts(q, self.motion.acceleration())
+    def _body_efforts(self) -> Callable[[], NDArray[np.float64]]:
+        """Tells what holds the posture of this instant, less what supports and people carry."""
+        q, acceleration = self.motion.reference(), self.motion.acceleration()
+        borne = {}
         for hand, gripper in self.grippers.items():
             pull_n = self.pull_n.get(hand)
             support_n = self._support_n(gripper)
             if pull_n is not None or support_n:
-                efforts -= self._lever(q, hand).T @ np.add(pull_n or (0.0, 0.0, 0.0), (0.0, 0.0, support_n))
+                borne[hand] = np.add(pull_n or (0.0, 0.0, 0.0), (0.0, 0.0, support_n))
+
+        def efforts() -> NDArray[np.float64]:
+            found = self._motion_efforts(q, acceleration())
+            for hand, force_n in borne.items():
+                found -= self._lever(q, hand).T @ force_n
+            return found
+
         return efforts
 
     def _support_n(self, gripper: FakeGripper) -> float:
@@ -131,20 +136,21 @@ class FakeWorld:
         lever[:, columns] = jacobian[:3, 6:][:, columns]
         return lever
 
-    def _sense(self) -> SensedState:
-        readings = self.robot.read()
+    def _sense(self) -> Sense:
+        """Tells what is felt at this instant, and notes where the robot is then."""
+        readings, efforts = self.robot.read(), self._body_efforts()
+        hands_nm = [self.grippers[hand].effort_nm for hand in HANDS]
         q = self.motion.reference()
         q[7:] = readings.q[: len(self.model.joints)]
-        return SensedState(readings, lambda: q)
+        if q.tobytes() != self._q.tobytes():
+            self._q = q
+            self._poses.clear()
+        return lambda: SensedState(replace(readings, effort=np.append(efforts(), hands_nm)), lambda: q)
 
     def _pose_of(self, frame: str) -> Transform:
         """A frame's pose; kept, since camera and hands of a robot that holds stay where they are."""
-        q = self.sensing.state().q
-        if not np.array_equal(q, self._posed_at):
-            self._posed_at = q.copy()
-            self._poses.clear()
         if frame not in self._poses:
-            self._poses[frame] = self.model.frame_pose(q, frame)
+            self._poses[frame] = self.model.frame_pose(self._q, frame)
         return self._poses[frame]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import operator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,6 +13,25 @@ from robots.clock import Clock
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.truth_view import TrueObject
+
+
+@dataclass(frozen=True, slots=True)
+class _View:
+    """The world at one instant, and from where it is seen."""
+
+    world_T_camera: Transform
+    solids: tuple[TrueObject, ...]
+    hidden: frozenset[str]
+    offset_m: dict[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Picture:
+    """What the camera took; without a view it shows nothing."""
+
+    stamp_s: float
+    number: int
+    view: _View | None
 
 
 class ScriptedDetector:
@@ -33,37 +52,35 @@ class ScriptedDetector:
         self.offset_m: dict[str, tuple[float, float, float]] = {}
         self._world, self._camera, self._clock = world, camera, clock
         self._period_s = 1.0 / rate_hz
+        self._picture: _Picture | None = None
         self._latest: PerceptionFrame | None = None
-        self._view: object = None
-        self._solids: tuple[TrueObject, ...] = ()
-        self._detections: tuple[Detection, ...] = ()
 
     def latest(self) -> PerceptionFrame | None:
-        """The newest frame."""
+        """The newest frame; what it shows is worked out when somebody asks for it."""
+        picture = self._picture
+        if picture is None:
+            return None
+        if self._latest is None or self._latest.sequence != picture.number:
+            seen = () if picture.view is None else tuple(self._looked_at(picture.view))
+            self._latest = PerceptionFrame(picture.stamp_s, picture.number, seen)
         return self._latest
 
     def advance(self) -> None:
         """Take a picture when one is due."""
-        now_s = self._clock.now_s()
-        due = self._latest is None or now_s >= self._latest.stamp_s + self._period_s - 1e-9
+        now_s, last = self._clock.now_s(), self._picture
+        due = last is None or now_s >= last.stamp_s + self._period_s - 1e-9
         if due and not self.frozen:
-            number = 1 if self._latest is None else self._latest.sequence + 1
-            self._latest = PerceptionFrame(now_s, number, () if self.blind else self._seen())
+            number = 1 if last is None else last.number + 1
+            self._picture = _Picture(now_s, number, None if self.blind else self._view())
 
-    def _seen(self) -> tuple[Detection, ...]:
-        """What is in view; kept, since a camera and a world at rest show the same again."""
-        world_T_camera, solids = self._world.world_T_camera(), self._world.solids()
-        view = world_T_camera.tobytes(), sorted(self._world.hidden), dict(self.offset_m)
-        same_things = len(solids) == len(self._solids) and all(map(operator.is_, solids, self._solids))
-        if view != self._view or not same_things:
-            self._view, self._solids = view, solids
-            self._detections = tuple(self._looked_at(world_T_camera, solids))
-        return self._detections
+    def _view(self) -> _View:
+        world = self._world
+        return _View(world.world_T_camera(), world.solids(), frozenset(world.hidden), dict(self.offset_m))
 
-    def _looked_at(self, world_T_camera: Transform, solids: tuple[TrueObject, ...]) -> list[Detection]:
-        camera_T_world = poses.inverse(world_T_camera)
+    def _looked_at(self, view: _View) -> list[Detection]:
+        camera_T_world = poses.inverse(view.world_T_camera)
         seen = []
-        for item in solids:
+        for item in view.solids:
             camera_T_object = camera_T_world @ item.world_T_object
             x, y, z = camera_T_object[:3, 3]
             in_view = (
@@ -72,9 +89,9 @@ class ScriptedDetector:
                 and abs(np.arctan2(y, z)) <= 0.5 * self._camera.vertical_fov_rad
             )
             # of furniture and people any corner is enough; the fake does not look for corners
-            if item.name in self._world.hidden or not (in_view or item.category != "object"):
+            if item.name in view.hidden or not (in_view or item.category != "object"):
                 continue
-            offset = poses.translation(*self.offset_m.get(item.name, (0.0, 0.0, 0.0)))
+            offset = poses.translation(*view.offset_m.get(item.name, (0.0, 0.0, 0.0)))
             told = camera_T_world @ offset @ item.world_T_object
             name = item.name if item.category == "person" else None
             seen.append(Detection(item.category, item.kind, item.color, told, item.shape, 0.95, name))

@@ -45,12 +45,15 @@ class ScriptedWorld:
         self._pose_of = pose_of
         self._camera_frame = camera_frame
         self._carried: dict[str, _Carried] = {}
+        self._solids: tuple[TrueObject, ...] | None = None
 
     # the truth, for sensors that are scripted and for tests
 
     def solids(self) -> tuple[TrueObject, ...]:
         """Everything there, in the order of its names."""
-        return tuple(self._objects[name] for name in sorted(self._objects))
+        if self._solids is None:
+            self._solids = tuple(self._objects[name] for name in sorted(self._objects))
+        return self._solids
 
     def world_T_camera(self) -> Transform:
         """Pose of the camera's optical frame, shape (4, 4)."""
@@ -78,6 +81,7 @@ class ScriptedWorld:
     def put(self, item: TrueObject) -> None:
         """Add a thing, or replace the one of the same name."""
         self._objects[item.name] = item
+        self._solids = None
 
     def move(self, name: str, offset_m: tuple[float, float, float]) -> None:
         """Push a thing along the world's axes; a hand that carried it loses it."""
@@ -97,6 +101,7 @@ class ScriptedWorld:
         """Take a thing away, out of a hand too."""
         self._carried.pop(name, None)
         del self._objects[name]
+        self._solids = None
 
     def drop(self, name: str) -> None:
         """Let a carried thing fall to whatever is below: a piece of furniture, or the floor."""
@@ -132,7 +137,7 @@ class ScriptedWorld:
             self._place(name, there)
 
     def _place(self, name: str, world_T_object: Transform) -> None:
-        self._objects[name] = replace(self._objects[name], world_T_object=world_T_object)
+        self.put(replace(self._objects[name], world_T_object=world_T_object))
 
     def pressed_m(self, name: str, within_m: float = 0.0005) -> float | None:
         """How deep a carried thing is pressed into what is below it; None when it does not touch it."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from statistics import fmean, median
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +84,7 @@ class _Cluster:
 
     @property
     def centre(self) -> Array:
-        return np.asarray(np.median(self.positions, axis=0), dtype=np.float64)
+        return np.array([_median(column) for column in np.array(self.positions).T.tolist()])
 
     def accepts(self, detection: Detection) -> bool:
         colors = {d.color for d in self.detections} - {None}
@@ -130,9 +131,10 @@ def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cl
     centres = [cluster.centre for cluster in clusters]
     pairs = []
     for i, (detection, odom_T_object) in enumerate(placed):
+        place = odom_T_object[:3, 3]
         gate = _OBJECT_GATE_M if detection.category == "object" else _FURNITURE_GATE_M
         for k, cluster in enumerate(clusters):
-            distance = float(np.linalg.norm(odom_T_object[:3, 3] - centres[k]))
+            distance = math.dist(place, centres[k])
             if distance < gate and cluster.accepts(detection):
                 pairs.append((distance, i, k))
     used_detections: set[int] = set()
@@ -152,14 +154,15 @@ def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cl
 def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
     positions = np.array(cluster.positions)
     from_median = np.linalg.norm(positions - cluster.centre, axis=1)
-    near = from_median <= max(_OUTLIER_M, 3.0 * float(np.median(from_median)))
+    near = from_median <= max(_OUTLIER_M, 3.0 * _median(from_median.tolist()))
     position = positions[near].mean(axis=0)
+    off = positions - position
     inliers = [detection for detection, ok in zip(cluster.detections, near, strict=True) if ok]
     rotation = _mean_rotation(np.array(cluster.rotations)[near])
     shape = _mean_shape([detection.shape for detection in inliers])
     colors = Counter(detection.color for detection in inliers if detection.color is not None)
     seen = len(cluster.detections)
-    confidence = float(np.mean([detection.confidence for detection in inliers]))
+    confidence = fmean(detection.confidence for detection in inliers)
     return ObjectEstimate(
         category=cluster.first.category,
         kind=cluster.first.kind,
@@ -168,13 +171,20 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         shape=shape,
         confidence=confidence * (len(inliers) / frames) ** 0.5,
         frames_seen=seen,
-        spread_m=float(np.sqrt(np.mean(np.sum((positions - position) ** 2, axis=1)))),
+        spread_m=math.sqrt(float((off * off).sum()) / len(off)),
         name=cluster.first.name,
     )
 
 
+def _median(values: Iterable[float]) -> float:
+    """A look has few frames, and of few numbers numpy's median takes thirty times as long."""
+    return float(median(values))
+
+
 def _mean_rotation(rotations: Array) -> Array:
     """Chordal mean: the rotation nearest to the arithmetic mean (Markley et al. 2007)."""
+    if (rotations == rotations[0]).all():  # a detector that tracks what stands still tells the same again
+        return np.asarray(rotations[0], dtype=np.float64)
     u, _, vt = np.linalg.svd(rotations.mean(axis=0))
     flip = np.diag([1.0, 1.0, float(np.sign(np.linalg.det(u @ vt)))])
     return np.asarray(u @ flip @ vt, dtype=np.float64)
@@ -194,14 +204,14 @@ def _mean_shape(shapes: Sequence[Shape]) -> Shape:
     """Mean size; by the median, so that merged detections do not widen it."""
     first = shapes[0]
     if isinstance(first, Box):
-        sizes = np.median([shape.size_m for shape in shapes if isinstance(shape, Box)], axis=0)
-        return Box((float(sizes[0]), float(sizes[1]), float(sizes[2])))
+        x, y, z = zip(*(shape.size_m for shape in shapes if isinstance(shape, Box)), strict=True)
+        return Box((_median(x), _median(y), _median(z)))
     if isinstance(first, Cylinder):
         return Cylinder(
-            float(np.median([shape.radius_m for shape in shapes if isinstance(shape, Cylinder)])),
-            float(np.median([shape.height_m for shape in shapes])),
+            _median(shape.radius_m for shape in shapes if isinstance(shape, Cylinder)),
+            _median(shape.height_m for shape in shapes),
         )
-    return Ball(float(np.median([shape.radius_m for shape in shapes if isinstance(shape, Ball)])))
+    return Ball(_median(shape.radius_m for shape in shapes if isinstance(shape, Ball)))
 
 
 def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:

@@ -5,7 +5,7 @@ from kinematics import poses
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 from trees.sight import Glimpse
-from trees.sight_of_tops import SightOfTops
+from trees.sight_of_tops import SightOfTops, is_over
 
 TOP = SceneObject("table", Box((0.8, 1.2, 0.04)), poses.translation(0.7, 0.0, 0.88), 0.015, False)
 PLACE = np.array([0.6, 0.0, 0.90])
@@ -50,3 +50,14 @@ def test_beyond_the_edge_of_a_top_nothing_can_stand(camera):
     at_the_edge = np.array([0.33, 0.0, 0.90])
 
     assert looked(camera, (0.53, 0.0))(at_the_edge)
+
+
+@pytest.mark.parametrize(("x", "y"), [(0.39, 0.0), (-0.39, 0.0), (0.0, 0.59), (0.0, -0.59), (0.39, -0.59)])
+def test_a_top_reaches_to_its_edges_however_it_is_turned(x, y):
+    turned = poses.transform(poses.rotation_z(0.7), (0.7, 0.2, 0.88))
+    top = SceneObject("table", TOP.shape, turned, 0.015, False)
+
+    assert is_over(top, (turned @ [x, y, 0.02, 1.0])[:3])
+    for beyond in ((x + np.sign(x) * 0.02, y), (x, y + np.sign(y) * 0.02)):
+        if beyond != (x, y):
+            assert not is_over(top, (turned @ [*beyond, 0.02, 1.0])[:3])

@@ -21,11 +21,21 @@ def model():
     return RobotModel(load_description("talos"))
 
 
-@pytest.fixture
-def fake(model):
+def in_front_of_a_table(model):
     world = FakeWorld(model, believed, [table(), cup()])
     world.step()
     return world
+
+
+@pytest.fixture
+def fake(model):
+    return in_front_of_a_table(model)
+
+
+@pytest.fixture
+def fake_again(model):
+    """Another one of the same."""
+    return in_front_of_a_table(model)
 
 
 @pytest.fixture

@@ -73,6 +73,17 @@ def test_a_box_keeps_its_heading_and_a_ball_has_none():
     assert not found["ball"].lying
 
 
+def test_the_heading_of_a_box_is_the_mean_of_its_frames():
+    crate = Box((0.2, 0.1, 0.1))
+    turns = (0.30, 0.34, 0.41)
+
+    (box,) = fuse_frames(
+        views(*[[detection(at(0.5, rotation=poses.rotation_z(a)), "box", shape=crate)] for a in turns])
+    )
+
+    assert poses.yaw_of(box.odom_T_object[:3, :3]) == pytest.approx(0.35, abs=1e-4)
+
+
 def test_a_false_detection_is_dropped_and_a_real_one_with_gaps_is_kept():
     frames = [[detection(at(0.5))] for _ in range(8)]
     frames[2].append(detection(at(0.6, 0.4), confidence=0.6))
