@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from py_trees.common import Status
+
 from robots.control.motion_handle import MotionHandle
-from trees.leaf import Leaf
+from trees.failures import Failure
+from trees.leaf import RUNNING, Leaf
+from trees.motion_leaf import motion_failure
 
 
 class WalkingLeaf(Leaf):
@@ -14,6 +18,13 @@ class WalkingLeaf(Leaf):
     def begin(self) -> None:
         """Forget the walk of an earlier run."""
         self._handle = None
+
+    def ended_early(self, handle: MotionHandle) -> Status | Failure | None:
+        """Why a walk ended before its time, once its last steps are made: nothing else moves before."""
+        ended = motion_failure(handle)
+        if ended is not None and self.toolbox.walking is not None and self.toolbox.walking.active:
+            return RUNNING
+        return ended
 
     def release(self, reason: str) -> None:
         """Stop within the last steps."""

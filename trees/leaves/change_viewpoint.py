@@ -18,7 +18,6 @@ from kinematics.walking.steering import PathSteering, Steering, StretchSteering
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
-from trees.motion_leaf import motion_failure
 from trees.odometry import feet_pose
 from trees.own_load import without_held
 from trees.ports import ports
@@ -35,6 +34,9 @@ _BACK_M, _LEAST_BACK_M, _ROOM_BEHIND_M = 0.7, 0.2, 0.3
 _TURN_RAD = 1.9
 """Less than the head sees to both sides, so that nothing is passed over."""
 _TURN_ROOM_M = 0.62
+_TURN_LEGS_M = 0.40
+"""From the middle of the feet to what is known, tables included, which the range sensor looks below: thighs
+that turned 0.30 m from a table's edge pressed against it."""
 _SPEED_M_S = 0.3
 
 
@@ -75,7 +77,7 @@ class ChangeViewpoint(WalkingLeaf):
             if isinstance(steering, Failure):
                 return steering
             self._handle = toolbox.walking.walk(steering, "walk")
-        if (ended := motion_failure(self._handle)) is not None:
+        if (ended := self.ended_early(self._handle)) is not None:
             return ended
         return DONE if self._handle.finished else RUNNING
 
@@ -94,6 +96,9 @@ class ChangeViewpoint(WalkingLeaf):
         near_m = float(np.hypot(scan[:, 0], scan[:, 1]).min(initial=math.inf))
         if near_m < _TURN_ROOM_M:
             return Failure.infeasible("there is no room to turn", room_m=near_m)
+        known_m = clearance_m(footprints(self.toolbox.world.scene), body)
+        if known_m < _TURN_LEGS_M:
+            return Failure.infeasible("there is no room to turn for the legs", room_m=known_m)
         room_m = self._room_for_hands_m(settings, body)
         if room_m < turn_room_m(settings):
             return Failure.infeasible("there is no room to turn for the hands", room_m=room_m)

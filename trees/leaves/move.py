@@ -13,7 +13,6 @@ from kinematics.walking.steering import Steering, StretchSteering, VelocitySteer
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
-from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose
 from trees.own_load import without_held
 from trees.ports import ports
@@ -69,7 +68,7 @@ class Move(WalkingLeaf):
                 return DONE
             self._last = body_pose(toolbox)
             self._handle = toolbox.walking.walk(self._steering(settings), "walk")
-        if (ended := motion_failure(self._handle)) is not None:
+        if (ended := self.ended_early(self._handle)) is not None:
             return ended
         self._measure()
         if self._handle.finished:

@@ -16,7 +16,6 @@ from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
-from trees.motion_leaf import motion_failure
 from trees.odometry import body_pose, feet_pose
 from trees.own_load import without_held
 from trees.ports import optional, ports
@@ -104,7 +103,7 @@ class WalkTo(WalkingLeaf):
             if steering is None:
                 return self._arrived()
             self._handle = toolbox.walking.walk(steering, "walk")
-        if (ended := motion_failure(self._handle)) is not None:
+        if (ended := self.ended_early(self._handle)) is not None:
             return ended
         if not self._handle.finished:
             left_m = body_pose(toolbox).distance_m(self._goal)

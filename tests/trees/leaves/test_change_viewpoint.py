@@ -9,7 +9,7 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box, Cylinder
-from robots.control.motion_handle import MotionHandle
+from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.failures import FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint
 
@@ -20,7 +20,8 @@ class FeetThatSetOut:
     active = False
 
     def walk(self, steering, name):
-        return MotionHandle(name, "feet")
+        self.active, self.handle = True, MotionHandle(name, "feet")
+        return self.handle
 
 
 class SeesNothingNear:
@@ -34,10 +35,9 @@ class SeesNothingNear:
 def turn(stage):
     """Begins to turn around before a table of some height with a can on it."""
 
-    def run(table_m, can_m=0.45):
-        top = SceneObject(
-            "table", Box((0.6, 1.2, 0.04)), poses.translation(0.65, 0.0, table_m - 0.02), movable=False
-        )
+    def run(table_m, can_m=0.55, edge_m=0.45):
+        middle = poses.translation(edge_m + 0.3, 0.0, table_m - 0.02)
+        top = SceneObject("table", Box((0.6, 1.2, 0.04)), middle, movable=False)
         can = SceneObject("red can", Cylinder(0.03, 0.11), poses.translation(can_m, -0.2, table_m + 0.055))
         stage.told.update(stage.told.scene.with_objects([top, can]))
         toolbox = dataclasses.replace(stage.toolbox, walking=FeetThatSetOut(), ranging=SeesNothingNear())
@@ -62,6 +62,28 @@ def test_where_the_hands_would_meet_what_stands_on_the_table_it_does_not(turn):
 
 
 def test_what_stands_farther_away_than_the_hands_reach_is_in_nobodys_way(turn):
-    status, _ = turn(0.95, can_m=0.93)
+    status, _ = turn(0.95, can_m=1.0)
 
     assert status is Status.RUNNING
+
+
+def test_thighs_that_turn_do_not_press_against_a_table_that_the_range_sensor_looks_below(turn):
+    status, failure = turn(0.80, edge_m=0.32)
+
+    assert status is Status.FAILURE
+    assert failure.kind is FailureKind.INFEASIBLE
+
+
+def test_a_walk_that_was_stopped_has_failed_when_its_last_steps_are_made(stage):
+    feet = FeetThatSetOut()
+    toolbox = dataclasses.replace(stage.toolbox, walking=feet, ranging=SeesNothingNear())
+    leaf = ChangeViewpoint("turn around", toolbox, "around")
+    stage.ready(leaf)
+    stage.tick(leaf)
+
+    feet.handle.status = MotionStatus.REFUSED
+    before = stage.tick(leaf)
+    feet.active = False
+
+    assert before is Status.RUNNING
+    assert stage.tick(leaf) is Status.FAILURE
