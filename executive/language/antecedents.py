@@ -48,7 +48,7 @@ class Antecedents(Discourse):
             raise ask("which of them does 'it' stand for?")
         if action in PUTS_DOWN and root in self._given:
             raise ask("it is given away by then: shall it be taken back first?")
-        if recent[0].of.count != 1:
+        if recent[0].of.count != 1 or (recent[0].of.plural and not recent[0].of.paired):
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
 
@@ -106,6 +106,8 @@ class Antecedents(Discourse):
 
     def _description(self, nominal: Nominal) -> Any:
         self._note_name(nominal)
+        if nominal.owner is not None:
+            self._name_place(nominal.owner)
         if nominal.sort == "name":
             return nominal.kind
         relation = nominal.relation
@@ -114,6 +116,7 @@ class Antecedents(Discourse):
             if nominal.kind is not None and not nominal.is_place:
                 self._kind = nominal
             resolved = tasks.Relation(relation.kind, self._related(relation.to))
+            self._beside_places += [relation.to] if relation.to.is_place else []
         return ObjectDescription(
             kind=nominal.kind,
             color=nominal.color,
@@ -197,8 +200,9 @@ class Antecedents(Discourse):
         if value.name == "back":
             raise ask("which place is meant?")
         held_at = self._sources.get(root)
-        places = [place for place in dict.fromkeys(self._places) if place != held_at]
-        if len(places) > 1 and self._commands and self._commands[-1].action == "walk_to":
+        named = dict.fromkeys((*self._places, *self._beside_places))
+        places = [place for place in named if place != held_at]
+        if self._commands and self._commands[-1].action == "walk_to":
             places = [place for place in places if place == self._walks[-1]]  # where it was sent just now
         if len(places) != 1:
             raise ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
@@ -206,14 +210,13 @@ class Antecedents(Discourse):
 
     def _there(self, where: Where, root: int) -> dict[str, Any]:
         """Slots of a place task whose place was named before."""
-        if where.of.name == "back":
-            place = self._sources.get(root)
-        else:
-            known = [place for place in dict.fromkeys(self._places) if place != self._sources.get(root)]
-            place = known[0] if len(known) == 1 else None
+        is_back = where.of.name == "back"
+        place = self._sources.get(root) if is_back else self._only_place(where.of, root)
         value = self._there_place(where.of, root)
         if place is not None and place.sort in ("thing", "any"):
             raise ask(f"into the {place.kind}, or on it?")
+        if place is not None and place.sort == "door":
+            raise ask("which place does 'there' stand for?")
         if place is not None and place.sort == "container":
             return {"action": "put_in", "to": value}
         return {"to": value} if place is not None and place.sort == "room" else {"on": value}

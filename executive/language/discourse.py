@@ -41,6 +41,7 @@ class Discourse:
         self._commands: list[Command] = []
         self._entities: list[Entity] = []
         self._places: list[Nominal] = []
+        self._beside_places: list[Nominal] = []
         self._walks: list[Nominal] = []
         self._people: list[Nominal] = []
         self._sources: dict[int, Nominal] = {}

@@ -217,9 +217,14 @@ def _pair(parts: Parts) -> Pair | None:
     return Pair(person, item)
 
 
+_PASSES = frozenset({"pass", "passing"})
+"""Verbs that mean to whoever speaks, unless somebody else is named: "pass the salt"."""
+
+
 def _give(parts: Parts) -> Clause:
     each = arranged(parts)
     over = bool(words(parts, "OVER")) or any("over" in part.said for part in parts if isinstance(part, Word))
+    over = over or any(word.said in _PASSES for word in words(parts, "GIVE"))
     bundles = []
     for one in each:
         if one.goal is not None and one.goal.relation is not None:

@@ -71,6 +71,7 @@ class Nominal:
         said: The noun as it was said.
         indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
+        owner: To whom it belongs, who may be meant by "her" after it.
     """
 
     sort: Sort
@@ -91,6 +92,7 @@ class Nominal:
     said: str = field(default="", compare=False)
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
+    owner: Nominal | None = field(default=None, compare=False)
 
     def described(self, feature: Feature) -> Nominal | Trouble:
         """With one more feature; a contradiction is trouble."""
@@ -244,6 +246,7 @@ class Clause:
         text: The words.
         revokes: The words that take back what was said before them, if these are such words.
         mention: What is stated, of a clause that is no command.
+        about: Who and which places are named beside what is done: "Ana is in the kitchen", "for Ana".
         terse: Whether it stands only where a clause begins, because its first words could belong to what is
             said before it: "forward 2 m", "the cup, take it".
         number: Which one of a numbered list it is.
@@ -256,6 +259,7 @@ class Clause:
     text: str = ""
     revokes: str | None = None
     mention: Mention | None = None
+    about: tuple[Nominal, ...] = ()
     terse: bool = False
     number: int | None = None
     question: bool = False

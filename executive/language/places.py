@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
+from executive.language.handled_thing import BIN
 from executive.language.lattice import Word
 from executive.language.nominals import ROBOT, words
 from executive.language.phrases import (
@@ -86,7 +87,7 @@ def _qualified(parts: Parts) -> Nominal | Trouble | None:
 
 
 def _trash(_parts: Parts) -> Where:
-    return Where("to", Nominal("container", "bin"), "in")
+    return Where("to", BIN, "in")
 
 
 def _here(_parts: Parts) -> Where:

@@ -51,6 +51,11 @@ def _is_beside_itself(thing: Nominal, one: Draft) -> bool:
     return isinstance(goal, Nominal) and thing.kind is not None and goal == thing
 
 
+def _is_there(place: Any) -> bool:
+    """Whether a place was named before: "take it there"."""
+    return isinstance(place, Nominal) and place.reference == "there"
+
+
 class Resolver(Antecedents):
     """Turns clauses into commands, remembering what was named.
 
@@ -72,10 +77,12 @@ class Resolver(Antecedents):
             if clause.mention is not None and self._mention is not None:
                 raise ask("which of them is meant?")
             self._mention = clause.mention or self._mention
+            for named in clause.about:
+                self._name_place(named)
             for bundle in clause.bundles:
                 for each in self._spread(self._with_mention(bundle)):
                     self._bundle(each, clause.text)
-        if self._mention is not None:
+        if self._mention is not None or not self._commands:
             raise UnresolvedError(Trouble("something is stated that no task follows from"))
         return tuple(self._commands)
 
@@ -155,13 +162,24 @@ class Resolver(Antecedents):
                 thing = one.get("object")
                 held = self._held_as(thing, one.get("source")) if isinstance(thing, Nominal) else None
                 if isinstance(thing, ObjectOf) or thing.reference or held is not None:
-                    last = held or (thing if isinstance(thing, ObjectOf) else self._it(thing, one.action))
+                    last = held or (thing if isinstance(thing, ObjectOf) else self._carried(thing))
                     if last.task in self._held and one.get("source") is None:
                         continue
                     one = _replaced(one, "object", last)
             if one.get("object") is PREVIOUS or one.get("object") == PREVIOUS:
                 one = _replaced(one, "object", last)
             last = self._task(one, text)
+
+    def _carried(self, thing: Nominal) -> Any:
+        """What "it" is that is brought somewhere: not another one than what is in the hand.
+
+        Raises:
+            UnresolvedError: It may be.
+        """
+        meant = self._it(thing, "pick")
+        if self._held and isinstance(meant, ObjectOf) and meant.task not in self._held:
+            raise ask("which of them does 'it' stand for?")
+        return meant
 
     def _task(self, one: Draft, text: str) -> Any:
         index = len(self._commands)
@@ -191,6 +209,9 @@ class Resolver(Antecedents):
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
+        elsewhere = (*self._placed, *self._given, *self._sources)
+        if one.action == "pick" and _is_there(one.get("source")) and root in elsewhere:
+            raise ask("shall it be taken from there, or carried there?")
         if one.action in PUTS_DOWN and resolved is not None and root in self._held and one.get("source"):
             raise ask("it is in the hand by then: is another one meant?")
         if one.action == "hand_over" and named is not None and self._is_given(named):
