@@ -13,6 +13,7 @@ from trees import tasks
 from trees.tasks import ObjectDescription, ObjectOf
 
 _OPENED = ("container", "door")
+_COUNTED = ("first", "second", "third", "fourth", "fifth", "last")
 PUTS_DOWN = ("place", "put_in", "hand_over")
 _MOVES = ("pick", *PUTS_DOWN)
 
@@ -48,7 +49,7 @@ class Antecedents(Discourse):
             raise ask("which of them does 'it' stand for?")
         if action in PUTS_DOWN and root in self._given:
             raise ask("it is given away by then: shall it be taken back first?")
-        if recent[0].of.count != 1 or (recent[0].of.plural and not recent[0].of.paired):
+        if recent[0].is_several:
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
 
@@ -87,7 +88,7 @@ class Antecedents(Discourse):
             if not recent and len(others) == 1:
                 return self._destination(others[0])
             raise ask("what does 'it' stand for?")
-        if recent[0].task in self._held:
+        if recent[0].task in self._held or recent[0].is_several:
             raise ask("what does 'it' stand for?")
         return self._same_it(recent[0].task)
 
@@ -134,7 +135,7 @@ class Antecedents(Discourse):
         """What a relation is to: a thing rather than the furniture that it stands on."""
         if nominal.reference == "it":
             recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"), root)
-            if len(recent) == 1 and not self._mentioned:
+            if len(recent) == 1 and not recent[0].is_several and not self._mentioned:
                 return self._same_it(recent[0].task)
         if nominal.anaphoric:
             self._only_kind(self._mentioned)
@@ -220,6 +221,25 @@ class Antecedents(Discourse):
         if place is not None and place.sort == "container":
             return {"action": "put_in", "to": value}
         return {"to": value} if place is not None and place.sort == "room" else {"on": value}
+
+    def _only_one(self, thing: Nominal, action: str) -> None:
+        """Ask what "the first one" and "the other one" are of several things that were named.
+
+        Raises:
+            UnresolvedError: It may be one of them, or another.
+        """
+        kind = self._same_kind(thing).kind
+        same = {entity.task: entity for entity in self._entities if entity.of.kind == kind}
+        singles = [one for one in same.values() if not one.is_several]
+        if thing.ordinal == "other" and len(singles) > 1:
+            raise ask("which one is meant?")  # of the red cup and the blue cup
+        if not thing.anaphoric:
+            return
+        if thing.ordinal in _COUNTED and any(one.of.ordinal not in _COUNTED for one in singles):
+            raise ask(f"the {thing.ordinal} that was named, or from the left?")
+        before = [one for one in same.values() if one.clause != self._clause and one.task in self._held]
+        if action == "pick" and any(one.is_several for one in before):
+            raise ask("one of those in the hand, or another?")
 
     def _only_kind(self, named: Iterable[Nominal]) -> None:
         """Ask when "the blue one" may be of another kind than what is handled: "the bottle on the right one".

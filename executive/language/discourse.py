@@ -33,6 +33,11 @@ class Entity:
     clause: int
     of: Nominal
 
+    @property
+    def is_several(self) -> bool:
+        """Whether nobody would call it "it": "the cups", "both cups", but not "the scissors"."""
+        return self.of.count != 1 or (self.of.plural and not self.of.paired)
+
 
 class Discourse:
     """What a sentence has named and done up to some word."""

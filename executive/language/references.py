@@ -105,6 +105,8 @@ class Resolver(Antecedents):
             if self._commands or first.action != opposite or _reference(thing) != "it":
                 raise ask("what has the statement to do with the task?")
             return (_replaced(first, "object", of), *rest)
+        if first.action in ("open", "close") and not of.is_place and of.sort != "door":
+            raise ask("what has the statement to do with the task?")
         pronoun = "it" if of.is_single else "them"
         takes_place = takes_place or stated.source is None
         if (
@@ -193,11 +195,10 @@ class Resolver(Antecedents):
                 resolved = resolved if named is None else self._description(named)
             else:
                 named = self._same_kind(thing)
+                self._only_one(thing, one.action)
                 if thing.anaphoric:
                     recent = self._recent(lambda entity: entity.of.sort == "thing")
                     self._only_kind(one.of for one in recent)
-                    if thing.ordinal == "other" and len(recent) > 1:
-                        raise ask("which one is meant?")  # of the red cup and the blue cup
                 self._kind = named if named.kind is not None else self._kind
                 resolved = self._description(named)
         elif isinstance(thing, ObjectOf):
@@ -310,7 +311,8 @@ class Resolver(Antecedents):
 
     def _is_given(self, thing: Nominal) -> bool:
         """Whether a task before gives away what is described in the very same words."""
-        return any(entity.task in self._given and entity.of == thing for entity in self._entities)
+        given = [entity.of for entity in self._entities if entity.task in self._given]
+        return any(one == replace(thing, anaphoric=one.anaphoric) for one in given)
 
     def _around(self, one: Draft) -> list[Nominal]:
         """Where "is there a cup?" may be asked of: what was opened, and places, if not "see if there is"."""

@@ -108,3 +108,33 @@ def test_there_is_where_it_goes_or_the_only_place():
             place = tasks[-1].get("to") or tasks[-1]["on"]
 
             assert meant == {place}, text
+
+
+KINDS = ("cup", "book")
+
+
+def test_one_of_several_that_were_named_is_asked_about():
+    for kind, action in itertools.product(KINDS, ("take", "look at", "give Ana")):
+        for one in ("the first one", "the last one", "the other one"):
+            named = f"{action} the red {kind} and the blue {kind}"
+
+            assert parse(f"{named}, then give {one} to Tom").question is not None, one
+
+
+def test_it_is_nothing_that_was_named_in_the_plural():
+    for named in ("count the cups on the table", "pick up both cups", "find two cups", "look at the cups"):
+        for last in ("put it in the bin", "put the book next to it", "bring it to me"):
+            assert parse(f"{named}. {last}").to_json()["tasks"] == [], (named, last)
+
+
+def test_what_is_in_the_hand_is_not_fetched_again():
+    for one in ("the blue one", "the other one", "another one", "a red one"):
+        assert parse(f"pick up both cups, then bring me {one}").question is not None
+
+
+def test_the_same_is_not_given_away_twice():
+    assert parse("give Tom the red cup, then give Ana the red one").question is not None
+
+
+def test_a_thing_of_which_something_is_stated_is_no_door():
+    assert parse("the bottle is dirty, close it").to_json()["tasks"] == []
