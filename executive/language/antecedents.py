@@ -109,8 +109,10 @@ class Antecedents(Discourse):
         self._note_name(nominal)
         if nominal.owner is not None:
             self._name_place(nominal.owner)
-        if nominal.sort == "name":
+        if nominal.sort == "name" and nominal.relation is None:
             return nominal.kind
+        if nominal.sort == "name":
+            nominal = replace(nominal, kind=None, name=nominal.kind)
         relation = nominal.relation
         resolved = None
         if relation is not None:
@@ -146,8 +148,10 @@ class Antecedents(Discourse):
         named = self._same_kind(nominal)
         if nominal.anaphoric and nominal.is_plain:
             raise ask("which one is meant?")  # "put the box in that one"
-        if named.sort in ("me", "you", "name"):
+        if named.sort in ("me", "you"):
             return named.kind
+        if named.sort == "name":
+            return self._description(named)
         if named.count != 1 or (named.plural and not named.reference):
             raise UnresolvedError(Trouble(f"several places at once ({named.kind!r}): name one", named.kind))
         if named.is_place and named.is_plain:
@@ -204,7 +208,8 @@ class Antecedents(Discourse):
         named = dict.fromkeys((*self._places, *self._beside_places))
         places = [place for place in named if place != held_at]
         if self._commands and self._commands[-1].action == "walk_to":
-            places = [place for place in places if place == self._walks[-1]]  # where it was sent just now
+            sent = self._walks[-1]  # just now, unless another place was named since
+            places = [place for place in places if place == sent == self._places[-1]]
         if len(places) != 1:
             raise ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
         return places[0]
@@ -283,6 +288,5 @@ class Antecedents(Discourse):
             return self._destination(people[0])
         if value.reference in ("it", "this"):
             raise ask("who is meant?")
-        if value.sort in ("person", "name"):
-            self._people.append(value)
+        self._name_place(value)
         return self._destination(value)

@@ -107,7 +107,7 @@ class Discourse:
         if isinstance(value, Nominal) and value.is_place and not value.reference:
             self._places.append(value)
         if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
-            self._people.append(value)
+            self._people.append(replace(value, relation=None) if value.sort == "name" else value)
 
     def _is_several(self) -> bool:
         """Whether some things were named that "them" may stand for."""

@@ -74,9 +74,14 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
     )
 
 
+_TAKES = frozenset({"take", "taking"})
+"""Verbs of which "take it there" is to carry it."""
+
+
 def _pick(parts: Parts) -> Clause:
-    each = arranged(parts)
-    each = [found_there(one) for one in each]
+    taken = any(word.said in _TAKES for word in words(parts, "PICK"))
+    carried = [one for one in arranged(parts) if taken and one.goal is not None and one.object.reference]
+    each = [one if one in carried else found_there(one) for one in arranged(parts)]
     for one in each:
         if one.goal is not None or one.back:
             raise unfit()

@@ -104,7 +104,7 @@ class Nominal:
 
     def placed(self, relation: Relative) -> Nominal | Trouble:
         """With where it is; being at two places is trouble."""
-        if self.sort in ("me", "you", "name"):
+        if self.sort in ("me", "you") or (self.sort == "name" and not may_be_found(relation)):
             return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.sort == "person" and relation.kind == "in" and relation.to.sort == "thing":
             return wears(self, relation.to)
@@ -131,6 +131,17 @@ class Nominal:
     def is_plain(self) -> bool:
         """Whether the noun says it all."""
         return all(getattr(self, name) is None for name in _DESCRIBES)
+
+
+_SEATS = frozenset({"sofa", "armchair", "chair", "bed", "bench", "stool"})
+
+
+def may_be_found(relation: Relative) -> bool:
+    """Whether it is where people are: "Ana in the kitchen", "Ana at the door", but "Ana on the table"?"""
+    of = relation.to
+    inside = relation.kind == "in" and of.sort == "room"
+    beside = relation.kind == "next_to" and of.is_place
+    return inside or beside or (relation.kind == "on" and of.kind in _SEATS)
 
 
 _DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")

@@ -21,6 +21,7 @@ from executive.language.phrases import (
     Role,
     Trouble,
     Where,
+    may_be_found,
     relation_kind,
 )
 from trees.tasks import RelationKind
@@ -76,7 +77,8 @@ def _qualified(parts: Parts) -> Nominal | Trouble | None:
     if (
         not isinstance(nominal, Nominal)
         or not (nominal.is_person or nominal.is_place)
-        or nominal.sort in ("me", "name")
+        or nominal.sort == "me"
+        or (nominal.sort == "name" and not may_be_found(relation))
     ):
         return None
     if nominal.reference or (

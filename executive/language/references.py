@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -49,6 +49,13 @@ def _is_beside_itself(thing: Nominal, one: Draft) -> bool:
     goal = one.get("to") or one.get("on")
     goal = goal.to if isinstance(goal, Relative) else goal
     return isinstance(goal, Nominal) and thing.kind is not None and goal == thing
+
+
+def _is_everything(one: Draft) -> bool:
+    """Whether it is done to "everything", and nobody says where that is."""
+    thing = one.get("object")
+    bare = isinstance(thing, Nominal) and thing.sort == "any" and thing.kind is None and thing.is_plain
+    return bare and thing.count == "all" and one.get("source") is None
 
 
 def _is_there(place: Any) -> bool:
@@ -195,6 +202,8 @@ class Resolver(Antecedents):
                 resolved = resolved if named is None else self._description(named)
             else:
                 named = self._same_kind(thing)
+                if _is_everything(one) and self._recent(lambda entity: entity.of.sort == "thing"):
+                    raise ask("all that was named, or everything there is?")
                 self._only_one(thing, one.action)
                 if thing.anaphoric:
                     recent = self._recent(lambda entity: entity.of.sort == "thing")
@@ -210,8 +219,7 @@ class Resolver(Antecedents):
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
-        elsewhere = (*self._placed, *self._given, *self._sources)
-        if one.action == "pick" and _is_there(one.get("source")) and root in elsewhere:
+        if one.action == "pick" and _is_there(one.get("source")) and root in (*self._placed, *self._given):
             raise ask("shall it be taken from there, or carried there?")
         if one.action in PUTS_DOWN and resolved is not None and root in self._held and one.get("source"):
             raise ask("it is in the hand by then: is another one meant?")
@@ -269,7 +277,7 @@ class Resolver(Antecedents):
             raise UnresolvedError(
                 Trouble(f"{slots['object']!r} is a person, and nothing to {action}", slots["object"])
             )
-        if action == "walk_to" and self._is_there_already(slots["to"]):
+        if self._is_done_already(action, slots):
             return ObjectOf(root)  # "come, stand next to me"
         self._commands.append(_TYPES[action](text, **slots))
         if named is not None:
@@ -319,10 +327,14 @@ class Resolver(Antecedents):
         opened = [entity.of for entity in self._entities if entity.of.sort == "container"]
         return opened if one.get("there_are") == "opened" else [*self._places, *opened]
 
-    def _is_there_already(self, place: Any) -> bool:
-        """Whether the task before walks to the same place."""
+    def _is_done_already(self, action: str, slots: Mapping[str, Any]) -> bool:
+        """Whether the task before walks to the same place, or opens or closes the same."""
         last = self._commands[-1] if self._commands else None
-        return isinstance(last, tasks.WalkToTask) and last.to == place
+        if action == "walk_to":
+            return isinstance(last, tasks.WalkToTask) and last.to == slots["to"]
+        if isinstance(last, (tasks.OpenTask, tasks.CloseTask)) and last.action == action:
+            return bool(last.object == slots["object"])
+        return False
 
     def _was_opened(self, what: Any) -> bool:
         """Whether a task before opens it, so that to close it "again" is to close it."""

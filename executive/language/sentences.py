@@ -57,7 +57,7 @@ class _Numbered:
 
 
 def _list_number(parts: Parts) -> _Numbered | None:
-    is_mark = len(parts) == 2 and parts[1].meaning in (".", ")", ":", "paren")
+    is_mark = parts[-1].meaning in (".", ")", ":", "paren")
     return _step_number(parts) if is_mark else None
 
 

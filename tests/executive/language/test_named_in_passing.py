@@ -99,3 +99,36 @@ def test_walking_a_distance_is_forward_and_moving_is_asked():
 def test_pass_is_to_whoever_speaks():
     assert tasks_of("pass the salt") == tasks_of("pass me the salt")
     assert parse("give the salt").question is not None
+
+
+@pytest.mark.parametrize(
+    ("place", "relation"),
+    [
+        ("in the kitchen", {"is": "in", "to": "kitchen"}),
+        ("at the door", {"is": "next_to", "to": "door"}),
+        ("on the sofa", {"is": "on", "to": "sofa"}),
+    ],
+)
+def test_somebody_who_is_named_may_be_told_to_be_somewhere(place, relation):
+    for command in ("give the cup to Ana", "wave to Ana", "say hello to Ana", "go to Ana"):
+        task = tasks_of(f"{command} {place}")[-1]
+
+        assert {"name": "Ana", "relation": relation} in task.values(), command
+
+
+def test_on_the_table_nobody_is():
+    assert parse("give the cup to Ana on the table").to_json()["tasks"] == []
+
+
+def test_everything_after_some_things_is_asked_about():
+    assert parse("take the cup and the book and put everything on the table").question is not None
+    assert tasks_of("put everything in the box")[0]["count"] == "all"
+
+
+def test_a_door_is_opened_once():
+    assert tasks_of("open the door, after that open the door and wave") == tasks_of("open the door and wave")
+
+
+def test_what_is_returned_to_somebody_is_handed_over_and_without_a_thing_it_is_to_walk():
+    assert tasks_of("return the cup to Ana") == tasks_of("give the cup to Ana")
+    assert tasks_of("take the cup and return to Ana")[-1] == {"action": "walk_to", "to": "Ana"}
