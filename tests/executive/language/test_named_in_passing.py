@@ -1,6 +1,7 @@
 """Who and what a statement names beside a command is what "her" and "it" may stand for after it."""
 
 import itertools
+import random
 
 import pytest
 
@@ -132,3 +133,35 @@ def test_a_door_is_opened_once():
 def test_what_is_returned_to_somebody_is_handed_over_and_without_a_thing_it_is_to_walk():
     assert tasks_of("return the cup to Ana") == tasks_of("give the cup to Ana")
     assert tasks_of("take the cup and return to Ana")[-1] == {"action": "walk_to", "to": "Ana"}
+
+
+ORDERS = (
+    "take the cup from the table",
+    "bring Ana the plate",
+    "open the fridge",
+    "go to the kitchen",
+    "wave to Tom",
+    "put the book in the drawer",
+    "walk 2 m",
+    "find the bottle",
+)
+REASONS = ("I'm cold", "she's hungry", "they are full", "I'm on the sofa", "Grandma is asleep", "he's in bed")
+
+
+def test_a_reason_among_orders_changes_none_of_them():
+    rng = random.Random(20261123)
+    for _ in range(400):
+        orders = rng.sample(ORDERS, rng.randint(1, 3))
+        place = rng.randint(0, len(orders))
+        separator = rng.choice([". ", ", ", "; ", " and "])
+        said = separator.join([*orders[:place], rng.choice(REASONS), *orders[place:]])
+        tasks = parse(said).to_json()["tasks"]
+
+        assert tasks in ([], tasks_of(separator.join(orders))), said
+
+
+@pytest.mark.parametrize("mark", [".", ";", "!"])
+def test_words_to_say_end_with_their_sentence_or_are_asked_about(mark):
+    said = f"tell Ana that dinner is ready{mark} the keys are on the hook{mark} wave to Ana"
+
+    assert parse(said).question is not None
