@@ -219,6 +219,7 @@ def _outcomes(
     a courtesy where it can be one; what differs in anything else is ambiguous.
     """
     troubles: dict[Trouble, None] = {}
+    asked: list[int] = []
     understood: dict[str, tuple[tuple[int, int, int], tuple[Command, ...]]] = {}
     for meaning in meanings:
         if isinstance(meaning, Trouble):
@@ -228,6 +229,7 @@ def _outcomes(
                 commands = Resolver(people_in).commands(meaning.clauses)
             except UnresolvedError as unresolved:
                 troubles[unresolved.trouble] = None
+                asked += [meaning.unseparated] if unresolved.trouble.asks else []
                 continue
             spoken = sum(len(one.words) for one in commands if isinstance(one, SayTask))
             rank = (meaning.unseparated, spoken, len(commands))  # the last among those that are the same
@@ -245,6 +247,8 @@ def _outcomes(
     ):
         return [Trouble("where do the words to say end? put them in quotation marks", asks=True)]
     best = min((rank[:2] for rank, _ in understood.values()), default=(0, 0))
+    if asked and min(asked) < best[0]:
+        return list(troubles)  # no reading that is less likely is taken because a likely one is asked about
     likely = [commands for rank, commands in understood.values() if rank[:2] == best]
     return [one for one in likely if not any(_only_begins_with_more(one, other) for other in likely)] or list(
         troubles

@@ -13,6 +13,7 @@ from trees import tasks
 from trees.tasks import ObjectDescription, ObjectOf
 
 _OPENED = ("container", "door")
+_COUNTED = ("first", "second", "third", "fourth", "fifth", "last")
 PUTS_DOWN = ("place", "put_in", "hand_over")
 _MOVES = ("pick", *PUTS_DOWN)
 
@@ -48,7 +49,7 @@ class Antecedents(Discourse):
             raise ask("which of them does 'it' stand for?")
         if action in PUTS_DOWN and root in self._given:
             raise ask("it is given away by then: shall it be taken back first?")
-        if recent[0].of.count != 1:
+        if recent[0].is_several:
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
 
@@ -87,7 +88,7 @@ class Antecedents(Discourse):
             if not recent and len(others) == 1:
                 return self._destination(others[0])
             raise ask("what does 'it' stand for?")
-        if recent[0].task in self._held:
+        if recent[0].task in self._held or recent[0].is_several:
             raise ask("what does 'it' stand for?")
         return self._same_it(recent[0].task)
 
@@ -106,14 +107,19 @@ class Antecedents(Discourse):
 
     def _description(self, nominal: Nominal) -> Any:
         self._note_name(nominal)
-        if nominal.sort == "name":
+        if nominal.owner is not None:
+            self._name_place(nominal.owner)
+        if nominal.sort == "name" and nominal.relation is None:
             return nominal.kind
+        if nominal.sort == "name":
+            nominal = replace(nominal, kind=None, name=nominal.kind)
         relation = nominal.relation
         resolved = None
         if relation is not None:
             if nominal.kind is not None and not nominal.is_place:
                 self._kind = nominal
             resolved = tasks.Relation(relation.kind, self._related(relation.to))
+            self._beside_places += [relation.to] if relation.to.is_place else []
         return ObjectDescription(
             kind=nominal.kind,
             color=nominal.color,
@@ -131,7 +137,7 @@ class Antecedents(Discourse):
         """What a relation is to: a thing rather than the furniture that it stands on."""
         if nominal.reference == "it":
             recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"), root)
-            if len(recent) == 1 and not self._mentioned:
+            if len(recent) == 1 and not recent[0].is_several and not self._mentioned:
                 return self._same_it(recent[0].task)
         if nominal.anaphoric:
             self._only_kind(self._mentioned)
@@ -142,8 +148,10 @@ class Antecedents(Discourse):
         named = self._same_kind(nominal)
         if nominal.anaphoric and nominal.is_plain:
             raise ask("which one is meant?")  # "put the box in that one"
-        if named.sort in ("me", "you", "name"):
+        if named.sort in ("me", "you"):
             return named.kind
+        if named.sort == "name":
+            return self._description(named)
         if named.count != 1 or (named.plural and not named.reference):
             raise UnresolvedError(Trouble(f"several places at once ({named.kind!r}): name one", named.kind))
         if named.is_place and named.is_plain:
@@ -197,26 +205,46 @@ class Antecedents(Discourse):
         if value.name == "back":
             raise ask("which place is meant?")
         held_at = self._sources.get(root)
-        places = [place for place in dict.fromkeys(self._places) if place != held_at]
-        if len(places) > 1 and self._commands and self._commands[-1].action == "walk_to":
-            places = [place for place in places if place == self._walks[-1]]  # where it was sent just now
+        named = dict.fromkeys((*self._places, *self._beside_places))
+        places = [place for place in named if place != held_at]
+        if self._commands and self._commands[-1].action == "walk_to":
+            sent = self._walks[-1]  # just now, unless another place was named since
+            places = [place for place in places if place == sent == self._places[-1]]
         if len(places) != 1:
             raise ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
         return places[0]
 
     def _there(self, where: Where, root: int) -> dict[str, Any]:
         """Slots of a place task whose place was named before."""
-        if where.of.name == "back":
-            place = self._sources.get(root)
-        else:
-            known = [place for place in dict.fromkeys(self._places) if place != self._sources.get(root)]
-            place = known[0] if len(known) == 1 else None
+        is_back = where.of.name == "back"
+        place = self._sources.get(root) if is_back else self._only_place(where.of, root)
         value = self._there_place(where.of, root)
         if place is not None and place.sort in ("thing", "any"):
             raise ask(f"into the {place.kind}, or on it?")
+        if place is not None and place.sort == "door":
+            raise ask("which place does 'there' stand for?")
         if place is not None and place.sort == "container":
             return {"action": "put_in", "to": value}
         return {"to": value} if place is not None and place.sort == "room" else {"on": value}
+
+    def _only_one(self, thing: Nominal, action: str) -> None:
+        """Ask what "the first one" and "the other one" are of several things that were named.
+
+        Raises:
+            UnresolvedError: It may be one of them, or another.
+        """
+        kind = self._same_kind(thing).kind
+        same = {entity.task: entity for entity in self._entities if entity.of.kind == kind}
+        singles = [one for one in same.values() if not one.is_several]
+        if thing.ordinal == "other" and len(singles) > 1:
+            raise ask("which one is meant?")  # of the red cup and the blue cup
+        if not thing.anaphoric:
+            return
+        if thing.ordinal in _COUNTED and any(one.of.ordinal not in _COUNTED for one in singles):
+            raise ask(f"the {thing.ordinal} that was named, or from the left?")
+        before = [one for one in same.values() if one.clause != self._clause and one.task in self._held]
+        if action == "pick" and any(one.is_several for one in before):
+            raise ask("one of those in the hand, or another?")
 
     def _only_kind(self, named: Iterable[Nominal]) -> None:
         """Ask when "the blue one" may be of another kind than what is handled: "the bottle on the right one".
@@ -260,6 +288,5 @@ class Antecedents(Discourse):
             return self._destination(people[0])
         if value.reference in ("it", "this"):
             raise ask("who is meant?")
-        if value.sort in ("person", "name"):
-            self._people.append(value)
+        self._name_place(value)
         return self._destination(value)

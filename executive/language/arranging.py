@@ -193,7 +193,7 @@ def _goal(open_ones: list[Where]) -> Where:
 def _told(goal: Where, where: Where) -> Where:
     """What is said after where the thing goes tells where that is: "to the man standing by the door"."""
     of = goal.of
-    if of.reference or of.sort in ("me", "name", "you"):
+    if of.reference or of.sort in ("me", "you"):
         raise unfit()
     if where.relation is None and of.is_place and where.of.sort != "room":
         raise unfit()

@@ -31,6 +31,7 @@ from executive.language.phrases import (
     Nominal,
     Relative,
     Trouble,
+    Where,
     draft,
     relation_kind,
     wears,
@@ -38,6 +39,9 @@ from executive.language.phrases import (
 from executive.vocabulary.inflection import plural
 
 _BESIDE = ("RELATION", "NEXT_TO")
+_AIMS = frozenset({"point", "pointing", "pointed"})
+"""Verbs that say of a thing where it is to point, if they say that it points at anything."""
+
 _HERE = frozenset({"there", "room", "here"})
 """Words that may stand for the place that was named before, or for all that is in view."""
 
@@ -84,6 +88,8 @@ def _attend(action: str) -> Callable[[Parts], Clause]:
         hand = sides[0].meaning if sides else _side(parts)
         bundles: list[Bundle] = []
         (items,) = (part for part in parts if isinstance(part, Items))
+        if any(word.said in _AIMS for word in words(parts, "POINT_AT")) and _is_aimed(items):
+            raise unfit()
         for item in items.each:
             side = next((one.side for one in item.details if isinstance(one, Hand)), hand)
             if side is not None and action == "look_at":
@@ -94,6 +100,12 @@ def _attend(action: str) -> Callable[[Parts], Clause]:
         return clause(parts, bundles)
 
     return meaning
+
+
+def _is_aimed(items: Items) -> bool:
+    """Whether a thing is to be turned towards another: "point the lamp at the table"."""
+    details = (one for item in items.each for one in item.details)
+    return any(isinstance(one, Where) and (one.preposition == "at" or one.role == "to") for one in details)
 
 
 def _look_around(_parts: Parts) -> Clause:

@@ -33,6 +33,11 @@ class Entity:
     clause: int
     of: Nominal
 
+    @property
+    def is_several(self) -> bool:
+        """Whether nobody would call it "it": "the cups", "both cups", but not "the scissors"."""
+        return self.of.count != 1 or (self.of.plural and not self.of.paired)
+
 
 class Discourse:
     """What a sentence has named and done up to some word."""
@@ -41,6 +46,7 @@ class Discourse:
         self._commands: list[Command] = []
         self._entities: list[Entity] = []
         self._places: list[Nominal] = []
+        self._beside_places: list[Nominal] = []
         self._walks: list[Nominal] = []
         self._people: list[Nominal] = []
         self._sources: dict[int, Nominal] = {}
@@ -101,7 +107,7 @@ class Discourse:
         if isinstance(value, Nominal) and value.is_place and not value.reference:
             self._places.append(value)
         if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
-            self._people.append(value)
+            self._people.append(replace(value, relation=None) if value.sort == "name" else value)
 
     def _is_several(self) -> bool:
         """Whether some things were named that "them" may stand for."""

@@ -77,6 +77,10 @@ def target(item: Item) -> Nominal:
 _STANDING = frozenset({"stand", "standing", "position", "positioning", "come", "coming"})
 """Verbs with which "by" is where to stop."""
 
+_ADVANCES = frozenset({"advance", "advancing"})
+_WALKS = frozenset({"walk", "walking", "go", "going", "drive", "driving"})
+"""Verbs that lead forward as far as is said, unless another direction is."""
+
 _INSIDE = frozenset({"in", "inside", "into"})
 
 
@@ -213,7 +217,8 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
         raise trouble("walk ahead, or go on with what?", asks=True)
     if _is_return(parts, measures):
         raise trouble("back to where, or backward?", asks=True)
-    if not said and any(word.said.startswith("advanc") for word in words(parts, "MOVE")):
+    verbs = {word.said.split()[0] for word in words(parts, "MOVE")}
+    if not said and (verbs & _ADVANCES or ("distance" in measures and verbs & _WALKS)):
         said = ["forward"]
     if not said:
         raise trouble("to the left or to the right?" if turns else "in which direction?", asks=True)

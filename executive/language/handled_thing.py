@@ -16,6 +16,9 @@ ASKER = Nominal("me", "me", reference="asker", determined=True)
 BACK = Nominal("any", reference="there", name="back")
 """The place that a thing was taken from."""
 
+BIN = Nominal("container", "bin")
+"""Where things are thrown away."""
+
 
 def thing(one: Arranged, doing: str) -> Nominal:
     """The object, if it is something that a hand can take."""

@@ -74,9 +74,14 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
     )
 
 
+_TAKES = frozenset({"take", "taking"})
+"""Verbs of which "take it there" is to carry it."""
+
+
 def _pick(parts: Parts) -> Clause:
-    each = arranged(parts)
-    each = [found_there(one) for one in each]
+    taken = any(word.said in _TAKES for word in words(parts, "PICK"))
+    carried = [one for one in arranged(parts) if taken and one.goal is not None and one.object.reference]
+    each = [one if one in carried else found_there(one) for one in arranged(parts)]
     for one in each:
         if one.goal is not None or one.back:
             raise unfit()
@@ -217,9 +222,14 @@ def _pair(parts: Parts) -> Pair | None:
     return Pair(person, item)
 
 
+_PASSES = frozenset({"pass", "passing"})
+"""Verbs that mean to whoever speaks, unless somebody else is named: "pass the salt"."""
+
+
 def _give(parts: Parts) -> Clause:
     each = arranged(parts)
     over = bool(words(parts, "OVER")) or any("over" in part.said for part in parts if isinstance(part, Word))
+    over = over or any(word.said in _PASSES for word in words(parts, "GIVE"))
     bundles = []
     for one in each:
         if one.goal is not None and one.goal.relation is not None:

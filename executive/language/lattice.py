@@ -29,6 +29,8 @@ _COMPLETE = frozenset(
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _PLACES = frozenset({"ON", "IN", "AT", "RELATION", "NEXT_TO"})
+_SUBJECTS = frozenset({*_NOUNS, "PERSON", "NAME"})
+_PREDICATES = frozenset({*_PLACES, "STATE", "DEGREE"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
@@ -66,7 +68,7 @@ def _uncontracted(pieces: Sequence[Piece], vocabulary: Vocabulary) -> Iterator[P
             continue
         begins = {reading.word_class for _, reading in vocabulary.matches(texts, index + 1)}
         nouns = {reading.word_class for _, reading in vocabulary.matches([stem], 0)}
-        if begins.isdisjoint(_PLACES) or nouns.isdisjoint(_NOUNS):
+        if begins.isdisjoint(_PREDICATES) or nouns.isdisjoint(_SUBJECTS):
             yield piece
             continue
         middle = piece.end - len("'s")
@@ -169,6 +171,7 @@ class Lattice:
         at = self._words[start]
         fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
         compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
+        idiom = max((word.end for word in found if word.word_class == "IDIOM"), default=0)
         listed = self._follows_a_noun(start) and any(word.word_class in _REFUSED_VERBS for word in found)
         paired = start > 0 and any(
             start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
@@ -177,6 +180,8 @@ class Lattice:
         for word in found:
             for index in range(start, word.end):
                 self._covered[index] = True
+            if word.end < idiom:
+                continue  # "take a picture" takes no picture from the wall
             if word.word_class in _DESCRIBING and word.end < compound:
                 continue  # "orange juice" is no juice that is orange
             if paired and word.word_class == "KINDS" and word.end == start + 1:

@@ -253,11 +253,16 @@ def _vague(_parts: Parts) -> Trouble:
 
 
 def _owned(parts: Parts) -> Nominal | Trouble | None:
-    owner = words(parts, "OWNER")[0]
+    owner = words(parts, "OWNER", "OWNING")[0]
+    named = owner.word_class == "OWNER"
+    whose = f"{owner.meaning}'s" if named else owner.said
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal) or nominal.name is not None or nominal.kind is None:
         return nominal if isinstance(nominal, Trouble) else None
-    return replace(nominal, name=f"{owner.meaning}'s {nominal.kind}", determined=True)
+    if nominal.kind == "glass" and nominal.plural:
+        return Trouble("glasses to see with, or to drink from?", nominal.said, asks=True)
+    somebody = Nominal("name" if named else "person", owner.meaning, determined=True)
+    return replace(nominal, name=f"{whose} {nominal.kind}", determined=True, owner=somebody)
 
 
 def _simple(parts: Parts) -> Nominal | None:

@@ -71,6 +71,7 @@ class Nominal:
         said: The noun as it was said.
         indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
+        owner: To whom it belongs, who may be meant by "her" after it.
     """
 
     sort: Sort
@@ -91,6 +92,7 @@ class Nominal:
     said: str = field(default="", compare=False)
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
+    owner: Nominal | None = field(default=None, compare=False)
 
     def described(self, feature: Feature) -> Nominal | Trouble:
         """With one more feature; a contradiction is trouble."""
@@ -102,7 +104,7 @@ class Nominal:
 
     def placed(self, relation: Relative) -> Nominal | Trouble:
         """With where it is; being at two places is trouble."""
-        if self.sort in ("me", "you", "name"):
+        if self.sort in ("me", "you") or (self.sort == "name" and not may_be_found(relation)):
             return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.sort == "person" and relation.kind == "in" and relation.to.sort == "thing":
             return wears(self, relation.to)
@@ -129,6 +131,17 @@ class Nominal:
     def is_plain(self) -> bool:
         """Whether the noun says it all."""
         return all(getattr(self, name) is None for name in _DESCRIBES)
+
+
+_SEATS = frozenset({"sofa", "armchair", "chair", "bed", "bench", "stool"})
+
+
+def may_be_found(relation: Relative) -> bool:
+    """Whether it is where people are: "Ana in the kitchen", "Ana at the door", but "Ana on the table"?"""
+    of = relation.to
+    inside = relation.kind == "in" and of.sort == "room"
+    beside = relation.kind == "next_to" and of.is_place
+    return inside or beside or (relation.kind == "on" and of.kind in _SEATS)
 
 
 _DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
@@ -244,6 +257,7 @@ class Clause:
         text: The words.
         revokes: The words that take back what was said before them, if these are such words.
         mention: What is stated, of a clause that is no command.
+        about: Who and which places are named beside what is done: "Ana is in the kitchen", "for Ana".
         terse: Whether it stands only where a clause begins, because its first words could belong to what is
             said before it: "forward 2 m", "the cup, take it".
         number: Which one of a numbered list it is.
@@ -256,6 +270,7 @@ class Clause:
     text: str = ""
     revokes: str | None = None
     mention: Mention | None = None
+    about: tuple[Nominal, ...] = ()
     terse: bool = False
     number: int | None = None
     question: bool = False

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
+from executive.language.handled_thing import BIN
 from executive.language.lattice import Word
 from executive.language.nominals import ROBOT, words
 from executive.language.phrases import (
@@ -20,6 +21,7 @@ from executive.language.phrases import (
     Role,
     Trouble,
     Where,
+    may_be_found,
     relation_kind,
 )
 from trees.tasks import RelationKind
@@ -75,7 +77,8 @@ def _qualified(parts: Parts) -> Nominal | Trouble | None:
     if (
         not isinstance(nominal, Nominal)
         or not (nominal.is_person or nominal.is_place)
-        or nominal.sort in ("me", "name")
+        or nominal.sort == "me"
+        or (nominal.sort == "name" and not may_be_found(relation))
     ):
         return None
     if nominal.reference or (
@@ -86,7 +89,7 @@ def _qualified(parts: Parts) -> Nominal | Trouble | None:
 
 
 def _trash(_parts: Parts) -> Where:
-    return Where("to", Nominal("container", "bin"), "in")
+    return Where("to", BIN, "in")
 
 
 def _here(_parts: Parts) -> Where:

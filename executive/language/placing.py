@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
-from executive.language.handled_thing import BACK, count_of, thing, with_it
+from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.nominals import words
 from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Relative, Where, draft
@@ -117,6 +117,16 @@ def _put_into(parts: Parts) -> Clause:
     )
 
 
+def _discard(parts: Parts) -> Clause:
+    """What is thrown away goes into the bin."""
+    each = arranged(parts)
+    if any(one.goal is not None or one.back or one.person is not None or one.source == BIN for one in each):
+        raise unfit()
+    goal = Where("to", BIN, "in")
+    bundles = [(put_draft(thing(one, "throwing"), goal, one.source, one.hand),) for one in each]
+    return clause(parts, bundles)
+
+
 def _move_thing(parts: Parts) -> Clause:
     each = arranged(parts, goes=True)
     for one in each:
@@ -152,9 +162,10 @@ def _put_it(parts: Parts) -> Clause:
 def _opened(action: str) -> Callable[[Parts], Clause]:
     def meaning(parts: Parts) -> Clause:
         bundles = []
-        for one in arranged(parts, has_source=False):
+        each = arranged(parts, has_source=False)
+        for one in each:
             nominal = one.object
-            if one.goal is not None or one.back or (one.person is not None and one.person.sort != "me"):
+            if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
                 raise unfit()
             if nominal.reference == "this":
                 raise trouble("which one is meant?", asks=True)
@@ -174,7 +185,8 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                 what = nominal.kind or "thing"
                 raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)
             bundles.append((draft(action, object=nominal, hand=one.hand),))
-        return clause(parts, bundles)
+        about = tuple(one.person for one in each if one.person is not None)
+        return replace(clause(parts, bundles), about=about)
 
     return meaning
 
@@ -199,6 +211,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put_into": _put_into,
     "move_thing": _move_thing,
     "drop": _drop,
+    "discard": _discard,
     "open": _opened("open"),
     "close": _opened("close"),
     "close_again": _close_again,

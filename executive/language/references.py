@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -51,6 +51,18 @@ def _is_beside_itself(thing: Nominal, one: Draft) -> bool:
     return isinstance(goal, Nominal) and thing.kind is not None and goal == thing
 
 
+def _is_everything(one: Draft) -> bool:
+    """Whether it is done to "everything", and nobody says where that is."""
+    thing = one.get("object")
+    bare = isinstance(thing, Nominal) and thing.sort == "any" and thing.kind is None and thing.is_plain
+    return bare and thing.count == "all" and one.get("source") is None
+
+
+def _is_there(place: Any) -> bool:
+    """Whether a place was named before: "take it there"."""
+    return isinstance(place, Nominal) and place.reference == "there"
+
+
 class Resolver(Antecedents):
     """Turns clauses into commands, remembering what was named.
 
@@ -72,10 +84,12 @@ class Resolver(Antecedents):
             if clause.mention is not None and self._mention is not None:
                 raise ask("which of them is meant?")
             self._mention = clause.mention or self._mention
+            for named in clause.about:
+                self._name_place(named)
             for bundle in clause.bundles:
                 for each in self._spread(self._with_mention(bundle)):
                     self._bundle(each, clause.text)
-        if self._mention is not None:
+        if self._mention is not None or not self._commands:
             raise UnresolvedError(Trouble("something is stated that no task follows from"))
         return tuple(self._commands)
 
@@ -98,6 +112,8 @@ class Resolver(Antecedents):
             if self._commands or first.action != opposite or _reference(thing) != "it":
                 raise ask("what has the statement to do with the task?")
             return (_replaced(first, "object", of), *rest)
+        if first.action in ("open", "close") and not of.is_place and of.sort != "door":
+            raise ask("what has the statement to do with the task?")
         pronoun = "it" if of.is_single else "them"
         takes_place = takes_place or stated.source is None
         if (
@@ -155,13 +171,24 @@ class Resolver(Antecedents):
                 thing = one.get("object")
                 held = self._held_as(thing, one.get("source")) if isinstance(thing, Nominal) else None
                 if isinstance(thing, ObjectOf) or thing.reference or held is not None:
-                    last = held or (thing if isinstance(thing, ObjectOf) else self._it(thing, one.action))
+                    last = held or (thing if isinstance(thing, ObjectOf) else self._carried(thing))
                     if last.task in self._held and one.get("source") is None:
                         continue
                     one = _replaced(one, "object", last)
             if one.get("object") is PREVIOUS or one.get("object") == PREVIOUS:
                 one = _replaced(one, "object", last)
             last = self._task(one, text)
+
+    def _carried(self, thing: Nominal) -> Any:
+        """What "it" is that is brought somewhere: not another one than what is in the hand.
+
+        Raises:
+            UnresolvedError: It may be.
+        """
+        meant = self._it(thing, "pick")
+        if self._held and isinstance(meant, ObjectOf) and meant.task not in self._held:
+            raise ask("which of them does 'it' stand for?")
+        return meant
 
     def _task(self, one: Draft, text: str) -> Any:
         index = len(self._commands)
@@ -175,11 +202,12 @@ class Resolver(Antecedents):
                 resolved = resolved if named is None else self._description(named)
             else:
                 named = self._same_kind(thing)
+                if _is_everything(one) and self._recent(lambda entity: entity.of.sort == "thing"):
+                    raise ask("all that was named, or everything there is?")
+                self._only_one(thing, one.action)
                 if thing.anaphoric:
                     recent = self._recent(lambda entity: entity.of.sort == "thing")
                     self._only_kind(one.of for one in recent)
-                    if thing.ordinal == "other" and len(recent) > 1:
-                        raise ask("which one is meant?")  # of the red cup and the blue cup
                 self._kind = named if named.kind is not None else self._kind
                 resolved = self._description(named)
         elif isinstance(thing, ObjectOf):
@@ -191,6 +219,8 @@ class Resolver(Antecedents):
             raise UnresolvedError(Trouble("what is named is in the hand already", None))
         if one.action == "pick" and named is not None and self._held_as(named, one.get("source")) is not None:
             raise ask(f"the {named.kind or 'one'} is in the hand by then: is another one meant?")
+        if one.action == "pick" and _is_there(one.get("source")) and root in (*self._placed, *self._given):
+            raise ask("shall it be taken from there, or carried there?")
         if one.action in PUTS_DOWN and resolved is not None and root in self._held and one.get("source"):
             raise ask("it is in the hand by then: is another one meant?")
         if one.action == "hand_over" and named is not None and self._is_given(named):
@@ -247,7 +277,7 @@ class Resolver(Antecedents):
             raise UnresolvedError(
                 Trouble(f"{slots['object']!r} is a person, and nothing to {action}", slots["object"])
             )
-        if action == "walk_to" and self._is_there_already(slots["to"]):
+        if self._is_done_already(action, slots):
             return ObjectOf(root)  # "come, stand next to me"
         self._commands.append(_TYPES[action](text, **slots))
         if named is not None:
@@ -289,17 +319,22 @@ class Resolver(Antecedents):
 
     def _is_given(self, thing: Nominal) -> bool:
         """Whether a task before gives away what is described in the very same words."""
-        return any(entity.task in self._given and entity.of == thing for entity in self._entities)
+        given = [entity.of for entity in self._entities if entity.task in self._given]
+        return any(one == replace(thing, anaphoric=one.anaphoric) for one in given)
 
     def _around(self, one: Draft) -> list[Nominal]:
         """Where "is there a cup?" may be asked of: what was opened, and places, if not "see if there is"."""
         opened = [entity.of for entity in self._entities if entity.of.sort == "container"]
         return opened if one.get("there_are") == "opened" else [*self._places, *opened]
 
-    def _is_there_already(self, place: Any) -> bool:
-        """Whether the task before walks to the same place."""
+    def _is_done_already(self, action: str, slots: Mapping[str, Any]) -> bool:
+        """Whether the task before walks to the same place, or opens or closes the same."""
         last = self._commands[-1] if self._commands else None
-        return isinstance(last, tasks.WalkToTask) and last.to == place
+        if action == "walk_to":
+            return isinstance(last, tasks.WalkToTask) and last.to == slots["to"]
+        if isinstance(last, (tasks.OpenTask, tasks.CloseTask)) and last.action == action:
+            return bool(last.object == slots["object"])
+        return False
 
     def _was_opened(self, what: Any) -> bool:
         """Whether a task before opens it, so that to close it "again" is to close it."""

@@ -23,6 +23,7 @@ class Separator(Enum):
     COMMA = 2
     THEN = 3
     STOP = 4
+    ASKED = 5  # a question mark: what stands before it is no statement
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,23 +50,27 @@ class Group:
 class Further:
     """A clause or group after the first, and what stands before it.
 
-    ``after_first`` is whether "first" was said right before that: "open the drawer first, then ...".
+    ``after_first`` is whether "first" was said right before that: "open the drawer first, then ...";
+    ``asked`` is whether a question mark stands there, which ends a sentence as a full stop does.
     """
 
     separator: Separator
     part: Clause | Group
     after_first: bool = False
+    asked: bool = False
 
 
 UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
-_SENTENCE_ENDS = frozenset({".", ";", "!", "?", "paren", ")"})
+_SENTENCE_ENDS = frozenset({".", ";", "!", "paren", ")"})
 
 
 def separator_of(words: Sequence[Word]) -> Separator:
     """What some marks and joining words are together."""
     found = Separator.NOTHING
     for word in words:
-        if word.word_class == "BULLET" or word.meaning in _SENTENCE_ENDS:
+        if word.meaning == "?":
+            one = Separator.ASKED
+        elif word.word_class == "BULLET" or word.meaning in _SENTENCE_ENDS:
             one = Separator.STOP
         elif word.word_class == "PAUSE":
             one = Separator.COMMA

@@ -23,7 +23,7 @@ from executive.language.neighbours import is_endless, runs_together, stops, uncl
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
-from executive.language.statements import may_be_said, with_places
+from executive.language.statements import is_statement, may_be_said, with_places
 
 Parts = tuple[Any, ...]
 
@@ -57,7 +57,7 @@ class _Numbered:
 
 
 def _list_number(parts: Parts) -> _Numbered | None:
-    is_mark = len(parts) == 2 and parts[1].meaning in (".", ")", ":", "paren")
+    is_mark = parts[-1].meaning in (".", ")", ":", "paren")
     return _step_number(parts) if is_mark else None
 
 
@@ -84,8 +84,8 @@ def _clause(parts: Parts) -> Clause | None:
         )
         if isinstance(part, _Numbered):
             command = replace(command, number=part.number)
-        if isinstance(part, Hand):
-            command = replace(command, terse=True)  # "take the cup with the right, wave": which of the two?
+        if slot is not None:  # "take the cup with the right, wave", "... from the table, wave": of which?
+            command = replace(command, terse=True)
         if slot is not None:
             changed = _with_slot(command, *slot)
             if changed is None:
@@ -106,7 +106,7 @@ def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
         return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
     joined = [part for part in parts if isinstance(part, Separator)]
     orders = any(word.said == "use" for word in nominals.words(parts, "USE"))
-    if not orders and any(one in (Separator.STOP, Separator.THEN) for one in joined):
+    if not orders and any(one.value >= Separator.THEN.value for one in joined):
         return None  # "take the cup with the right. Wave"
     return _clause((Hand(side.meaning), *nominals.words(parts, "PAUSE"), parts[-1]))
 
@@ -181,7 +181,7 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         if any(one.form != expected for one in clauses) or main.form != "base":
             return None
         but_first = bool(nominals.words(parts, "BUT_FIRST"))
-        apart = Separator.STOP in parts or Separator.THEN in parts
+        apart = any(one in parts for one in (Separator.ASKED, Separator.STOP, Separator.THEN))
         if scope.endswith("last") and apart and not but_first:
             return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
         others = tuple(replace(clause, form="base") for clause in clauses)
@@ -190,7 +190,7 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
             (main,) if scope.startswith("after") else others,
             "but_first" if but_first else scope,
             doing=expected == "ing",
-            breaks=but_first and Separator.STOP in parts,
+            breaks=but_first and (Separator.STOP in parts or Separator.ASKED in parts),
         )
 
     return meaning
@@ -208,6 +208,8 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     ]
     if may_be_said(parts):
         return Trouble(UNQUOTED, asks=True)
+    if any(after.asked and is_statement(before.part) for before, after in itertools.pairwise(said)):
+        return Trouble("is that so, or is it asked?", asks=True)  # "the cup is dirty? Put it in the sink"
     clauses = in_order(said)
     if isinstance(clauses, Trouble):
         return clauses
@@ -234,7 +236,7 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
 
 def _without_separator(parts: Parts) -> Further | None:
     (part,) = parts
-    if isinstance(part, Group) or part.terse or part.question:
+    if isinstance(part, Group) or part.terse or part.question or is_statement(part):
         return None  # "before you ..." belongs to what was said before it
     return Further(Separator.NOTHING, part)
 
@@ -247,13 +249,19 @@ def _doing_too(parts: Parts) -> Clause | None:
 
 def _done_first(parts: Parts) -> Further | None:
     """What follows "open the drawer first, then"."""
-    separator, part = parts[-2:]
-    return Further(separator, part, after_first=True)
+    return replace(_more(parts[-2:]), after_first=True)
 
 
 def _more(parts: Parts) -> Further:
     separator, part = parts
-    return Further(separator, part)
+    asked = separator is Separator.ASKED
+    return Further(Separator.STOP if asked else separator, part, asked=asked)
+
+
+def _more_afterwards(parts: Parts) -> Further:
+    """With "after that" behind what it is said of: "and wave after that"."""
+    said = _more(parts[:-1])
+    return said if said.separator is Separator.STOP else replace(said, separator=Separator.THEN)
 
 
 def _separator(parts: Parts) -> Separator:
@@ -286,6 +294,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "sentence": _sentence,
         "unseparated": _without_separator,
         "more": _more,
+        "more_afterwards": _more_afterwards,
         "doing_too": _doing_too,
         "done_first": _done_first,
         "separator": _separator,

@@ -56,6 +56,9 @@ _ORDERED = re.compile(
 _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 """Characters that nobody says."""
 
+_SENTENCES = re.compile(r"[.;!?]\s")
+"""The end of a sentence after which another begins, which may be said to whoever is commanded."""
+
 _GREETING_LINES = """
 hello hi hey bye goodbye good morning afternoon evening night day thanks thank you so very much please sorry
 yes no ok okay goodnight farewell welcome home back happy birthday new year merry christmas
@@ -99,6 +102,7 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if (
         _UNSPOKEN.search(text)
+        or (_SENTENCES.search(text) and not greeting)
         or (word.said and not (greeting and word.said == TIME))
         or _ATTACHED.search(lowered)
         or (not greeting and _ORDERED.match(lowered))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
@@ -11,7 +11,7 @@ from typing import Any
 from executive.language.arranging import Parts, arranged, guarded, unfit
 from executive.language.nominals import words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
-from executive.language.scopes import Further, Group
+from executive.language.scopes import Further, Group, Separator
 
 
 class _Reason:
@@ -24,9 +24,13 @@ _REASON = _Reason()
 
 
 def _mention(parts: Parts) -> Clause:
-    """A statement of where a thing is."""
-    each = arranged(tuple(part for part in parts if isinstance(part, (Item, Where))))
-    (one,) = each
+    """A statement of where a thing is, or somebody."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    came = bool(words(parts, "CAME_TO_BE"))
+    places = [_stays(part, came=came) for part in parts if isinstance(part, Where)]
+    if places and item.of.sort in ("person", "name"):
+        return _mention_of_somebody(item, places)
+    (one,) = arranged((item, *places))
     nominal = one.object
     if one.goal is not None or one.back or one.hand is not None or one.person is not None:
         raise unfit()
@@ -36,6 +40,46 @@ def _mention(parts: Parts) -> Clause:
     if nominal.count == "some" or (nominal.plural and not nominal.counted):
         nominal = replace(nominal, count="all")
     return Clause((), "base", mention=Mention(nominal, one.source))
+
+
+def _stays(where: Where, *, came: bool) -> Where:
+    """Where something is: what "fell onto the floor" is on it, what "is off the table" is elsewhere."""
+    if where.role == "from":
+        raise unfit()
+    return replace(where, role="is") if came and where.role == "to" else where
+
+
+def _mention_of_somebody(item: Item, places: Sequence[Where]) -> Clause:
+    """A statement of where somebody is: "Ana is in the kitchen; take her the cup"."""
+    if item.details or len(places) > 1 or places[0].role == "to":
+        raise unfit()
+    somebody = item.of
+    if somebody.sort == "person":  # of a name the place is no part
+        (one,) = arranged((item, *places), has_source=False)
+        somebody = one.object
+    return Clause((), "base", about=(somebody, places[0].of))
+
+
+def _mention_how(parts: Parts) -> Clause:
+    """A statement of how somebody is, or a thing: "Grandma is cold", "the plate is dirty"."""
+    if words(parts, "SPEAKER_IS"):
+        return Clause((), "base", about=(_stays(parts[-1], came=False).of,))
+    wished = {"should", "must"} & {one for word in words(parts, "IS_AT") for one in word.said.split()}
+    (nominal,) = (part for part in parts if isinstance(part, Nominal))
+    if wished or nominal.reference or nominal.anaphoric or nominal.sort in ("me", "you"):
+        raise unfit()
+    if nominal.sort in ("thing", "any"):
+        return _named(nominal)
+    return Clause((), "base", about=(nominal,))
+
+
+def _named(nominal: Nominal, source: Nominal | None = None) -> Clause:
+    """A statement that the next task takes its thing from."""
+    if nominal.count == "some" or (nominal.plural and not nominal.determined and not nominal.counted):
+        raise unfit()
+    if nominal.plural and not nominal.counted:
+        nominal = replace(nominal, count="all")
+    return Clause((), "base", mention=Mention(nominal, source))
 
 
 def _mention_lost(parts: Parts) -> Clause:
@@ -61,7 +105,7 @@ def _mention_state(parts: Parts) -> Clause:
     return Clause((), "base", mention=Mention(nominal, state=state))
 
 
-def _reason_after(_parts: Parts) -> _Reason:
+def _reason(_parts: Parts) -> _Reason:
     return _REASON
 
 
@@ -70,11 +114,24 @@ def _located_after(parts: Parts) -> Where:
     return where
 
 
+def is_statement(part: Any) -> bool:
+    """Whether it says something and commands nothing."""
+    return isinstance(part, Clause) and not part.bundles
+
+
 def may_be_said(parts: Parts) -> bool:
     """Whether a reason stands where words to say may go on: "say hello, I'm cold"."""
     return any(
-        after is _REASON and _last_action(before) == "say" for before, after in itertools.pairwise(parts)
+        _goes_on(after) and _last_action(before) == "say" for before, after in itertools.pairwise(parts)
     )
+
+
+def _goes_on(part: Any) -> bool:
+    """Whether it states something, and no full stop stands before it."""
+    if not isinstance(part, Further):
+        return part is _REASON
+    stated = isinstance(part.part, Clause) and is_statement(part.part) and bool(part.part.about)
+    return stated and part.separator is not Separator.STOP
 
 
 def _last_action(part: Any) -> str | None:
@@ -129,9 +186,11 @@ _PLACED = guarded(_placed)
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention": _mention,
+    "mention_how": _mention_how,
     "mention_lost": _mention_lost,
     "mention_state": _mention_state,
-    "reason_after": _reason_after,
+    "reason": _reason,
+    "reason_after": _reason,
     "located_after": _located_after,
 }
 

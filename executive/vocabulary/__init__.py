@@ -32,7 +32,7 @@ BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
 """Bridge words, which are matched whole; elsewhere an underscore is a space."""
 
 _KEYS = frozenset(
-    {"words", "same", "refusal", "meaning", "plural", "plurals", "inflect", "proper", "irregular"}
+    {"words", "same", "refusal", "meaning", "plural", "plurals", "inflect", "proper", "owner", "irregular"}
 )
 
 
@@ -265,9 +265,9 @@ def _classes(name: str, table: Mapping[str, Any], irregular: Mapping[str, str]) 
             meaning: (*map(plural, phrases), *more.get(meaning, ())) for meaning, phrases in words.items()
         }
         yield WordClass(table["plural"], several, derived=True)
-    if table.get("proper"):
+    if "owner" in table:
         owners = {meaning: tuple(f"{one}'s" for one in phrases) for meaning, phrases in words.items()}
-        yield WordClass("OWNER", owners, derived=True)
+        yield WordClass(table["owner"], owners, derived=True)
 
 
 def _meaning(meaning: str, table: Mapping[str, Any]) -> str:

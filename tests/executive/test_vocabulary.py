@@ -1,7 +1,11 @@
 """Words are data: phrases written out, every class used or refused, and a user's own words added."""
 
+import re
+from pathlib import Path
+
 import pytest
 
+import executive.vocabulary
 from executive.command_parser import parser_with
 from executive.errors import VocabularyError
 from executive.language.grammar import grammar_text, terminals_of
@@ -11,6 +15,14 @@ from executive.vocabulary.inflection import gerund, participle, plural
 
 def test_brackets_in_a_phrase_are_written_out():
     assert sorted(expand("go [back] (home|away)")) == ["go away", "go back away", "go back home", "go home"]
+
+
+def test_no_phrase_has_brackets_inside_brackets_each_of_which_would_multiply_all_others():
+    folder = Path(executive.vocabulary.__file__).parent
+
+    for file in folder.glob("*.toml"):
+        nested = re.findall(r"[(\[][^)\]\"\n]*[(\[]", file.read_text("utf-8"))
+        assert nested == [], file.name
 
 
 def test_every_phrase_that_begins_at_a_place_is_found():

@@ -71,11 +71,16 @@ def test_what_may_lean_on_something_else_is_asked_about(sentence):
         "fetch a blanket for Ana, I mean grab the red cup",
         "go to the table together with Ana",
         "please stop giving Ana a wave",
-        "wave to Ana, then after opening the fridge go to the kitchen",
     ],
 )
 def test_nothing_is_taken_from_one_command_for_another(sentence):
     assert actions(sentence) == []
+
+
+def test_what_is_done_after_something_needs_no_comma_before_it():
+    sentence = "wave to Ana, then after opening the fridge go to the kitchen"
+
+    assert actions(sentence) == ["wave", "open", "walk_to"]
 
 
 def test_both_are_the_two_that_were_named():
