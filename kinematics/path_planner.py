@@ -88,9 +88,13 @@ class PathPlanner:
         # where rounding touches something, finer control points stay nearer to the free polyline
         for spacing in ROUNDINGS:
             curve = RoundedPolyline(polyline, self._space.weights, spacing)
-            if self._keeps_distances(curve) and self._legs_stay_apart(curve, from_start=True):
+            if self._bends_are_free(curve) and self._legs_stay_apart(curve, from_start=True):
                 return curve
         return None
+
+    def _bends_are_free(self, curve: RoundedPolyline) -> bool:
+        """Check what is off the polyline, which is free itself."""
+        return all(self.judge.polyline_is_free(points) for points in curve.bends())
 
     def straight(self, start: Array, goal: Array) -> Curve | None:
         """The straight line between two points, or None when it is not free."""
