@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from typing import Protocol
 
 import numpy as np
@@ -9,6 +11,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+# How far lines stray from a rounded corner, by the distance of control points: three lines between two
+# knots at a right angle, whose second difference is the square root of 2 of that distance.
+_STRAY = 2.0**0.5 / (8.0 * 3**2)
 # A blend takes at most this share of a straight piece from each of its two ends.
 LONGEST_BLEND = 0.5
 
@@ -116,26 +121,67 @@ class RoundedPolyline:
         points, steps = _without_repeats(points, weights)
         along = np.concatenate([[0.0], np.cumsum(steps)])
         count = max(4, int(np.ceil(along[-1] / spacing)) + 1)
-        at = np.linspace(0.0, along[-1], count)
-        control = np.stack([np.interp(at, along, column) for column in points.T], axis=1)
-        # phantom ends: the spline passes through the first and the last control point
-        first, last = 2.0 * control[0] - control[1], 2.0 * control[-1] - control[-2]
-        self._control = np.concatenate([[first], control, [last]])
         self._segments = count - 1
-        self.knots = np.linspace(0.0, 1.0, count)
+        self.knots = np.arange(count) / self._segments
+        self._weights, self._step = weights, along[-1] / self._segments
+        self._corners = along[1:-1]
+        if len(points) < 2:
+            control = np.repeat(points, count, axis=0)
+        else:
+            at = self.knots * along[-1]
+            row = np.searchsorted(along[1:-1], at, side="right")
+            part = ((at - along[row]) / steps[row])[:, None]
+            control = points[row] + part * (points[row + 1] - points[row])
+            control[-1] = points[-1]
+        # phantom ends: the spline passes through the first and the last control point
+        first, last = 2.0 * control[:1] - control[1:2], 2.0 * control[-1:] - control[-2:-1]
+        self._control = np.concatenate([first, control, last])
+
+    def bends(self) -> list[Array]:
+        """Points, shape (n, size) each, along the stretches where the curve leaves its polyline.
+
+        Everywhere else it lies on it. Lines between neighbouring points stray from the curve no farther
+        than three of them between two knots do at a right angle.
+        """
+        if len(self._corners) == 0:
+            return []
+        control = self._control
+        turns = (control[2:] - 2.0 * control[1:-1] + control[:-2]) * self._weights
+        # a cubic's second derivative is greatest at a knot, and there it is this difference
+        bending = np.sqrt(np.sum(turns * turns, axis=1)) / (8.0 * _STRAY * self._step)
+        places, ends = [], [0]
+        for first, last in self._bent_segments():
+            lines = max(1, math.ceil(math.sqrt(bending[first : last + 2].max())))
+            count = lines * (last + 1 - first)
+            places.append(first + np.arange(count + 1) / lines)
+            ends.append(ends[-1] + count + 1)
+        points = self._at(np.concatenate(places))
+        return [points[begin:end] for begin, end in itertools.pairwise(ends)]
+
+    def _bent_segments(self) -> list[tuple[int, int]]:
+        """First and last segment of each stretch whose control points are not all on one straight part."""
+        bent: list[tuple[int, int]] = []
+        for corner in self._corners:
+            before = int(corner / self._step)
+            first, last = max(0, before - 1), min(self._segments - 1, before + 1)
+            if bent and first <= bent[-1][1] + 1:
+                first = bent.pop()[0]
+            bent.append((first, last))
+        return bent
 
     def __call__(self, s: Array) -> Array:
         """Points at parameters ``s``."""
-        position = np.clip(s, 0.0, 1.0) * self._segments
+        return self._at(np.clip(s, 0.0, 1.0) * self._segments)
+
+    def _at(self, position: Array) -> Array:
+        """Points by the number of the segment and the part of it that is behind them."""
         k = np.minimum(position.astype(int), self._segments - 1)
         u = (position - k)[:, None]
-        c = self._control
-        return np.asarray(
-            ((1.0 - u) ** 3) / 6.0 * c[k]
-            + (3.0 * u**3 - 6.0 * u**2 + 4.0) / 6.0 * c[k + 1]
-            + (-3.0 * u**3 + 3.0 * u**2 + 3.0 * u + 1.0) / 6.0 * c[k + 2]
-            + u**3 / 6.0 * c[k + 3]
-        )
+        v = 1.0 - u
+        c, uu, vv = self._control, u * u, v * v
+        first, last = vv * v / 6.0, uu * u / 6.0
+        second, third = (4.0 - 3.0 * uu * (1.0 + v)) / 6.0, (4.0 - 3.0 * vv * (1.0 + u)) / 6.0
+        return np.asarray(first * c[k] + second * c[k + 1] + third * c[k + 2] + last * c[k + 3])
 
 
 def _without_repeats(points: Array, weights: Array) -> tuple[Array, Array]:

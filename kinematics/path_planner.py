@@ -17,7 +17,7 @@ from kinematics.curves import Curve, PolynomialCurve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.leg_room import RESERVE_M, leg_room
 from kinematics.robot_model import RobotModel
-from kinematics.validity import RESOLUTION, PathSearch, Validity
+from kinematics.validity import RESOLUTION, Validity
 
 Array = NDArray[np.float64]
 
@@ -88,9 +88,13 @@ class PathPlanner:
         # where rounding touches something, finer control points stay nearer to the free polyline
         for spacing in ROUNDINGS:
             curve = RoundedPolyline(polyline, self._space.weights, spacing)
-            if self._keeps_distances(curve) and self._legs_stay_apart(curve, from_start=True):
+            if self._bends_are_free(curve) and self._legs_stay_apart(curve, from_start=True):
                 return curve
         return None
+
+    def _bends_are_free(self, curve: RoundedPolyline) -> bool:
+        """Check what is off the polyline, which is free itself."""
+        return all(self.judge.polyline_is_free(points) for points in curve.bends())
 
     def straight(self, start: Array, goal: Array) -> Curve | None:
         """The straight line between two points, or None when it is not free."""
@@ -134,14 +138,14 @@ class PathPlanner:
     def _polyline(
         self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator
     ) -> Array | None:
-        judge, settings = self.judge, self._settings
-        if not isinstance(judge, PathSearch):
+        search, settings = self.judge.path_search(), self._settings
+        if search is None:
             polyline = self._rrt_connect(start, goal, moving, rng)
             return None if polyline is None else self._shortened(polyline, rng)
         seed, weights = int(rng.integers(2**53)), self._space.weights
         lower, upper = self._sampling_box(start, goal, moving)
-        found = judge.connect(start, goal, lower, upper, weights, COMPILED_EXTEND, settings.iterations, seed)
-        return None if found is None else judge.shorten(found, weights, settings.shortcuts, seed)
+        found = search.connect(start, goal, lower, upper, weights, COMPILED_EXTEND, settings.iterations, seed)
+        return None if found is None else search.shorten(found, weights, settings.shortcuts)
 
     def _rrt_connect(
         self, start: Array, goal: Array, moving: list[int], rng: np.random.Generator

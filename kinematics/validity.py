@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,8 +50,11 @@ class Validity(Protocol):
         """A judge of the same in a scene in which other pairs may touch; None when it is better made anew."""
         ...
 
+    def path_search(self) -> PathSearch | None:
+        """The same judge when it searches paths itself, else None."""
+        ...
 
-@runtime_checkable
+
 class PathSearch(Protocol):
     """A judge that searches paths itself; see ``CollisionKernel``."""
 
@@ -69,8 +72,8 @@ class PathSearch(Protocol):
         """Search a proven polyline, shape (n, size), or None."""
         ...
 
-    def shorten(self, polyline: Array, weights: Array, attempts: int, seed: int) -> Array:
-        """Replace parts of a proven polyline by proven lines."""
+    def shorten(self, polyline: Array, weights: Array, attempts: int) -> Array:
+        """Cut corners of a proven polyline off, by proven lines."""
         ...
 
 
@@ -199,6 +202,9 @@ class SampledValidity:
 
     def allowing(self, scene: PlanningScene) -> None:
         """Nothing is shared."""
+
+    def path_search(self) -> None:
+        """Who plans has to search itself."""
 
 
 def _bisecting(count: int) -> list[int]:

@@ -42,10 +42,9 @@ TUNING = Tuning(
     hopeless=0.5,
     enough=1.5,
     point_step_rad=0.15,
-    look_m=0.01,
-    tree_effort=400.0,
     shortcut_m=0.001,
     shortcut_effort=400.0,
+    shortcut_gain=0.02,
 )
 """What was fastest for picks and for the benchmark's scenes."""
 
@@ -163,6 +162,10 @@ class CollisionKernel:
         other._scene, other._judged = scene, judged_in(self._robot, scene)
         return other
 
+    def path_search(self) -> CollisionKernel:
+        """Itself: paths are searched in compiled code, too."""
+        return self
+
     @classmethod
     def standing(
         cls,
@@ -265,17 +268,15 @@ class CollisionKernel:
         _, rows, _ = self._ask(door.CONNECT, points, iterations, found)
         return found[: int(rows) * self.size].reshape(-1, self.size).copy() if rows > 0.0 else None
 
-    def shorten(self, polyline: Array, weights: Array, attempts: int, seed: int) -> Array:
-        """Replace parts of a free polyline by lines that are proven to be free.
+    def shorten(self, polyline: Array, weights: Array, attempts: int) -> Array:
+        """Cut corners of a free polyline off, by lines that are proven to be free.
 
         Args:
             polyline: Shape (n, size).
             weights: Of the coordinates in its length, shape (size,).
-            attempts: How many lines are tried; fewer give an answer too, a longer one.
-            seed: Of the attempts, as in ``connect``.
+            attempts: Most lines that are tried; fewer give an answer too, a longer one.
         """
         found = np.empty((2 * len(polyline) + _ROOM_ROWS) * self.size)
-        found[0] = seed
         rows = int(self._ask(door.SHORTEN, np.vstack([weights, polyline]), attempts, found)[1])
         return found[: rows * self.size].reshape(-1, self.size).copy()
 

@@ -15,7 +15,8 @@ from kinematics.kernel.judge import (
 )
 from kinematics.kernel.memory import Memory, problem_at, work_at
 from kinematics.kernel.posture import configuration
-from kinematics.kernel.search import connect, shorten
+from kinematics.kernel.search import connect
+from kinematics.kernel.shortcuts import shorten
 from kinematics.kernel.solids import Array, Indices
 
 AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION, CONNECT, SHORTEN, CONTACTS = range(8)

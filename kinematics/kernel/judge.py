@@ -22,8 +22,6 @@ from kinematics.kernel.separation import OVERLAP, point_distance
 from kinematics.kernel.solids import Array
 
 FREE, REACH, LIMITS, BALANCE, CONTACT, UNPROVEN = 0, 1, 2, 3, 4, 5
-# Nothing was seen where it was looked, and not everything is proven.
-PRESUMED = 6
 
 # What is still open when nothing moves any more by this much stays unproven, m (and rad for limits).
 RESOLUTION_M = 1e-4
@@ -143,18 +141,14 @@ def judge_edge(
         a, b: Ends, shape (size,); both are judged too.
         effort: Most intervals to look at; no integer, as the compiler makes a version for each constant.
         resolution: What is open when nothing moves any more by this much is not looked at more closely,
-            m. That makes the edge unproven, or, when this is negative, presumed.
+            m. That makes the edge unproven.
 
     Returns:
         FREE when every point of the line is proven to be free, else a refusal, the parameter in [0, 1]
         where it arose or -1, and the pair or -1. CONTACT, LIMITS, BALANCE and REACH were seen there;
-        UNPROVEN means that something comes so near to its bound that it could not be proven. PRESUMED
-        that nothing was seen to be refused.
+        UNPROVEN means that something comes so near to its bound that it could not be proven.
     """
     problem, work = problem_at(memory), work_at(memory)
-    lazy = resolution < 0.0
-    resolution = abs(resolution)
-    presumed = False
     space, tree, limits = problem.space, problem.tree, problem.limits
     first = 6 * space.floating
     # joints that move linearly keep their limits when both ends do
@@ -244,11 +238,8 @@ def judge_edge(
                     return verdict, t, -1
                 if not proven:
                     if largest < resolution or half < 1e-6:
-                        if not lazy:
-                            return UNPROVEN, t, -1
-                        presumed = True
-                    else:
-                        posture_open = True
+                        return UNPROVEN, t, -1
+                    posture_open = True
             begin = listed
             if whole:
                 touching, more = scan(memory, found[listed:])
@@ -268,16 +259,9 @@ def judge_edge(
                             return UNPROVEN, t, pair
                         found[listed] = pair
                         listed += 1
-            wide = begin
             for at in range(begin, listed):
-                if pair_slack(problem, work, found[at]) >= resolution:
-                    found[wide] = found[at]
-                    wide += 1
-                elif not lazy:
+                if pair_slack(problem, work, found[at]) < resolution:
                     return UNPROVEN, t, found[at]
-                else:
-                    presumed = True
-            listed = wide
             if listed > begin or posture_open:
                 if kept + 2 > work.spans.shape[1]:
                     return UNPROVEN, t, -1
@@ -291,7 +275,7 @@ def judge_edge(
         old = new
         half *= 0.5
         whole = False
-    return (PRESUMED if presumed else FREE), -1.0, -1
+    return FREE, -1.0, -1
 
 
 @inlined

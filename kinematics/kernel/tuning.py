@@ -16,17 +16,15 @@ class Tuning(NamedTuple):
         enough: GJK goes on until it has proven so many times what the last direction had to prove.
         point_step_rad: So far apart are the points at which an edge is asked first, in the joint that
             moves farthest.
-        look_m: Where nothing moves farther than this, an edge of a tree is not looked at more closely.
-        tree_effort: Most intervals of an edge of a tree.
         shortcut_m: A shortcut that comes nearer than about this to anything is not worth its proof.
         shortcut_effort: Most intervals of a shortcut.
+        shortcut_gain: A corner is worth cutting off when that saves this part of the way.
     """
 
     first_reach_rad: float
     hopeless: float
     enough: float
     point_step_rad: float
-    look_m: float
-    tree_effort: float
     shortcut_m: float
     shortcut_effort: float
+    shortcut_gain: float

@@ -57,6 +57,36 @@ def away_from(polyline, points):
     return least
 
 
+@given(st.integers(0, 1000), st.sampled_from([0.03, 0.12, 1.0]))
+def test_a_rounded_polyline_is_its_polyline_where_it_does_not_bend(seed, spacing):
+    points = corners(seed)
+    curve = RoundedPolyline(points, ONES, spacing)
+    bends = curve.bends()
+
+    dense = curve(np.linspace(0, 1, 2000))
+    off = dense[away_from(points, dense) > 1e-9]
+    # 0.0197 of the spacing: three lines between two knots at a right angle
+    least = np.min([away_from(bend, off) for bend in bends], axis=0)
+    assert np.all(least <= 0.0197 * spacing)
+    along = np.concatenate(bends)
+    assert np.all(away_from(curve(np.linspace(0, 1, 4000)), along) < 1e-4)
+
+
+def test_a_gentle_bend_needs_fewer_lines_than_a_sharp_one():
+    gentle, sharp = (
+        RoundedPolyline(np.array([[0.0, 0, 0], [1, 0, 0], [2, rise, 0]]), ONES, 0.1).bends()
+        for rise in (0.1, 3.0)
+    )
+
+    assert len(gentle) == len(sharp) == 1
+    assert len(gentle[0]) < len(sharp[0])
+
+
+def test_a_straight_polyline_has_no_bends():
+    assert RoundedPolyline(np.array([[0.0, 0, 0], [1, 2, 3]]), ONES, 0.1).bends() == []
+    assert RoundedPolyline(np.zeros((2, 3)), ONES, 0.1).bends() == []
+
+
 @given(st.integers(0, 1000), st.sampled_from([0.001, 0.01, 0.1]))
 def test_a_blended_corner_is_left_by_no_more_than_the_deviation(seed, deviation):
     points = corners(seed)

@@ -12,7 +12,7 @@ from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box
+from kinematics.shapes import Ball, Box, Cylinder
 from kinematics.trajectory import Stance
 from kinematics.validity import validity
 from robots.description import load_description
@@ -56,7 +56,6 @@ def test_a_way_around_a_post_is_found_and_proven():
     assert way is not None
     assert np.array_equal(way[0], START)
     assert np.array_equal(way[-1], GOAL)
-    assert np.max(np.linalg.norm(np.diff(way, axis=0), axis=1)) <= 0.5 + 1e-9
     assert kernel.polyline_is_free(way)
 
 
@@ -78,23 +77,51 @@ def test_there_is_no_way_through_a_wall_however_long_it_is_searched():
     assert searched(crane(wall), iterations=300) is None
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_shortening_keeps_the_ends_and_proves_what_it_puts_in(seed):
-    kernel, way = crane(post()), DETOUR
+def test_corners_that_are_not_needed_are_left_out_of_a_way():
+    # steps of a fifth of what lies between them: the trees alone would give as many corners
+    way = crane(post()).connect(START, GOAL, LOWER, UPPER, WEIGHTS, 0.2, 2000, 3)
 
-    short = kernel.shorten(way, WEIGHTS, 60, seed)
+    assert length(way) / (len(way) - 1) > 0.4
+
+
+def rod():
+    """As the post, but so thin that hardly any look of the search meets it."""
+    return SceneObject("rod", Cylinder(0.0005, 1.0), poses.translation(0.0, 1.0, 0.0))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_rod_that_looks_in_points_miss_is_passed_by_proven_lines(seed):
+    kernel = crane(rod())
+
+    way = searched(kernel, seed)
+
+    assert way is not None
+    assert kernel.polyline_is_free(way)
+
+
+@pytest.mark.parametrize("thing", [post(), rod()], ids=["post", "rod"])
+def test_shortening_keeps_the_ends_and_proves_what_it_puts_in(thing):
+    kernel, way = crane(thing), DETOUR
+
+    short = kernel.shorten(way, WEIGHTS, 60)
 
     assert np.array_equal(short[0], START)
     assert np.array_equal(short[-1], GOAL)
-    assert length(short) < 0.95 * length(way)
+    assert length(short) < 0.9 * length(way)
     assert kernel.polyline_is_free(short)
-    assert np.array_equal(short, kernel.shorten(way, WEIGHTS, 60, seed))
+    assert np.array_equal(short, kernel.shorten(way, WEIGHTS, 60))
+
+
+def test_shortening_leaves_out_all_corners_where_nothing_is_in_the_way():
+    short = crane().shorten(DETOUR, WEIGHTS, 60)
+
+    assert np.array_equal(short, [START, GOAL])
 
 
 def test_more_attempts_never_make_a_way_longer():
     kernel, way = crane(post()), DETOUR
 
-    lengths = [length(kernel.shorten(way, WEIGHTS, attempts, 0)) for attempts in (0, 1, 5, 20, 100)]
+    lengths = [length(kernel.shorten(way, WEIGHTS, attempts)) for attempts in (0, 1, 5, 20, 100)]
 
     assert lengths[0] == pytest.approx(length(way))
     assert all(later <= earlier + 1e-12 for earlier, later in itertools.pairwise(lengths))
