@@ -53,16 +53,15 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
     items = list(scene.objects.values())
     relaxed = scene
     for item, near in zip(items, _near(centres, parts.radii_m, items, reserve_m + ROOM_M), strict=True):
-        keep_m = item.margin_m + reserve_m
         distances = {
             parts.links[k]: _distance(geometry.geometryObjects[k], placed.oMg[k], item)
             for k in near
             if not scene.is_allowed(parts.links[k], item.name)
         }
         nearest = min(distances.values(), default=np.inf)
-        if nearest >= keep_m + ROOM_M:
+        if nearest >= item.margin_m + reserve_m + ROOM_M:
             continue
-        if nearest >= keep_m:
+        if nearest >= item.margin_m:  # the reserve alone is broken: it changes nothing about what is kept
             relaxed = relaxed.with_object(replace(item, margin_m=max(0.0, nearest - ROOM_M - reserve_m)))
             continue
         margin = max(0.0, KEPT_SHARE * nearest - reserve_m - SLACK_M)

@@ -57,20 +57,39 @@ def test_contact_with_furniture_is_never_allowed(talos):
     assert not relaxed_at(talos, scene, talos.q_home).allowed
 
 
+def distance_of_home_m(talos, item):
+    """How near the robot is to something at home, by halving margins."""
+    near_m, apart_m = 0.0, 0.05
+    while apart_m - near_m > 1e-5:
+        margin_m = 0.5 * (near_m + apart_m)
+        too_near = CollisionWorld(
+            talos, PlanningScene().with_object(replace(item, margin_m=margin_m))
+        ).collides(talos.q_home)
+        near_m, apart_m = (near_m, margin_m) if too_near else (margin_m, apart_m)
+    return near_m
+
+
+@pytest.mark.parametrize("spare_m", [-0.004, 0.0005, 0.0015, 0.0025, 0.004])
+def test_a_reserve_gives_away_nothing_of_what_is_kept_without_it(talos, spare_m):
+    # A way that is planned with a reserve is judged without it.
+    ball = ball_at_the_hand(talos, 0.015)
+    margin_m = distance_of_home_m(talos, ball) - spare_m
+    scene = PlanningScene().with_object(replace(ball, margin_m=margin_m))
+
+    planned_m = relaxed_at(talos, scene, talos.q_home, 0.003).objects["ball"].margin_m + 0.003
+
+    assert planned_m >= relaxed_at(talos, scene, talos.q_home).objects["ball"].margin_m - 1e-9
+
+
 @pytest.mark.parametrize(("spare_m", "given_m"), [(0.0005, 0.0015), (0.0025, 0.0)])
 def test_a_start_that_just_keeps_its_margin_gets_two_millimetres_of_room(talos, spare_m, given_m):
     ball = ball_at_the_hand(talos, 0.015)
-    nearest_m, apart_m = 0.0, 0.05
-    while apart_m - nearest_m > 1e-5:
-        margin_m = 0.5 * (nearest_m + apart_m)
-        scene = PlanningScene().with_object(replace(ball, margin_m=margin_m))
-        too_near = CollisionWorld(talos, scene).collides(talos.q_home)
-        nearest_m, apart_m = (nearest_m, margin_m) if too_near else (margin_m, apart_m)
-    scene = PlanningScene().with_object(replace(ball, margin_m=nearest_m - spare_m))
+    margin_m = distance_of_home_m(talos, ball) - spare_m
+    scene = PlanningScene().with_object(replace(ball, margin_m=margin_m))
 
     relaxed = relaxed_at(talos, scene, talos.q_home)
 
-    assert relaxed.objects["ball"].margin_m == pytest.approx(nearest_m - spare_m - given_m, abs=1e-4)
+    assert relaxed.objects["ball"].margin_m == pytest.approx(margin_m - given_m, abs=1e-4)
 
 
 def test_a_head_may_turn_while_a_hand_is_believed_to_be_in_furniture(talos, stance):
