@@ -5,8 +5,10 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.opening_path import DoorArc
+from trees.failures import Failure
 from trees.handles import HandleTarget
 from trees.leaves.verify_opening import VerifyOpening
+from trees.subtrees.open import seen_already
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 FRIDGE = ObjectDescription("fridge")
@@ -37,3 +39,11 @@ def test_a_door_that_nobody_has_opened_is_not_open(verify):
 
 def test_a_door_that_a_hand_has_led_open_did_not_stay_open(verify):
     assert verify(OPEN, 0.1, opened={"opening_deg": 80.0}).failure.message == "the door did not stay open"
+
+
+def test_what_was_seen_is_not_overruled_by_the_hand_from_where_it_is_out_of_sight(verify):
+    felt = verify(OPEN, 0.1).failure
+    seen = Failure.postcondition(felt.message, **{**felt.numbers, "seen": True})
+
+    assert seen_already(seen)
+    assert not seen_already(felt)
