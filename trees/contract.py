@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-Moves = Literal["nothing", "body", "gripper"]
+Moves = Literal["nothing", "body", "gripper", "body and gripper"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
+from kinematics.stance import stance_at, standing_at
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory
 from kinematics.trajectory_sampler import TrajectorySampler
+from kinematics.walking.planar import PlanarPose
 from robots.clock import Clock
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -35,9 +36,9 @@ class FakeMotion:
         self.refuse = ""
         self.refuse_midway = ""
         self.started: list[str] = []
-        self._clock = clock
+        self._model, self._clock = model, clock
         self._q = model.q_home.copy()
-        self._stance = stance_at(model, self._q)
+        self._stance = self._home = stance_at(model, self._q)
         self._active: tuple[CheckedTrajectory, MotionHandle, float] | None = None
         self._others: list[MotionHandle] = []
         self._sampler: tuple[Trajectory, TrajectorySampler] | None = None
@@ -103,8 +104,29 @@ class FakeMotion:
         return self._sampler[1].at(min(elapsed_s, trajectory.duration_s)).a
 
     def stance(self) -> Stance:
-        """Both feet where they are at home."""
+        """Both feet as they are at home, wherever they have walked."""
         return self._stance
+
+    def feet(self) -> PlanarPose:
+        """The middle between the feet, in the odometry frame."""
+        soles = [PlanarPose.of(pose) for _, pose in self._stance.soles]
+        return PlanarPose.between(soles[0], soles[-1])
+
+    def step_by(self, step: PlanarPose) -> None:
+        """Carry feet and body along, by a pose in the frame of the feet: what walks plays that itself."""
+        here = self.feet()
+        moved = (here @ step @ here.inverse()).transform()
+        self._stance = Stance(tuple((frame, moved @ sole) for frame, sole in self._stance.soles))
+        self._q = standing_at(self._model, self._q, self._stance)
+
+    def unwalked(self) -> Array:
+        """The configuration with the feet where they were at first, shape (nq,); it bears the same."""
+        here = self.reference()
+        return here if self._stance is self._home else standing_at(self._model, here, self._home)
+
+    def be_at(self, q: Array) -> None:
+        """Be at a configuration, shape (nq,): for a motion that somebody else plays."""
+        self._q = q.copy()
 
     def advance(self) -> None:
         """Follow the trajectory under way to the present time."""

@@ -23,6 +23,8 @@ from kinematics.place_requests import PlaceRequest
 from kinematics.requests import (
     CheckRequest,
     Grasp,
+    HandlePlan,
+    HandleRequest,
     MovePlan,
     MoveRequest,
     NoPlan,
@@ -37,14 +39,14 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import AttachedBody, PlanningScene
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
-from kinematics.view_request import ViewRequest
 from robots.clock import Clock
 from robots.fake.scripted_world import diameter_m
 
 Array = NDArray[np.float64]
-Answer = PickPlan | PlacePlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = PickPlan | PlacePlan | HandlePlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
 
 _APPROACH_M = 0.10
+_BAR_M = 0.02
 _LABELS = ("side", "top", "diagonal", "far side")
 # Motions of the real planners are played so many times faster.
 HURRY = 20.0
@@ -139,16 +141,16 @@ class FakePlanning:
             return self._quick(self.gestures.plan(replace(request, scene=_bare(request.scene))))
         if isinstance(request, PlaceRequest):
             return self._place(request)
+        if isinstance(request, HandleRequest):
+            return self._handle(request)
         if isinstance(request, RetreatRequest):
             frame = self._model.description.grippers[request.hand].tcp_frame
             place = self._model.frame_pose(request.q_start, frame)[:3, 3] + request.world_offset_m
-            goal = self._reach(request.q_start, request.hand, place)
+            goal = self.reach(request.q_start, request.hand, place)
         elif isinstance(request, MoveRequest):
             goal = self._posture(request)
-        elif isinstance(request, ViewRequest):
-            goal = self._looking_at(request.q_start, request.points_m[int(np.argmax(request.worth))])
         else:
-            return NoPlan(f"a fake planner has no answer to {type(request).__name__}", {"fake": 1})
+            goal = self._looking_at(request.q_start, request.points_m[int(np.argmax(request.worth))])
         return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))
 
     def _pick(self, request: PickRequest) -> PickPlan | NoPlan:
@@ -162,10 +164,10 @@ class FakePlanning:
             return NoPlan("every grasp was tried before", {"tried before": len(keys)})
         hand, label = left[0]
         gripper = self._model.description.grippers[hand]
-        at_grasp = self._reach(self._looking_at(request.q_start, place), hand, place)
+        at_grasp = self.reach(self._looking_at(request.q_start, place), hand, place)
         world_T_tcp = self._model.frame_pose(at_grasp, gripper.tcp_frame)
-        before = self._reach(at_grasp, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
-        lifted = self._reach(at_grasp, hand, place + np.array([0.0, 0.0, request.lift_m]))
+        before = self.reach(at_grasp, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
+        lifted = self.reach(at_grasp, hand, place + np.array([0.0, 0.0, request.lift_m]))
         near = request.scene.allowing((link, target.name) for link in gripper.touch_links)
         stance = request.stance
         return PickPlan(
@@ -196,19 +198,38 @@ class FakePlanning:
             considered=1,
         )
 
+    def _handle(self, request: HandleRequest) -> HandlePlan | NoPlan:
+        """To the bar, in whatever orientation; the way after it is taken for reachable."""
+        left = [hand for hand in request.hands if f"{hand} bar" not in request.excluded]
+        if not left:
+            return NoPlan("every grasp was tried before", {"tried before": len(request.hands)})
+        hand, bar = left[0], request.path.at(request.s_from)
+        at_bar = self.reach(request.q_start, hand, bar.position_m)
+        gripper = self._model.description.grippers[hand]
+        world_T_tcp = self._model.frame_pose(at_bar, gripper.tcp_frame)
+        before = self.reach(at_bar, hand, bar.position_m - _APPROACH_M * world_T_tcp[:3, 0])
+        near = request.scene.allowing((link, part) for link in gripper.touch_links for part in request.parts)
+        return HandlePlan(
+            grasp=Grasp(hand, "bar", world_T_tcp, _APPROACH_M, _BAR_M),
+            reach=self._step("reach", request.q_start, before, request.stance, request.scene),
+            approach=self._step("approach", before, at_bar, request.stance, near),
+            farthest_s=request.s_to,
+            considered=1,
+        )
+
     def _carry(self, q: Array, hand: Hand, place: Array, body: AttachedBody) -> Array:
         """Bring the middle of what a hand holds to a place."""
         frame = self._model.description.tcp_frames[hand]
         for _ in range(5):
             turn = self._model.frame_pose(q, frame)[:3, :3]
-            q = self._reach(q, hand, place - turn @ body.frame_T_object[:3, 3])
+            q = self.reach(q, hand, place - turn @ body.frame_T_object[:3, 3])
         return q
 
     def _offer(self, request: OfferRequest) -> MovePlan:
         frame = request.scene.attached[request.held].frame
         hand = next(hand for hand, name in self._model.description.tcp_frames.items() if name == frame)
         aside = 0.2 if hand == "left" else -0.2
-        goal = self._reach(request.q_start, hand, np.array([0.5, aside, 1.15]))
+        goal = self.reach(request.q_start, hand, np.array([0.5, aside, 1.15]))
         return MovePlan(self._step("offer", request.q_start, goal, request.stance, request.scene))
 
     def _quick(self, answer: MovePlan | NoPlan) -> MovePlan | NoPlan:
@@ -242,7 +263,7 @@ class FakePlanning:
         )
         return PlannedStep(name, trajectory, scene)
 
-    def _reach(self, q: Array, hand: Hand, place: Array) -> Array:
+    def reach(self, q: Array, hand: Hand, place: Array) -> Array:
         """Move arm and trunk until the TCP is at a place, shape (3,), in whatever orientation."""
         description = self._model.description
         groups = description.groups

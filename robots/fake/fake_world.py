@@ -20,8 +20,11 @@ from robots.clock import ManualClock
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_planning import FakePlanning
+from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
 from robots.fake.fake_sensing import FakeSensing, Sense
+from robots.fake.fake_walking import FakeWalking
+from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.truth_view import TrueObject
@@ -40,6 +43,7 @@ class FakeWorld:
         model, clock, robot: As their names say.
         world: The scripted truth.
         motion, grippers, sensing, detector, planning: What a toolbox needs, with switches for failures.
+        walking, yielding, ranging: The same, of a toolbox that has them.
         pull_n: Force of somebody on what a hand holds, world axes, N, shape (3,).
     """
 
@@ -75,6 +79,9 @@ class FakeWorld:
         }
         self.detector = ScriptedDetector(self.world, camera, self.clock)
         self.planning = FakePlanning(model, self.clock, check)
+        self.walking = FakeWalking(self.motion)
+        self.yielding = FakeYielding(self.motion, self.grippers, self.planning.reach)
+        self.ranging = FakeRangeSensor()
         self.sensing = FakeSensing(self.clock.now_s(), self._sense(), period_s)
         self._period_s = period_s
         self._carried_out: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None = None
@@ -83,6 +90,8 @@ class FakeWorld:
         """Let one period pass."""
         self.clock.advance(self._period_s)
         self.motion.advance()
+        self.walking.advance()
+        self.yielding.advance()
         for gripper in self.grippers.values():
             gripper.advance(self._period_s)
         self._follow()
@@ -97,7 +106,7 @@ class FakeWorld:
 
     def _body_efforts(self) -> Callable[[], NDArray[np.float64]]:
         """Tells what holds the posture of this instant, less what supports and people carry."""
-        q, acceleration = self.motion.reference(), self.motion.acceleration()
+        q, acceleration = self.motion.unwalked(), self.motion.acceleration()
         borne = {}
         for hand, gripper in self.grippers.items():
             pull_n = self.pull_n.get(hand)

@@ -114,9 +114,9 @@ class ScriptedWorld:
     # for the robot's side
 
     def between(self, world_T_tcp: Transform, opening_m: float) -> TrueObject | None:
-        """The object that stands between open fingers."""
+        """The object that stands between open fingers, or the handle."""
         for item in self.solids():
-            if item.category != "object":
+            if item.category != "object" and item.kind != "handle":
                 continue
             x, y, z = (poses.inverse(world_T_tcp) @ item.world_T_object)[:3, 3]
             room_m = 0.5 * (opening_m - diameter_m(item.shape))

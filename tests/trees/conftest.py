@@ -70,7 +70,16 @@ class RememberedGestures(GesturePlanner):
 class Stage:
     """The fake world with a toolbox around it, and ways to run nodes in it."""
 
-    def __init__(self, model, objects=None, policy=QUICK, period_s=0.02, dynamics=None, looks_for_twins=True):
+    def __init__(
+        self,
+        model,
+        objects=None,
+        policy=QUICK,
+        period_s=0.02,
+        dynamics=None,
+        looks_for_twins=True,
+        walks=False,
+    ):
         things = [table(), cup()] if objects is None else objects
         self.fake = FakeWorld(model, believed, things, period_s, dynamics)
         self.events = []
@@ -87,6 +96,9 @@ class Stage:
             events=self.events.append,
             rng=np.random.default_rng(1),
             policy=replace(policy, looks_for_twins=looks_for_twins),
+            walking=self.fake.walking if walks else None,
+            yielding=self.fake.yielding if walks else None,
+            ranging=self.fake.ranging if walks else None,
         )
         self.hooks = []
         self.fake.step()

@@ -32,7 +32,7 @@ class GraspHandle(YieldingLeaf):
         precondition="the open hand is about the bar",
         postcondition="opening and effort of the gripper say that it holds something",
         deadline_s=8.0,
-        moves="body",
+        moves="body and gripper",
         on_success="the gripper presses on the bar",
         on_failure="the gripper keeps its state; the arm holds",
         on_cancel="the gripper keeps its state; the arm holds",

@@ -1,0 +1,231 @@
+"""Inputs of leaves to which no run on the fake robot leads, and the world in which they do their work."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from kinematics import poses
+from kinematics.requests import CheckRequest, HandleRequest
+from kinematics.scene import SceneObject
+from robots.articulated import furniture_T_part, moving_solids, opened
+from robots.fake.fake_world import cup, table
+from robots.furniture import floor_pose, solids
+from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.truth_view import TrueObject
+from robots.scene_file import load_scene
+from trees.destination import Place
+from trees.handles import OPEN_TO, handles_in
+from trees.held import HeldObject
+from trees.held_handle import HeldHandle
+from trees.leaves.approach_handle import ApproachHandle
+from trees.leaves.ask_for_swap import AskForSwap
+from trees.leaves.choose_stand import ChooseStand
+from trees.leaves.choose_stand_to_put import ChooseStandToPut
+from trees.leaves.find_board_room import FindBoardRoom
+from trees.leaves.grasp_handle import GraspHandle
+from trees.leaves.is_it_so import IsItSo
+from trees.leaves.lead_handle import LeadHandle
+from trees.leaves.plan_handle import PlanHandle
+from trees.leaves.reach_watching import ReachWatching
+from trees.leaves.see_front import SeeFront
+from trees.leaves.squared_up import SquaredUp
+from trees.leaves.stands_at_handle import StandsAtHandle
+from trees.leaves.stands_there_already import StandsThereAlready
+from trees.leaves.tell_found import TellFound
+from trees.leaves.touch_front import TouchFront
+from trees.leaves.verify_opening import VerifyOpening
+from trees.leaves.walk_to import WalkTo
+from trees.leaves.walk_to_handle import WalkToHandle
+from trees.reachable_standing import Stand
+from trees.steps import CheckedStep
+from trees.tasks import ObjectDescription, OpenTask, PutInTask
+
+OPEN = OpenTask("open the fridge", ObjectDescription("fridge"))
+(FRIDGE,) = load_scene("fridge").furniture
+_AJAR_RAD = 0.3
+
+
+def fridge(opening_rad, away_m=0.0):
+    """What is seen of the fridge of that scene, farther away by so much."""
+    moved = poses.translation(away_m, 0.0, 0.0)
+    part = floor_pose(FRIDGE) @ furniture_T_part(FRIDGE) @ opened(FRIDGE, opening_rad)
+    told = [(FRIDGE.kind, solid.shape, solid.world_T_solid) for solid in solids(FRIDGE)]
+    told += [(one.kind, one.shape, part @ one.part_T_solid) for one in moving_solids(FRIDGE) if one.kind]
+    counts = {}
+    for kind, shape, pose in told:
+        counts[kind] = counts.get(kind, 0) + 1
+        name = kind if counts[kind] == 1 else f"{kind} {counts[kind]}"
+        yield TrueObject(name, "furniture", kind, None, shape, moved @ pose)
+
+
+def believe(stage, things):
+    """Have the world model know things where they are."""
+    scene = stage.told.scene
+    for one in things:
+        movable = one.category == "object"
+        scene = scene.with_object(SceneObject(one.name, one.shape, one.world_T_object, 0.01, movable=movable))
+    stage.told.update(scene)
+
+
+def clear(stage):
+    """Take everything away."""
+    for one in stage.fake.world.solids():
+        stage.fake.world.remove(one.name)
+    stage.told.update(stage.told.scene.with_objects(()))
+
+
+def before_fridge(stage, opening_rad=0.0, away_m=0.0):
+    """Stand before a fridge that is known; gives its handle."""
+    clear(stage)
+    things = list(fridge(opening_rad, away_m))
+    for one in things:
+        stage.fake.world.put(one)
+    believe(stage, things)
+    seen = {
+        one.name: ObjectEstimate(one.category, one.kind, None, one.world_T_object, one.shape, 0.9, 8, 0.0)
+        for one in things
+    }
+    (handle,) = handles_in(seen)
+    return handle
+
+
+def body_of_fridge(away_m=0.0):
+    """The fridge as a place."""
+    top = max(
+        (one for one in fridge(0.0, away_m) if one.kind == FRIDGE.kind),
+        key=lambda one: one.world_T_object[2, 3],
+    )
+    return Place("fridge", "furniture", top.shape, top.world_T_object, 0.9)
+
+
+def far_table(stage):
+    """A table that is a short walk away."""
+    top = table()
+    pose = poses.translation(1.2, 0.0, 0.0) @ top.world_T_object
+    clear(stage)
+    believe(stage, [replace(top, world_T_object=pose)])
+    return {"place": Place("table", "furniture", top.shape, pose, 0.9)}
+
+
+def far_handle(stage):
+    return {"handle": before_fridge(stage, away_m=0.8)}
+
+
+def near_handle(stage):
+    return {"handle": before_fridge(stage)}
+
+
+def open_fridge(stage):
+    return {"task": OPEN, "handle": before_fridge(stage, OPEN_TO["door"])}
+
+
+def cup_to_stand_for(stage):
+    believe(stage, [table(), cup()])
+    red = cup()
+    return {"place": Place("red cup", "object", red.shape, red.world_T_object, 0.9)}
+
+
+def where_it_stands(stage):
+    """A place for which the robot stands well already."""
+    red = cup()
+    place = Place("red cup", "object", red.shape, red.world_T_object, 0.9)
+    return {"place": place, "stand": Stand.beside(place, stage.fake.motion.feet())}
+
+
+def front_seen(stage):
+    before_fridge(stage)
+    return {"task": OPEN, "known": body_of_fridge()}
+
+
+def to_put_inside(stage):
+    """The robot holds a cup before the boards of an open fridge."""
+    before_fridge(stage, OPEN_TO["door"])
+    red, frame = cup(), stage.toolbox.model.description.tcp_frames["right"]
+    believe(stage, [red])
+    scene = stage.told.scene.with_attached(red.name, frame, np.eye(4), ())
+    stage.told.update(scene)
+    return {"place": body_of_fridge(), "held": HeldObject(red.name, "right", red.shape, np.eye(4))}
+
+
+def planned(stage, opening_rad=0.0):
+    """A plan to take hold of the handle."""
+    handle = before_fridge(stage, opening_rad)
+    motion = stage.fake.motion
+    plan = stage.fake.planning.answer(
+        HandleRequest(
+            motion.reference(),
+            motion.stance(),
+            stage.told.scene,
+            handle.handle,
+            (handle.part, handle.handle),
+            handle.path,
+            handle.opening,
+            OPEN_TO["door"],
+            handle.hands,
+        )
+    )
+    return handle, plan
+
+
+def reaching(stage):
+    handle, plan = planned(stage)
+    checked = stage.fake.planning.answer(CheckRequest(plan.reach.trajectory, plan.reach.scene))
+    return {"handle": handle, "checked": CheckedStep("reach", checked, stage.told.scene.version)}
+
+
+def hand_at_handle(stage):
+    """The open hand is about the bar."""
+    handle, plan = planned(stage, _AJAR_RAD)
+    stage.fake.motion.be_at(plan.approach.trajectory.q[-1])
+    stage.fake.step()
+    return {"handle": handle, "grasp": plan.grasp}
+
+
+def handle_in_hand(stage):
+    """The hand holds the bar."""
+    given = hand_at_handle(stage)
+    handle, grasp = given["handle"], given["grasp"]
+    closing = stage.fake.grippers[grasp.hand].close()
+    while not closing.finished:
+        stage.fake.step()
+    return {"held": HeldHandle(handle, grasp, handle.path, None), "lead_to": OPEN_TO["door"]}
+
+
+def hand_before_handle(stage):
+    """The open hand is where the approach begins."""
+    handle, plan = planned(stage)
+    stage.fake.motion.be_at(plan.approach.trajectory.q[0])
+    stage.fake.step()
+    return {"handle": handle, "grasp": plan.grasp}
+
+
+def cup_in_hand(stage):
+    """A cup in the one hand, the other one free."""
+    red = cup()
+    return {
+        "task": PutInTask("put it into the bowl", ObjectDescription("cup", "red"), ObjectDescription("bowl")),
+        "held": HeldObject(red.name, "right", red.shape, np.eye(4)),
+    }
+
+
+GIVEN = {
+    ApproachHandle: hand_before_handle,
+    AskForSwap: cup_in_hand,
+    ChooseStand: cup_to_stand_for,
+    ChooseStandToPut: to_put_inside,
+    FindBoardRoom: to_put_inside,
+    GraspHandle: hand_at_handle,
+    IsItSo: open_fridge,
+    LeadHandle: handle_in_hand,
+    PlanHandle: near_handle,
+    ReachWatching: reaching,
+    SeeFront: front_seen,
+    SquaredUp: where_it_stands,
+    StandsAtHandle: near_handle,
+    StandsThereAlready: near_handle,
+    TellFound: cup_to_stand_for,
+    TouchFront: hand_at_handle,
+    VerifyOpening: open_fridge,
+    WalkTo: far_table,
+    WalkToHandle: far_handle,
+}
