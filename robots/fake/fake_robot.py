@@ -21,20 +21,20 @@ class FakeRobot:
 
     Attributes:
         stuck: Names of joints that do not move any more.
+        effort: What the effort sensors read, Nm, shape (n,); set by whoever plays the world.
     """
 
     def __init__(self, description: RobotDescription, clock: Clock) -> None:
         """Stand at home, hands open."""
         self.stuck: set[str] = set()
+        self.effort: Array = np.zeros(len(description.actuated))
         self._description = description
         self._clock = clock
         self._q = np.array([description.home[name] for name in description.actuated])
         self._v = np.zeros_like(self._q)
         feet = len(description.soles)
-        # what every reading has in common; nobody may write to it
-        self._effort, self._gyro = _constant(np.zeros_like(self._q)), _constant(np.zeros(3))
-        self._accelerometer = _constant(np.array([0.0, 0.0, _GRAVITY_M_S2]))
-        self._wrench = _constant(np.tile([0.0, 0.0, _WEIGHT_N / feet, 0.0, 0.0, 0.0], (feet, 1)))
+        self._accelerometer = np.array([0.0, 0.0, _GRAVITY_M_S2])
+        self._wrench = np.tile([0.0, 0.0, _WEIGHT_N / feet, 0.0, 0.0, 0.0], (feet, 1))
 
     @property
     def description(self) -> RobotDescription:
@@ -42,15 +42,15 @@ class FakeRobot:
         return self._description
 
     def read(self) -> RobotState:
-        """Perfect readings of a robot that stands on both feet; what its joints bear, the world knows."""
+        """Perfect readings of a robot that stands on both feet."""
         return RobotState(
             stamp_s=self._clock.now_s(),
             q=self._q.copy(),
             v=self._v.copy(),
-            effort=self._effort,
-            gyro=self._gyro,
-            accelerometer=self._accelerometer,
-            foot_wrench=self._wrench,
+            effort=self.effort.copy(),
+            gyro=np.zeros(3),
+            accelerometer=self._accelerometer.copy(),
+            foot_wrench=self._wrench.copy(),
         )
 
     def command(self, setpoint: JointSetpoint) -> None:
@@ -75,8 +75,3 @@ class FakeRobot:
 
     def advance(self, period_s: float) -> None:
         """Nothing to do: there is no physics."""
-
-
-def _constant(array: Array) -> Array:
-    array.setflags(write=False)
-    return array
