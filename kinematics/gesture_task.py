@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -28,6 +27,7 @@ from kinematics.scene import PlanningScene
 from kinematics.start_state import relaxed_at
 from kinematics.timing import Pace
 from kinematics.validity import validity
+from kinematics.wide_berth import widened
 
 Array = NDArray[np.float64]
 
@@ -157,12 +157,10 @@ class GestureTask:
 
     def room_for(self, sway_m: float) -> Callable[[Array], bool]:
         """Whether a configuration keeps so much more than their margins from all movable things."""
-        items = self.scene.objects.values()
-        if not any(item.movable for item in items):
+        wide = widened(self.scene, sway_m)
+        if wide is self.scene:
             return lambda _: True
-        wide = (replace(item, margin_m=item.margin_m + sway_m) for item in items if item.movable)
-        scene = self.scene.with_objects(wide)
-        judge = validity(self._model, self._stance, scene, RESERVE_M, RESERVE_M)
+        judge = validity(self._model, self._stance, wide, RESERVE_M, RESERVE_M)
         return lambda q: judge.points_are_free(self.space.from_q(q)[None, :])
 
     def timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:

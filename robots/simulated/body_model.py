@@ -29,11 +29,11 @@ HULL_PRIORITY, SOLE_PRIORITY = 1, 2
 """MuJoCo takes the friction of the geom with the higher priority."""
 PAD_SOLREF = (0.01, 1.0)
 PAD_SOLIMP = (0.9, 0.97, 0.002, 0.5, 2.0)
+"""Contact stiffness of rubber pads: measured to hold 0.1 to 1.0 kg with 0.1 mm of creep in 10 s."""
 PAD_SOLREF_FRICTION = (0.002, 1.0)
 """MuJoCo's constraints leave out that a turning hand turns their directions, so that what is held slides
 outwards at the centripetal acceleration times half this time: 5 mm/s for 1 m/s^2 with the 0.01 s of normal
 forces. Two physics steps are the least."""
-"""Contact stiffness of rubber pads: measured to hold 0.1 to 1.0 kg with 0.1 mm of creep in 10 s."""
 MIMIC_SOLREF = (0.005, 1.0)
 MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
 GYRO, ACCELEROMETER = "gyro", "accelerometer"

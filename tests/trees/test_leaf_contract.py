@@ -642,6 +642,17 @@ def test_every_fault_is_met_by_some_leaf(turned_to):
     assert met == {part for faults in (FAILING, HANGING, RAISING) for part in faults.values()}
 
 
+@pytest.mark.parametrize("fault", RAISING)
+def test_every_call_that_raises_is_made_by_some_leaf(trial, turned_to, fault):
+    def makes_it(kind):
+        run, boom = trial(kind), Boom()
+        fault(run.stage.fake, boom)
+        run_without_sensing(run)
+        return boom.made
+
+    assert any(makes_it(kind) for kind in LEAVES if RAISING[fault] in turned_to(kind))
+
+
 @pytest.mark.requirement("S8")
 @every_leaf
 def test_a_leaf_without_one_of_its_inputs_fails_and_moves_nothing(trial, kind):
