@@ -2,8 +2,9 @@
 
 Of a robot that stands, the CoM's projection has to stay inside the support polygon by the robot's
 margin, the ZMP (from the whole body's momentum, Pinocchio's inverse dynamics) inside it by the
-checker's. Torques are those of the smallest sole wrenches that carry the motion. A welded base takes
-any wrench: there, torques are judged alone.
+checker's. Torques are those of a robot whose soles all press at the same place, seen from each one's own
+origin, as the one that carries the motion out has them. A welded base takes any wrench: there, torques are
+judged alone.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from numpy.typing import NDArray
 from kinematics.check_kinematics import BatchedKinematics, BodyPoses
 from kinematics.check_settings import CheckSettings
 from kinematics.check_timeline import Configurations, Timeline
+from kinematics.poses import Transform
+from kinematics.robot_description import SoleDescription
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Finding, FindingKind, Stance, Trajectory
 
@@ -27,8 +30,6 @@ Loads = Callable[[BodyPoses, Array, Array, Indices, Array, Array], tuple[Array, 
 """Torques and ZMP of a robot on its soles; see ``CompiledKinematics.loads``."""
 
 _FIRST_JOINT = 2
-# moments under a sole are dearer than forces: they are limited by its size
-_MOMENT_WEIGHT = 0.1
 
 
 class SupportPolygon:
@@ -81,27 +82,45 @@ class _Standing:
     Attributes:
         key: Tells the stance from others.
         polygon: What its soles span.
-        points_m: Places of the m soles, shape (m, 3).
+        points_m: Places of the m soles that are the robot's, shape (m, 3).
         feet: Bodies that carry them, shape (m,).
-        share: Their wrenches, force and moment behind each other, for each wrench of the ground, shape
-            (6 m, 6).
+        share: Their parts of the wrench of the ground for each ZMP (x, y, 1), held between 0 and 1, shape
+            (m, 3).
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:
         self.key = stance.key
         self.polygon = SupportPolygon(model, stance)
-        self.points_m = np.array([world_T_sole[:3, 3] for _, world_T_sole in stance.soles]).reshape(-1, 3)
+        sizes = {sole.frame: sole for sole in model.description.soles}
+        carrying = [(sizes[name], pose) for name, pose in stance.soles if name in sizes]
+        self.points_m = np.array([pose[:3, 3] for _, pose in carrying]).reshape(-1, 3)
         self.feet = np.array(
-            [int(model.pin.frames[model.frame_id(name)].parentJoint) for name, _ in stance.soles], np.int64
+            [int(model.pin.frames[model.frame_id(sole.frame)].parentJoint) for sole, _ in carrying], np.int64
         )
-        grasp = np.zeros((6, 6 * len(self.points_m)))
-        for k, (x, y, z) in enumerate(self.points_m):
-            arm = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-            grasp[:3, 6 * k : 6 * k + 3] = np.eye(3)
-            grasp[3:, 6 * k : 6 * k + 3] = arm
-            grasp[3:, 6 * k + 3 : 6 * k + 6] = np.eye(3)
-        weight = np.diag([1.0, 1.0, 1.0, *[_MOMENT_WEIGHT] * 3] * len(self.points_m))
-        self.share = np.ascontiguousarray(weight @ np.linalg.pinv(grasp @ weight))
+        self.share = _shares(carrying, self.points_m[:, :2])
+
+
+def _shares(carrying: list[tuple[SoleDescription, Transform]], points_m: Array) -> Array:
+    """Parts of soles for each ZMP: as far towards a sole as the ZMP is towards the polygon's edge there."""
+    count = len(carrying)
+    shares = np.tile([0.0, 0.0, 1.0 / max(count, 1)], (count, 1))
+    apart = points_m[-1] - points_m[0] if count == 2 else np.zeros(2)
+    length = float(np.linalg.norm(apart))
+    if length == 0.0:
+        return shares
+    along = apart / length
+    reach = min(_reach(*one, way * along) for one, way in zip(carrying, (-1.0, 1.0), strict=True))
+    slope = along / (length + 2.0 * reach)
+    for row, way in zip(shares, (-1.0, 1.0), strict=True):
+        row[:2] = way * slope
+        row[2] = 0.5 - way * float(slope @ points_m.mean(axis=0))
+    return shares
+
+
+def _reach(sole: SoleDescription, world_T_sole: Transform, way: Array) -> float:
+    """How far a sole reaches from its origin in a horizontal direction, m."""
+    corners = np.array([(x, y) for x in sole.x_m for y in sole.y_m])
+    return float((corners @ world_T_sole[:2, :2].T @ way).max())
 
 
 class DynamicsCheck:
@@ -165,7 +184,7 @@ class DynamicsCheck:
         force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
         lift = np.maximum(force[:, 2], 1e-6)
         zmp = np.column_stack([-moment[:, 1], moment[:, 0]]) / lift[:, None]
-        return self._torques(trajectory.stance, efforts, force, moment, placed), zmp
+        return self._torques(trajectory.stance, efforts, force, moment, zmp, placed), zmp
 
     def _rates(self, trajectory: Trajectory, times: Array) -> tuple[Array, Array]:
         """Velocities and accelerations, shape (n, nv) each."""
@@ -194,18 +213,18 @@ class DynamicsCheck:
         return force, moment
 
     def _torques(
-        self, stance: Stance, efforts: Array, force: Array, moment: Array, placed: BodyPoses
+        self, stance: Stance, efforts: Array, force: Array, moment: Array, zmp: Array, placed: BodyPoses
     ) -> Array:
-        """Joint torques when the soles carry the wrench with the least forces and moments."""
+        """Joint torques when all soles press at the same place of their own."""
         torques = efforts[:, 6:].copy()
         if not stance.soles:
             return torques
         standing = self._standing(stance)
         points = standing.points_m
-        wrenches = np.hstack([force, moment]) @ standing.share.T
-        for k, (name, _) in enumerate(stance.soles):
-            foot = int(self._model.pin.frames[self._model.frame_id(name)].parentJoint)
-            f, n = wrenches[:, 6 * k : 6 * k + 3], wrenches[:, 6 * k + 3 : 6 * k + 6]
+        parts = np.clip(zmp @ standing.share[:, :2].T + standing.share[:, 2], 0.0, 1.0)
+        rest = moment - np.cross(parts @ points, force)
+        for k, foot in enumerate(standing.feet.tolist()):
+            f, n = parts[:, k, None] * force, parts[:, k, None] * rest
             leg = [body for body in self._kinematics.chain(foot) if body >= _FIRST_JOINT]
             x, y, z = np.moveaxis(points[k] - placed.origin_m[leg], -1, 0)
             fx, fy, fz = f.T

@@ -31,7 +31,7 @@ def loads_of(
     torques: Array,
     zmp: Array,
 ) -> None:
-    """Joint torques when the soles carry everything with the least forces and moments; and the ZMP.
+    """Joint torques when the soles carry everything, all at the same place of their own; and the ZMP.
 
     Args:
         links: The robot.
@@ -41,8 +41,8 @@ def loads_of(
         v, a: Velocities and accelerations, shape (n, nv), the base's in its own axes.
         feet: Bodies of the m soles, shape (m,).
         soles: Where they stand, shape (m, 3), m.
-        share: The wrench of each sole, force before moment, for the wrench of the ground about the
-            world's origin, shape (6 m, 6).
+        share: The part of each sole in the wrench of the ground for each ZMP (x, y, 1), held between 0 and
+            1, shape (m, 3).
         torques: Result, shape (n, joints), Nm.
         zmp: Result, shape (n, 2), m.
     """
@@ -52,7 +52,8 @@ def loads_of(
     # rows: force, moment about the world's origin
     load = np.zeros((bodies, 2, 3))
     axes = np.zeros((bodies, 3))
-    arm, about = np.zeros(3), np.zeros(3)
+    arm, about, rest = np.zeros(3), np.zeros(3), np.zeros(3)
+    part = np.zeros(feet.shape[0])
     for i in range(v.shape[0]):
         base = R[1, i]
         omega, alpha, acceleration = motion[1, 0], motion[1, 1], motion[1, 2]
@@ -102,14 +103,17 @@ def loads_of(
         ground = load[1]
         lift = max(ground[0, 2], 1e-6)
         zmp[i, 0], zmp[i, 1] = -ground[1, 1] / lift, ground[1, 0] / lift
+        # what the forces at the soles leave over of the moment
+        for r in range(3):
+            rest[r] = ground[1, r]
+        for foot in range(feet.shape[0]):
+            part[foot] = share[foot, 0] * zmp[i, 0] + share[foot, 1] * zmp[i, 1] + share[foot, 2]
+            part[foot] = min(max(part[foot], 0.0), 1.0)
+            _add_cross(soles[foot], ground[0], -part[foot], rest)
         for foot in range(feet.shape[0]):
             for r in range(3):
-                arm[r] = about[r] = 0.0
-                for c in range(3):
-                    arm[r] += share[6 * foot + r, c] * ground[0, c]
-                    arm[r] += share[6 * foot + r, 3 + c] * ground[1, c]
-                    about[r] += share[6 * foot + 3 + r, c] * ground[0, c]
-                    about[r] += share[6 * foot + 3 + r, 3 + c] * ground[1, c]
+                arm[r] = part[foot] * ground[0, r]
+                about[r] = part[foot] * rest[r]
             body = feet[foot]
             while body >= FIRST_JOINT:
                 x, y, z = (

@@ -68,7 +68,7 @@ class CompiledKinematics(BatchedKinematics):
             v, a: Velocities and accelerations there, in Pinocchio's convention, shape (n, nv).
             feet: Bodies of the m soles, shape (m,).
             soles_m: Where these stand, shape (m, 3).
-            share: Their wrenches for the wrench of the ground, shape (6 m, 6).
+            share: Their parts of the wrench of the ground for each ZMP (x, y, 1), shape (m, 3).
         """
         torques, zmp = np.empty((len(v), self.count - FIRST_JOINT)), np.empty((len(v), 2))
         loads_of(
