@@ -11,6 +11,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from executive.at_hand import is_near
 from executive.attendant import Attendant
 from executive.clarification import (
     MAX_TRIES,
@@ -28,13 +29,14 @@ from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
 from kinematics import poses
+from kinematics.poses import Transform
 from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
 from trees.failures import Failure, FailureKind
 from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
-from trees.tasks import ObjectOf, PickTask, Task
+from trees.tasks import ObjectOf, PickTask, Task, WalkToTask
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -74,11 +76,15 @@ class Errand:
             return (refused,)
         results: list[TaskResult] = []
         speaker = ""
+        found: dict[int | None, str] = {}
         for step in prepared(self._commands, self._walks(), self._known()):
             if self._is_needless(step):
                 continue
             provenance = None if step.said is None else self._provenance[step.said]
             command = spoken_by(step.command, speaker) if speaker else step.command
+            about = step.finds_for if step.said is None else step.said
+            if about in found:
+                command = _of_one(command, found[about])
             names: list[str] = []
             waiting = list(self._filled(command))
             while waiting:
@@ -90,6 +96,8 @@ class Errand:
                     return tuple(results)
                 names += [] if result.acted_on is None else [result.acted_on]
                 waiting[:0] = [_of_one(command, name) for name in result.others]
+                if step.finds_for is not None and result.acted_on is not None:
+                    found[step.finds_for] = result.acted_on
                 if step.finds_speaker:
                     speaker = str(result.evidence.get("found", ""))
             if step.said is not None:
@@ -98,19 +106,20 @@ class Errand:
 
     def _is_needless(self, step: Prepared) -> bool:
         """Whether what has been seen and done meanwhile makes a step superfluous."""
-        if not (step.unless_open or step.unless_held):
-            return False
         known = self._known()
         held = step.unless_held is not None and known.in_hand(step.unless_held)
-        return held or (step.unless_open and known.is_open)
+        near = step.unless_near is not None and known.is_near(step.unless_near)
+        return held or near or (step.unless_open and known.is_open)
 
     def _known(self) -> Known:
         toolbox = self._session.toolbox
         opening = door_opening_rad(toolbox.world.scene)
         return Known(
             self._in_view,
-            lambda put: isinstance(held_object(toolbox, put.object, put.hand), HeldObject),
+            lambda task: isinstance(held_object(toolbox, task.object, task.hand), HeldObject),
             opening is not None and opening >= LEAST_OPEN_RAD,
+            lambda wanted: is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m),
+            frozenset(toolbox.places),
         )
 
     def _in_view(self, pick: PickTask) -> bool:
@@ -172,10 +181,12 @@ class Errand:
 
     def _around(self) -> Surroundings:
         toolbox = self._session.toolbox
-        q = toolbox.sensing.state().q
-        base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
         world = toolbox.world
-        return surroundings(world.scene, base, toolbox.policy.support_gap_m, world.last_acted_on)
+        return surroundings(world.scene, self._base(), toolbox.policy.support_gap_m, world.last_acted_on)
+
+    def _base(self) -> Transform:
+        q = self._session.toolbox.sensing.state().q
+        return poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
 
     # --- before anything moves ------------------------------------------------------------------
 
@@ -247,7 +258,7 @@ def _silent(
 
 def _of_one(command: Command, name: str) -> Command:
     """The command for one named object."""
-    changes: dict[str, Any] = {"object": exactly(name)}
+    changes: dict[str, Any] = {"to" if isinstance(command, WalkToTask) else "object": exactly(name)}
     if hasattr(command, "count"):
         changes["count"] = 1
     return replace(command, **changes)

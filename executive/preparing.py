@@ -2,7 +2,9 @@
 
 "Bring me the bottle from the fridge" means a pick and a hand-over. Between them and before them a robot that
 can walk goes to the fridge, opens it, comes within reach of the bottle, and walks back to who spoke; each of
-these is a task of its own, so that what fails is told as what it is.
+these is a task of its own, so that what fails is told as what it is. Where the map has rooms, what is spoken
+of may be anywhere in them: it is walked to as well when it is not at hand, and what is to be brought
+somewhere is picked up before the robot walks there.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from executive.at_hand import Nearness
 from executive.meaning import Command
 from trees.fridge_inside import is_behind_door
 from trees.handles import MEANT_BY
@@ -23,10 +26,14 @@ from trees.tasks import (
     PickTask,
     PlaceTask,
     PutInTask,
+    Relation,
     WalkToTask,
 )
 
 SPEAKER = "me"
+
+Bringing = HandOverTask | PlaceTask | PutInTask
+"""What moves an object, and picks it up first when no hand holds it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +46,8 @@ class Prepared:
         finds_speaker: Whether it tells who "me" is, for all that follows.
         unless_open: Whether it is left out when the door turns out to stand open.
         unless_held: Left out while a hand holds what this is about.
+        unless_near: Left out while this is known.
+        finds_for: Index of the said command whose object is the one that this task was about.
         may_fail: Whether the errand goes on without it.
     """
 
@@ -46,7 +55,9 @@ class Prepared:
     said: int | None = None
     finds_speaker: bool = False
     unless_open: bool = False
-    unless_held: PutInTask | None = None
+    unless_held: Bringing | None = None
+    unless_near: Nearness | None = None
+    finds_for: int | None = None
     may_fail: bool = False
 
 
@@ -58,11 +69,15 @@ class Known:
         in_view: Tells of a pick whether its object was seen inside already: then nothing has to be opened.
         in_hand: Tells of what is to be put somewhere whether a hand holds it already.
         is_open: Whether the door that is known stands open.
+        is_near: Tells whether a walk is needless.
+        rooms: Names of the rooms on the map; where there are any, not all that is spoken of is at hand.
     """
 
     in_view: Callable[[PickTask], bool] = lambda _pick: False
-    in_hand: Callable[[PutInTask], bool] = lambda _put: False
+    in_hand: Callable[[Bringing], bool] = lambda _task: False
     is_open: bool = False
+    is_near: Callable[[Nearness], bool] = lambda _nearness: False
+    rooms: frozenset[str] = frozenset()
 
 
 NOTHING_KNOWN = Known()
@@ -73,10 +88,10 @@ def prepared(
 ) -> tuple[Prepared, ...]:
     """The commands with what has to be done before them.
 
-    Nothing is added for a robot that stands where it stands, nor where everything is told to be at hand: only
-    what has a door, and is taken from or put into, makes it walk. From then on it has left the place where it
-    was, and goes to whom or to where it is told to bring things. A door behind which something goes is opened
-    first, with empty hands: what is held is put down for it.
+    Nothing is added for a robot that stands where it stands. Without rooms everything is taken to be at hand:
+    only what has a door, and is taken from or put into, makes it walk. From then on it has left the place
+    where it was, and goes to whom or to where it is told to bring things. With rooms it does so from the
+    start. A door behind which something goes is opened first, with empty hands: what is held is put down.
 
     Args:
         commands: What was said, in order.
@@ -103,7 +118,7 @@ def spoken_by(command: Command, name: str) -> Command:
 
 def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
     opened: set[str] = set()
-    away = False
+    away = bool(known.rooms)
     for index, command in enumerate(commands):
         if isinstance(command, OpenTask):
             opened.add(str(command.object))
@@ -125,15 +140,43 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
                 before += _opening(door)
                 opened.add(door)
             away = away or door in opened
-        if away and thing is not None and not held:
+        walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
+        if known.rooms and inside is None and _behind_of(command, commands) is None:
+            before += _fetching(index, commands, known)
+        elif away and thing is not None and not held:
             reach = WalkToTask(f"come within reach of the {thing}", thing)
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
         there = _there(command, commands)
-        walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
         if away and there is not None and not walked:
-            before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there)))
+            near = Nearness(_described(there)) if known.rooms and not _is_person(there) else None
+            before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there), unless_near=near))
         yield from before
         yield Prepared(command, index)
+
+
+def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
+    """What brings an object into a hand that may be anywhere in some rooms; nothing for several at once."""
+    command = commands[index]
+    if not isinstance(command, PickTask | HandOverTask | PlaceTask | PutInTask) or command.count != 1:
+        return
+    if not isinstance(command, PickTask) and known.in_hand(command):
+        return
+    thing, source = command.object, command.source
+    if not isinstance(thing, ObjectDescription):
+        return
+    before = commands[index - 1] if index > 0 else None
+    if not isinstance(before, WalkToTask) or before.to in known.rooms:
+        there = thing
+        if isinstance(source, str):
+            there = thing if thing.relation else replace(thing, relation=Relation("on", source))
+            yield Prepared(
+                WalkToTask(f"walk to the {source}", source), unless_near=Nearness(there, at_hand=False)
+            )
+        reach = WalkToTask(f"come within reach of the {there}", there)
+        yield Prepared(reach, unless_near=Nearness(there, at_hand=True), finds_for=index)
+    if not isinstance(command, PickTask):
+        pick = PickTask(f"pick up the {thing}", thing, source, command.hand)
+        yield Prepared(pick, finds_for=index)
 
 
 def _opening(word: str) -> list[Prepared]:
@@ -160,6 +203,10 @@ def _behind(put: PutInTask, commands: Sequence[Command]) -> str | None:
     return word if isinstance(word, str) and is_behind_door(word) else None
 
 
+def _behind_of(command: Command, commands: Sequence[Command]) -> str | None:
+    return _behind(command, commands) if isinstance(command, PutInTask) else None
+
+
 def _to_be_picked(command: Command, commands: Sequence[Command]) -> ObjectDescription | None:
     """The object that a command is going to pick up, or that was put down for it."""
     if isinstance(command, PutInTask) and _behind(command, commands) is None:
@@ -180,7 +227,9 @@ def _there(command: Command, commands: Sequence[Command]) -> Destination | None:
     if isinstance(command, HandOverTask):
         return command.to
     if isinstance(command, PlaceTask):
-        return command.on or command.to
+        to = command.on or command.to
+        beside = to.relation if isinstance(to, ObjectDescription) and to.kind is None else None
+        return to if beside is None else beside.to
     return command.to if isinstance(command, PutInTask) and _behind(command, commands) is None else None
 
 
@@ -189,5 +238,13 @@ def _who(command: Command) -> str | None:
     return to if isinstance(to, str) else None
 
 
+def _is_person(there: Destination) -> bool:
+    return isinstance(there, str) and (there == SPEAKER or there.istitle())
+
+
+def _described(there: Destination) -> ObjectDescription:
+    return there if isinstance(there, ObjectDescription) else ObjectDescription(str(there))
+
+
 def _named(there: Destination) -> str:
-    return there if isinstance(there, str) and (there == SPEAKER or there.istitle()) else f"the {there}"
+    return str(there) if _is_person(there) else f"the {there}"

@@ -9,6 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
+from trees.destination import Place
 from trees.events import LeafFailed, NodeChanged
 from trees.failure_chain import failure_of, place_of
 from trees.failures import Failure, FailureKind, Number
@@ -18,7 +19,7 @@ from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
-from trees.tasks import PickTask, Task
+from trees.tasks import PickTask, Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
@@ -154,6 +155,9 @@ class TaskTree:
         if isinstance(target, Target):
             self.acted_on = self._toolbox.world.last_acted_on = target.name
             self.others = tuple(self._written("others") or ())
+        place = self._written("place")
+        if isinstance(self.task, WalkToTask) and isinstance(place, Place) and place.category == "object":
+            self.acted_on = place.name
         handle = self._written("handle")
         if isinstance(handle, HandleTarget):
             self.acted_on = handle.part if handle.kind == DRAWER else BODY_OF[handle.kind]

@@ -1,5 +1,6 @@
 """What has to be done before a command, that nobody said."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -131,6 +132,58 @@ def test_into_a_fridge_that_stands_open_things_are_put_from_where_they_are():
     assert [step.command for step in prepared(commands, True, Known(is_open=True))] == list(commands)
 
 
+FLAT = Known(rooms=frozenset({"kitchen", "living room"}))
+
+
+def walked(sentence, known=FLAT):
+    """What is done in a flat, and where to."""
+    return [
+        (step.command.action, str(getattr(step.command, "to", None) or ""))
+        for step in prepared(parse(sentence).commands, True, known)
+    ]
+
+
+@pytest.mark.requirement("L2")
+def test_among_rooms_what_is_to_be_brought_is_walked_to_and_the_way_back_as_well():
+    assert walked("bring Ana the red cup from the table") == [
+        ("walk_to", "table"),
+        ("walk_to", "red cup on table"),
+        ("pick", ""),
+        ("walk_to", "Ana"),
+        ("hand_over", "Ana"),
+    ]
+
+
+def test_what_is_to_be_put_somewhere_else_is_picked_up_before_the_robot_goes_there():
+    assert walked("put the can on the shelf") == [
+        ("walk_to", "can"), ("pick", ""), ("walk_to", "shelf"), ("place", ""),
+    ]  # fmt: skip
+
+
+def test_who_has_been_told_to_walk_to_the_table_does_not_walk_there_again():
+    assert walked("walk to the table and pick up the red cup") == [("walk_to", "table"), ("pick", "")]
+
+
+def test_a_room_is_no_place_from_which_things_are_reached():
+    said = "go to the kitchen and take the cup from the counter"
+
+    assert walked(said)[1:] == [("walk_to", "counter"), ("walk_to", "cup on counter"), ("pick", "")]
+
+
+def test_what_a_hand_holds_is_brought_and_not_fetched():
+    held = replace(FLAT, in_hand=lambda _task: True)
+
+    assert walked("give Ana the cup", held) == [("walk_to", "Ana"), ("hand_over", "Ana")]
+
+
+def test_who_puts_something_beside_another_thing_walks_to_that_other_thing():
+    assert ("walk_to", "white cup") in walked("put the red cup next to the white cup")
+
+
+def test_several_things_at_once_are_taken_from_where_the_robot_stands():
+    assert walked("pick up all the cups") == [("pick", "")]
+
+
 class Notes:
     """A session that does everything it is told to, and finds Ana."""
 
@@ -154,7 +207,7 @@ class Notes:
             failure,
             {"found": "Ana"},
             TaskTimes(),
-            acted_on="green bottle" if command.action == "pick" else None,
+            acted_on={"pick": "green bottle", "walk_to": "white cup"}.get(command.action),
         )
 
 
@@ -185,6 +238,36 @@ def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():
     back, give = notes.told[-2:]
     assert (back.to, give.to) == ("Ana", "Ana")
     assert give.object.name == "green bottle"
+
+
+class FlatErrand(Errand):
+    """In a flat, where nothing was seen yet; or everything, and at hand."""
+
+    near = False
+
+    def _known(self):
+        return replace(FLAT, is_near=lambda _nearness: self.near)
+
+
+def in_the_flat(sentence, near=False):
+    notes = Notes()
+    errand = FlatErrand(notes, parse(sentence).commands)
+    errand.near = near
+    drive(errand.steps(), Nobody(), notes)
+    return notes.told
+
+
+def test_the_thing_that_was_walked_to_is_the_one_that_is_picked_up_and_handed_over():
+    told = in_the_flat("bring Ana the cup")
+
+    walk, pick, _, give = told
+    assert str(walk.to) == "cup"
+    assert pick.object.name == "white cup"
+    assert give.object.name == "green bottle"  # what the pick says that it took
+
+
+def test_what_is_at_hand_is_not_walked_to():
+    assert [command.action for command in in_the_flat("pick up the red cup", near=True)] == ["pick"]
 
 
 class OpenErrand(Errand):

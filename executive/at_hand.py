@@ -1,0 +1,69 @@
+"""Is a walk needless? What a hand gets to from here, or furniture that the robot stands before already."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from kinematics.poses import Transform
+from kinematics.scene import PlanningScene
+from kinematics.shapes import Box
+from trees.believed_thing import BelievedThing, Surroundings, surroundings
+from trees.grounding import Found, ground
+from trees.tasks import ObjectDescription
+
+_AHEAD_M = (0.3, 0.65)
+_ASIDE_M = 0.45
+"""Where hands get to a thing on furniture without a step, from the feet: ``tools.evaluate pick`` has its cups
+there."""
+_BEFORE_M = 0.45
+"""So near to furniture the robot stands before it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Nearness:
+    """What has to be known for a walk to be needless.
+
+    Attributes:
+        thing: What is walked to, or what is to be picked up from there.
+        at_hand: Whether it has to be within reach; else it is enough that it was seen.
+    """
+
+    thing: ObjectDescription
+    at_hand: bool = True
+
+
+def is_near(wanted: Nearness, scene: PlanningScene, odom_T_base: Transform, support_gap_m: float) -> bool:
+    """Tell whether one thing that was seen fits, and is near enough.
+
+    Args:
+        wanted: What, and how near.
+        scene: What is believed; in the odometry frame.
+        odom_T_base: Pose of the robot's base, shape (4, 4).
+        support_gap_m: As for ``surroundings``.
+    """
+    around = surroundings(scene, odom_T_base, support_gap_m)
+    found = ground(wanted.thing, around)
+    if isinstance(found, Found):
+        return not wanted.at_hand or _within_reach(found.names[0], around)
+    return wanted.at_hand and any(
+        thing.kind == wanted.thing.kind and _is_before(thing, scene, odom_T_base)
+        for thing in around.things
+        if not thing.movable
+    )
+
+
+def _within_reach(name: str, around: Surroundings) -> bool:
+    thing = next(one for one in around.things if one.name == name)
+    ahead, aside, _ = thing.place_m.tolist()
+    return bool(_AHEAD_M[0] <= ahead <= _AHEAD_M[1] and abs(aside) <= _ASIDE_M)
+
+
+def _is_before(furniture: BelievedThing, scene: PlanningScene, odom_T_base: Transform) -> bool:
+    item = scene.objects[furniture.name]
+    if not isinstance(item.shape, Box) or furniture.place_m[0] < 0.0:
+        return False
+    away = odom_T_base[:3, 3] - item.world_T_object[:3, 3]
+    x, y, _ = (away @ item.world_T_object[:3, :3]).tolist()
+    size_x, size_y, _ = item.shape.size_m
+    return math.hypot(max(abs(x) - 0.5 * size_x, 0.0), max(abs(y) - 0.5 * size_y, 0.0)) <= _BEFORE_M
