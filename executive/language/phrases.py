@@ -233,6 +233,10 @@ class Draft:
         """With one more slot; None changes nothing."""
         return self if value is None else replace(self, slots=(*self.slots, (name, value)))
 
+    def replacing(self, name: str, value: Any) -> Draft:
+        """With another value in a slot that it has."""
+        return replace(self, slots=tuple((key, value if key == name else old) for key, old in self.slots))
+
 
 @dataclass(frozen=True, slots=True)
 class Mention:

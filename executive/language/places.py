@@ -29,7 +29,9 @@ from trees.tasks import RelationKind
 Parts = tuple[Any, ...]
 _LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO"})
 _WITHIN: Mapping[str, RelationKind] = {"ON": "on", "IN": "in", "AT": "next_to"}
-_FLAT = frozenset({"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "tablecloth", "rug"})
+_FLAT = frozenset(
+    {"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "tablecloth", "rug"}
+)
 """Things that other things stand on."""
 _KIND = {"NEXT_TO": "next_to", "NEAREST_TO": "nearest"}
 
