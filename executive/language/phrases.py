@@ -68,6 +68,7 @@ class Nominal:
         anaphoric: Whether the noun is "one": the kind that was named before.
         determined: Whether an article or the like was there.
         paired: Whether it is one thing with a plural name: scissors.
+        mass: Whether all of it is meant by "all the milk", without a plural.
         said: The noun as it was said.
         indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
@@ -89,6 +90,7 @@ class Nominal:
     anaphoric: bool = False
     determined: bool = False
     paired: bool = False
+    mass: bool = field(default=False, compare=False)
     said: str = field(default="", compare=False)
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
