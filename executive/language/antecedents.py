@@ -45,8 +45,6 @@ class Antecedents(Discourse):
             raise ask("which of them does 'it' stand for?", names)
         if action in PUTS_DOWN and self._held and root not in self._held:
             raise ask("which of them does 'it' stand for?")
-        if action in PUTS_DOWN and root in self._given:
-            raise ask("it is given away by then: shall it be taken back first?")
         if recent[0].is_several:
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)

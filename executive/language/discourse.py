@@ -54,6 +54,7 @@ class Discourse:
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []
         self._given: set[int] = set()
+        self._unsaid_giving: tuple[int, int] | None = None
         self._mentioned: list[Nominal] = []
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None

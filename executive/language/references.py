@@ -47,6 +47,11 @@ def _is_movable(place: Any) -> bool:
     return isinstance(place, Nominal) and place.sort in ("thing", "any") and place.reference is None
 
 
+def _is_unsaid(person: Any) -> bool:
+    """Whether nobody is said to get it: "bring the cup"."""
+    return isinstance(person, Nominal) and person.reference == "asker"
+
+
 def _is_everything(one: Draft) -> bool:
     """Whether it is done to "everything", and nobody says where that is."""
     thing = one.get("object")
@@ -154,6 +159,8 @@ class Resolver(StatedThings, Doubts):
         root = resolved.task if isinstance(resolved, ObjectOf) else len(self._commands)
         if one.action == "pick" and root in self._held and named is None and _is_only_lifted(one):
             return ObjectOf(root)  # "grasp it and lift it"
+        if one.action in PUTS_DOWN and root in self._given:
+            self._take_back(root)
         self._doubt(one, named, resolved, root)
         action, slots = self._slots(one, resolved, root)
         if self._was_put_there(action, slots, root):
@@ -167,6 +174,18 @@ class Resolver(StatedThings, Doubts):
         self._commands.append(_TYPES[action](text, **slots))
         self._note_hand(action, root)
         return ObjectOf(root)
+
+    def _take_back(self, root: int) -> None:
+        """Leave out a hand-over that nobody asked for: "bring the blanket and put it on the bed".
+
+        Raises:
+            UnresolvedError: It was asked for, so that the thing is given away by now.
+        """
+        if self._unsaid_giving != (len(self._commands) - 1, root):
+            raise ask("it is given away by then: shall it be taken back first?")
+        self._commands.pop()
+        self._given.discard(root)
+        self._held.append(root)
 
     def _object_of(self, one: Draft) -> tuple[Nominal | None, Any]:
         """The thing of a task: what was named anew, if it was, and the value of the slot."""
@@ -222,6 +241,8 @@ class Resolver(StatedThings, Doubts):
             goal = self._person(value)
         else:
             goal = self._place(value, root, into=action == "put_in")
+        if action == "hand_over" and _is_unsaid(value):
+            self._unsaid_giving = (len(self._commands), root)
         self._name_place(value)
         if action in ("place", "put_in") and _is_movable(value):
             self._put_to = (self._clause, value)

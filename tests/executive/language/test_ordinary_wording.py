@@ -296,3 +296,30 @@ def test_a_side_of_what_things_stand_on_is_a_part_of_it(at, flat):
 @pytest.mark.parametrize("sentence", ["wave to Ana together with Ben", "point at Ana along with Ben"])
 def test_who_is_named_as_company_may_be_who_acts_too(sentence):
     assert parse(sentence).question is not None
+
+
+class TestBringing:
+    @pytest.mark.parametrize(
+        ("sentence", "same"),
+        [
+            (
+                "bring the blanket from the sofa and put it on the bed",
+                "take the blanket from the sofa and put it",
+            ),
+            ("bring both cups and put them on the bed", "pick up both cups and put them"),
+        ],
+    )
+    def test_to_nobody_is_to_get_what_is_put_somewhere_then(self, sentence, same):
+        assert tasks_of(sentence) == tasks_of(f"{same} on the bed")
+
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "bring me the blanket and put it on the bed",
+            "bring the cup and the bowl and put them on the table",
+            "give Ana the cup and the bowl and then put both on the table",
+            "bring the blanket, wave, and put it on the bed",
+        ],
+    )
+    def test_what_somebody_was_given_is_not_put_anywhere(self, sentence):
+        assert parse(sentence).question is not None
