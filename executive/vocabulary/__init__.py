@@ -57,6 +57,9 @@ class WordClass:
     derived: bool = False
 
 
+_Beginning = tuple[tuple[int, ...], Mapping[Words, Sequence[Reading]]]
+
+
 class Vocabulary:
     """Every word class, with a look-up by phrase."""
 
@@ -68,31 +71,32 @@ class Vocabulary:
                 reading = Reading(word_class.name, meaning)
                 for phrase in phrases:
                     self._beginnings.setdefault(phrase.partition(" ")[0], []).append((phrase, reading))
-        self._readings: dict[str, Mapping[Words, list[Reading]]] = {}
+        self._readings: dict[str, _Beginning] = {}
 
     def matches(self, words: Sequence[str], start: int) -> Iterator[tuple[int, Reading]]:
         """Every phrase that begins at ``start``: its length, and one reading of it."""
-        readings = self._beginning_with(words[start])
-        for length in dict.fromkeys(map(len, readings)):
+        lengths, readings = self._beginning_with(words[start])
+        for length in lengths:
             if start + length <= len(words):
                 for reading in readings.get(tuple(words[start : start + length]), ()):
                     yield length, reading
 
-    def _beginning_with(self, word: str) -> Mapping[Words, list[Reading]]:
-        """All phrases that begin with a word, with their readings.
+    def _beginning_with(self, word: str) -> _Beginning:
+        """The lengths of all phrases that begin with a word, and the readings of each.
 
         They are sorted out when the word is first met: a process that parses one sentence meets few of them.
         """
         found = self._readings.get(word)
-        if found is None:
-            by_phrase: dict[Words, list[Reading]] = {}
-            for phrase, reading in self._beginnings.get(word, ()):
-                readings = by_phrase.setdefault(tuple(phrase.split(" ")), [])
-                if reading not in readings:
-                    readings.append(reading)
-            if not by_phrase:
-                return by_phrase  # an unknown word is not kept: there is no end of them
-            found = self._readings[word] = by_phrase
+        if found is not None:
+            return found
+        readings: dict[Words, list[Reading]] = {}
+        for phrase, reading in self._beginnings.get(word, ()):
+            known = readings.setdefault(tuple(phrase.split(" ")), [])
+            if reading not in known:
+                known.append(reading)
+        found = tuple(dict.fromkeys(map(len, readings))), readings
+        if readings:  # an unknown word is not kept: there is no end of them
+            self._readings[word] = found
         return found
 
     def match(self, words: Sequence[str]) -> tuple[int, Sequence[Reading]]:
