@@ -25,7 +25,8 @@ from executive.language.sentences import Sentence
 from executive.language.speech import UNQUOTED
 from executive.language.tokens import MalformedTextError, lines_as_sentences, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
-from executive.vocabulary import Vocabulary, load_vocabulary, split_words
+from executive.vocabulary import Vocabulary, load_vocabulary
+from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]

@@ -1,16 +1,13 @@
-"""What "it", "them", "there", "back" and "her" stand for, and what the slots of a task hold."""
+"""What "it", "them" and "the first one" stand for among the things that were named."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Any
 
-from executive.language.discourse import Discourse, Entity, UnresolvedError, ask, is_them
-from executive.language.genders import may_be
-from executive.language.phrases import Nominal, Relative, Trouble, Where
-from trees import tasks
-from trees.tasks import ObjectDescription, ObjectOf
+from executive.language.discourse import Discourse, Entity, ask
+from executive.language.phrases import Nominal
+from trees.tasks import ObjectOf
 
 _OPENED = ("container", "door")
 _COUNTED = ("first", "second", "third", "fourth", "fifth", "last")
@@ -18,12 +15,13 @@ PUTS_DOWN = ("place", "put_in", "hand_over")
 _MOVES = ("pick", *PUTS_DOWN)
 
 
-def _any(_entity: Entity) -> bool:
+def is_any(_entity: Entity) -> bool:
+    """Whatever it is."""
     return True
 
 
 class Antecedents(Discourse):
-    """Finds what a word refers to among what was named."""
+    """Finds the thing that a word refers to."""
 
     def _it(self, nominal: Nominal, action: str) -> Any:
         if nominal.reference == "this":
@@ -34,7 +32,7 @@ class Antecedents(Discourse):
             return self._opened()
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
         if not recent and action in ("look_at", "point_at", "find", "describe"):
-            recent = self._recent(_any)
+            recent = self._recent(is_any)
         if not recent:
             raise ask("what does 'it' stand for?")
         if nominal.reference == "them":
@@ -47,8 +45,6 @@ class Antecedents(Discourse):
             raise ask("which of them does 'it' stand for?", names)
         if action in PUTS_DOWN and self._held and root not in self._held:
             raise ask("which of them does 'it' stand for?")
-        if action in PUTS_DOWN and root in self._given:
-            raise ask("it is given away by then: shall it be taken back first?")
         if recent[0].is_several:
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
@@ -64,34 +60,6 @@ class Antecedents(Discourse):
             return places[0]
         raise ask("what does 'it' stand for?")
 
-    def _inner(self, excluded: int, *, into: bool) -> Any:
-        """A reference inside a place: "in it", "next to it"."""
-
-        def fits(entity: Entity) -> bool:
-            return (
-                entity.of.sort in ("thing", "any")
-                or (entity.of.sort == "container" and into)
-                or entity.of.is_place
-            )
-
-        recent = self._recent(fits, excluded)
-        places = [
-            place
-            for place in self._places
-            if (place.sort == "container" if into else place.sort in ("furniture", "container"))
-        ]
-        if into:
-            recent = [entity for entity in recent if entity.of.sort in ("container", "thing", "any")]
-        roots = [entity.of for entity in recent]
-        others = [place for place in dict.fromkeys(places) if place not in roots]
-        if len(recent) != 1 or others or self._mentioned:
-            if not recent and len(others) == 1:
-                return self._destination(others[0])
-            raise ask("what does 'it' stand for?")
-        if recent[0].task in self._held or recent[0].is_several:
-            raise ask("what does 'it' stand for?")
-        return self._same_it(recent[0].task)
-
     def _same_it(self, task: int) -> ObjectOf:
         """What "it" is beside two things of one clause: "put the bottle next to it and the can behind it".
 
@@ -104,128 +72,6 @@ class Antecedents(Discourse):
             raise ask("what does 'it' stand for?")
         self._it_beside = (self._clause, task)
         return ObjectOf(task)
-
-    def _description(self, nominal: Nominal) -> Any:
-        self._note_name(nominal)
-        if nominal.owner is not None:
-            self._name_place(nominal.owner)
-        if nominal.sort == "name" and nominal.relation is None:
-            return nominal.kind
-        if nominal.sort == "name":
-            nominal = replace(nominal, kind=None, name=nominal.kind)
-        relation = nominal.relation
-        resolved = None
-        if relation is not None:
-            if nominal.kind is not None and not nominal.is_place:
-                self._kind = nominal
-            resolved = tasks.Relation(relation.kind, self._related(relation.to))
-            self._beside_places += [relation.to] if relation.to.is_place else []
-        return ObjectDescription(
-            kind=nominal.kind,
-            color=nominal.color,
-            name=nominal.name,
-            size=nominal.size,
-            material=nominal.material,
-            ordinal=nominal.ordinal,
-            relation=resolved,
-        )
-
-    def _related(self, nominal: Nominal) -> Any:
-        return self._beside(nominal, -1)
-
-    def _beside(self, nominal: Nominal, root: int) -> Any:
-        """What a relation is to: a thing rather than the furniture that it stands on."""
-        if nominal.reference == "it":
-            recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"), root)
-            if len(recent) == 1 and not recent[0].is_several and not self._mentioned:
-                return self._same_it(recent[0].task)
-        if nominal.anaphoric:
-            self._only_kind(self._mentioned)
-        return self._place(nominal, root, beside=True)
-
-    def _destination(self, nominal: Nominal) -> Any:
-        """A place, a person or a thing as the value of a slot."""
-        named = self._same_kind(nominal)
-        if nominal.anaphoric and nominal.is_plain:
-            raise ask("which one is meant?")  # "put the box in that one"
-        if named.sort in ("me", "you"):
-            return named.kind
-        if named.sort == "name":
-            return self._description(named)
-        if named.count != 1 or (named.plural and not named.reference):
-            raise UnresolvedError(Trouble(f"several places at once ({named.kind!r}): name one", named.kind))
-        if named.is_place and named.is_plain:
-            self._note_name(named)
-            return named.kind
-        if named.sort == "person" and named.relation is not None:
-            plain = replace(named, relation=None).is_plain
-            if (
-                named.relation.kind == "in_front_of"
-                and named.relation.to.sort == "you"
-                and plain
-                and named.kind == "person"
-            ):
-                return "in_front"
-        if named.sort == "any" and named.kind is None and named.is_plain:
-            raise ask("which one is meant?")
-        if named.sort in ("thing", "any"):
-            self._mentioned.append(named)
-        return self._description(named)
-
-    def _place(self, value: Any, root: int, *, into: bool = False, beside: bool = False) -> Any:
-        if isinstance(value, Relative):
-            relation = tasks.Relation(value.kind, self._beside(value.to, root))
-            return ObjectDescription(relation=relation)
-        if value.reference == "him":
-            return self._person(value)
-        if value.reference == "asker":
-            if self._people:
-                raise ask("to whom?", ["me", *(f"{person.kind}" for person in dict.fromkeys(self._people))])
-            return value.kind
-        if value.reference == "there":
-            return self._there_place(value, root)
-        if value.reference in ("it", "previous"):
-            return self._inner(root, into=into)
-        if value.reference:
-            raise ask("which place is meant?")
-        if value.anaphoric and not beside:
-            self._only_kind((*self._places, *self._mentioned))
-        return self._destination(value)
-
-    def _there_place(self, value: Nominal, root: int) -> Any:
-        if value.name == "back":
-            source = self._sources.get(root)
-            if source is None:
-                raise ask("where shall it be put back to?")
-            return self._destination(source)
-        return self._destination(self._only_place(value, root))
-
-    def _only_place(self, value: Nominal, root: int) -> Nominal:
-        """The one place that was named and that the thing is not at already."""
-        if value.name == "back":
-            raise ask("which place is meant?")
-        held_at = self._sources.get(root)
-        named = dict.fromkeys((*self._places, *self._beside_places))
-        places = [place for place in named if place != held_at]
-        if self._commands and self._commands[-1].action == "walk_to":
-            sent = self._walks[-1]  # just now, unless another place was named since
-            places = [place for place in places if place == sent == self._places[-1]]
-        if len(places) != 1:
-            raise ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
-        return places[0]
-
-    def _there(self, where: Where, root: int) -> dict[str, Any]:
-        """Slots of a place task whose place was named before."""
-        is_back = where.of.name == "back"
-        place = self._sources.get(root) if is_back else self._only_place(where.of, root)
-        value = self._there_place(where.of, root)
-        if place is not None and place.sort in ("thing", "any"):
-            raise ask(f"into the {place.kind}, or on it?")
-        if place is not None and place.sort == "door":
-            raise ask("which place does 'there' stand for?")
-        if place is not None and place.sort == "container":
-            return {"action": "put_in", "to": value}
-        return {"to": value} if place is not None and place.sort == "room" else {"on": value}
 
     def _only_one(self, thing: Nominal, action: str) -> None:
         """Ask what "the first one" and "the other one" are of several things that were named.
@@ -255,38 +101,3 @@ class Antecedents(Discourse):
         kinds = dict.fromkeys(one.kind for one in (*([self._kind] if self._kind else []), *named) if one.kind)
         if len(kinds) > 1:
             raise ask("which one is meant?", [f"the {kind}" for kind in kinds])
-
-    def _walk(self, value: Any) -> Any:
-        if isinstance(value, Nominal) and value.reference == "there" and value.name == "back":
-            if len(self._walks) != 1:
-                raise ask(
-                    "back to where?", ["the start", *(f"the {place.kind}" for place in self._walks[:-1])]
-                )
-            self._walks.append(Nominal("room", "start"))
-            return "start"
-        if isinstance(value, Nominal) and value.reference in ("it", "them"):
-            recent = self._recent(_any)
-            places = list(dict.fromkeys(self._places))
-            if not recent and len(places) == 1 and value.reference == "it":
-                return self._walk(places[0])  # "point at the door and walk to it"
-            if len(recent) != 1:
-                raise ask("what does 'it' stand for?")
-            return ObjectOf(recent[0].task)
-        resolved = self._place(value, -1)
-        if isinstance(value, Nominal):
-            self._walks.append(value)
-        return resolved
-
-    def _person(self, value: Nominal) -> Any:
-        if value.reference == "him" or is_them(value):
-            named = dict.fromkeys(self._people)
-            people = [one for one in named if may_be(value.said, one)] or list(named)
-            if len(people) != 1 or (is_them(value) and self._is_several()):
-                raise ask("who is meant?", [str(person.kind) for person in people])
-            if not may_be(value.said, people[0]):
-                raise ask(f"who is meant by {value.said!r}?")
-            return self._destination(people[0])
-        if value.reference in ("it", "this"):
-            raise ask("who is meant?")
-        self._name_place(value)
-        return self._destination(value)

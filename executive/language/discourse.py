@@ -35,7 +35,9 @@ class Entity:
 
     @property
     def is_several(self) -> bool:
-        """Whether nobody would call it "it": "the cups", "both cups", but not "the scissors"."""
+        """Whether nobody would call it "it": "the cups", "both cups", but not "the scissors", "all fruit"."""
+        if self.of.mass and self.of.count == "all":
+            return False
         return self.of.count != 1 or (self.of.plural and not self.of.paired)
 
 
@@ -52,6 +54,7 @@ class Discourse:
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []
         self._given: set[int] = set()
+        self._unsaid_giving: tuple[int, int] | None = None
         self._mentioned: list[Nominal] = []
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None

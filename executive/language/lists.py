@@ -60,7 +60,9 @@ def _items(parts: Parts) -> Items | Trouble:
         for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
             if unclear is None and _may_be_one(first.of, second.of):
                 unclear = said_again(first.of, second.of, (link,))
-        unclear = unclear or said_twice(each, links) or _told_later(each, links)
+        unclear = (
+            unclear or said_twice(each, links) or _told_later(each, links) or _may_come_along(each, links)
+        )
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(_with_article(each))
@@ -119,6 +121,14 @@ def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | Non
         goes = any(isinstance(one, Where) and one.role == "to" for one in second.details)
         if link.then and second.details and (goes or not first.details):
             return Trouble(f"does that hold for {spoken(first.of)} too? say it as two sentences", asks=True)
+    return None
+
+
+def _may_come_along(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:
+    """Wave to Ana together with Ben: he may be who waves too."""
+    for (_, second), link in zip(itertools.pairwise(each), links, strict=False):
+        if link.company and second.of.is_person:
+            return Trouble(f"is it done to {spoken(second.of)} too, or together?", asks=True)
     return None
 
 

@@ -38,6 +38,9 @@ _SORTS: Mapping[str, Sort] = {
     "PEOPLE": "person",
 }
 _PLURAL = frozenset({"KINDS", "THINGS", "ONES", "FURNITURES", "CONTAINERS", "DOORS", "PEOPLE"})
+_MASS = frozenset({"SUBSTANCE", "PAIR"})
+_COLLECTIVE = frozenset({"fruit", "food"})
+"""Kinds of which the singular may mean several."""
 _SLOTS = {
     "COLOR": "color",
     "SIZE": "size",
@@ -80,6 +83,7 @@ def _noun(parts: Parts) -> Nominal | None:
         plural=word.word_class in _PLURAL,
         anaphoric=anaphoric,
         paired=word.word_class == "PAIR",
+        mass=word.word_class in _MASS or (kind in _COLLECTIVE and word.word_class == "KIND"),
         said=word.said,
     )
 
@@ -191,12 +195,18 @@ def _both(parts: Parts) -> Nominal | Trouble | None:
     return replace(nominal, count="both", counted=True, determined=True)
 
 
+def _unclear_glasses(nominal: Nominal) -> Trouble:
+    return Trouble("glasses to see with, or to drink from?", nominal.said, asks=True)
+
+
 def _all(parts: Parts) -> Nominal | Trouble | None:
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
     each = bool(words(parts, "EVERY"))
-    if not each and not nominal.plural:
+    if nominal.kind == "glasses":
+        return _unclear_glasses(nominal)
+    if not each and not (nominal.plural or nominal.mass):
         return None
     if each and nominal.ordinal == "other" and not nominal.plural:
         return Trouble("every second one, or all the others?", "other", asks=True)
@@ -260,7 +270,7 @@ def _owned(parts: Parts) -> Nominal | Trouble | None:
     if not isinstance(nominal, Nominal) or nominal.name is not None or nominal.kind is None:
         return nominal if isinstance(nominal, Trouble) else None
     if nominal.kind == "glass" and nominal.plural:
-        return Trouble("glasses to see with, or to drink from?", nominal.said, asks=True)
+        return _unclear_glasses(nominal)
     somebody = Nominal("name" if named else "person", owner.meaning, determined=True)
     return replace(nominal, name=f"{whose} {nominal.kind}", determined=True, owner=somebody)
 

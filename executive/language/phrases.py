@@ -68,6 +68,7 @@ class Nominal:
         anaphoric: Whether the noun is "one": the kind that was named before.
         determined: Whether an article or the like was there.
         paired: Whether it is one thing with a plural name: scissors.
+        mass: Whether all of it is meant by "all the milk", without a plural.
         said: The noun as it was said.
         indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
@@ -89,6 +90,7 @@ class Nominal:
     anaphoric: bool = False
     determined: bool = False
     paired: bool = False
+    mass: bool = field(default=False, compare=False)
     said: str = field(default="", compare=False)
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
@@ -232,6 +234,10 @@ class Draft:
     def with_slot(self, name: str, value: Any) -> Draft:
         """With one more slot; None changes nothing."""
         return self if value is None else replace(self, slots=(*self.slots, (name, value)))
+
+    def replacing(self, name: str, value: Any) -> Draft:
+        """With another value in a slot that it has."""
+        return replace(self, slots=tuple((key, value if key == name else old) for key, old in self.slots))
 
 
 @dataclass(frozen=True, slots=True)

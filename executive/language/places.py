@@ -29,6 +29,10 @@ from trees.tasks import RelationKind
 Parts = tuple[Any, ...]
 _LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO"})
 _WITHIN: Mapping[str, RelationKind] = {"ON": "on", "IN": "in", "AT": "next_to"}
+_FLAT = frozenset(
+    {"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "tablecloth", "rug"}
+)
+"""Things that other things stand on."""
 _KIND = {"NEXT_TO": "next_to", "NEAREST_TO": "nearest"}
 
 
@@ -56,10 +60,10 @@ def _relation(role: Role) -> Meaning:
 
 
 def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
-    """The relation that a word says; the left side of a table is a part of it, and no relation to it."""
+    """The relation that a word says; the left side of a table or tray is a part of it, and no relation."""
     kind = _KIND.get(link.word_class, link.meaning)
     if kind.endswith("_side_of"):
-        return None if of.is_place else relation_kind(kind.replace("_side", ""))
+        return None if of.is_place or of.kind in _FLAT else relation_kind(kind.replace("_side", ""))
     return relation_kind(kind)
 
 

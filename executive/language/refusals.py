@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterator
-from functools import cached_property
+from collections.abc import Callable, Iterator, Mapping
 
 from executive.language.chart import Chart
 from executive.language.lattice import Lattice
@@ -65,6 +64,7 @@ class Explainer:
 
     def __init__(self, vocabulary: Vocabulary, is_valid: Callable[[str], bool]) -> None:
         self._vocabulary, self._is_valid = vocabulary, is_valid
+        self._left: dict[int, dict[str, list[str]]] = {}
 
     def explain(self, lattice: Lattice, chart: Chart) -> Refusal:
         """Why there is no parse."""
@@ -147,20 +147,23 @@ class Explainer:
                     return said, message
         return None
 
-    @cached_property
-    def _deletions(self) -> dict[str, list[str]]:
-        """Known words by what is left of them without one letter."""
-        left: dict[str, list[str]] = {}
-        for word in sorted(self._vocabulary.single_words):
-            for key in _without_one(word):
-                left.setdefault(key, []).append(word)
+    def _deletions(self, length: int) -> Mapping[str, list[str]]:
+        """Known words of a length by what is left of them without one letter."""
+        left = self._left.get(length)
+        if left is None:
+            left = self._left[length] = {}
+            for word in self._vocabulary.single_words:
+                if len(word) == length:
+                    for key in _without_one(word):
+                        left.setdefault(key, []).append(word)
         return left
 
     def _similar(self, word: str) -> Iterator[str]:
         """Known words that differ by a letter or two, nearest first."""
         if not 2 < len(word) <= _LONGEST_TYPO or not word.isalpha():
             return
-        found = {one for key in _without_one(word) for one in self._deletions.get(key, ())}
+        near = [self._deletions(length) for length in range(len(word) - 1, len(word) + 2)]
+        found = {one for key in _without_one(word) for left in near for one in left.get(key, ())}
         letters = sorted(word)
         ranked = sorted(
             found,

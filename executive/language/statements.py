@@ -83,14 +83,22 @@ def _named(nominal: Nominal, source: Nominal | None = None) -> Clause:
 
 
 def _mention_lost(parts: Parts) -> Clause:
-    """A statement that something is to be found, which nothing but "find it" follows up."""
+    """A statement that something was lost or dropped, which "find it" or "pick it up" follows up."""
     (item,) = (part for part in parts if isinstance(part, Item))
-    nominal = item.of
-    if nominal.sort != "thing" or item.details or nominal.reference or nominal.anaphoric:
+    people = tuple(part for part in parts if isinstance(part, Nominal))
+    if not all(one.sort in ("person", "name") and one.is_single and not one.reference for one in people):
+        raise unfit()
+    (one,) = arranged((item,))
+    nominal = one.object
+    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
+        raise unfit()
+    if item.details and any("find" in word.said.split() for word in words(parts, "LOST", "LOSES")):
+        raise unfit()  # where it is, or where it is not?
+    if nominal.sort != "thing" or nominal.reference or nominal.anaphoric:
         raise unfit()
     if nominal.count != 1 or (nominal.plural and not nominal.paired):
         raise unfit()
-    return Clause((), "base", mention=Mention(nominal))
+    return Clause((), "base", mention=Mention(nominal, one.source), about=people)
 
 
 def _mention_state(parts: Parts) -> Clause:

@@ -11,7 +11,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from executive.vocabulary import BRIDGE_WORDS, split_words
+from executive.vocabulary.written import BRIDGE_WORDS, split_words
 
 MAX_LENGTH = 500
 """Characters of one sentence: several times the longest that anybody says to a robot."""

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import importlib.resources
 import itertools
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -20,16 +19,10 @@ from executive.errors import VocabularyError
 from executive.vocabulary.inflection import gerund, participle, plural
 from executive.vocabulary.outside import outside_words
 from executive.vocabulary.prepared import Table, digest_of, keep, kept
+from executive.vocabulary.written import expand
 from robots.outside import VOCABULARY, outside_files
 
 Words = tuple[str, ...]
-
-_CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
-_WORD = re.compile(
-    r"&&|\|\||\d+(?:st|nd|rd|th)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
-)
-BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
-"""Bridge words, which are matched whole; elsewhere an underscore is a space."""
 
 _KEYS = frozenset(
     {"words", "same", "refusal", "meaning", "plural", "plurals", "inflect", "proper", "owner", "irregular"}
@@ -64,31 +57,47 @@ class WordClass:
     derived: bool = False
 
 
+_Beginning = tuple[tuple[int, ...], Mapping[Words, Sequence[Reading]]]
+
+
 class Vocabulary:
     """Every word class, with a look-up by phrase."""
 
     def __init__(self, classes: Sequence[WordClass]) -> None:
         self.classes = {word_class.name: word_class for word_class in classes}
-        self._readings: dict[Words, list[Reading]] = {}
+        self._beginnings: dict[str, list[tuple[str, Reading]]] = {}
         for word_class in classes:
             for meaning, phrases in word_class.words.items():
                 reading = Reading(word_class.name, meaning)
                 for phrase in phrases:
-                    readings = self._readings.setdefault(tuple(phrase.split(" ")), [])
-                    if reading not in readings:
-                        readings.append(reading)
-        self._lengths: dict[str, list[int]] = {}
-        for words in self._readings:
-            lengths = self._lengths.setdefault(words[0], [])
-            if len(words) not in lengths:
-                lengths.append(len(words))
+                    self._beginnings.setdefault(phrase.partition(" ")[0], []).append((phrase, reading))
+        self._readings: dict[str, _Beginning] = {}
 
     def matches(self, words: Sequence[str], start: int) -> Iterator[tuple[int, Reading]]:
         """Every phrase that begins at ``start``: its length, and one reading of it."""
-        for length in self._lengths.get(words[start], ()):
+        lengths, readings = self._beginning_with(words[start])
+        for length in lengths:
             if start + length <= len(words):
-                for reading in self._readings.get(tuple(words[start : start + length]), ()):
+                for reading in readings.get(tuple(words[start : start + length]), ()):
                     yield length, reading
+
+    def _beginning_with(self, word: str) -> _Beginning:
+        """The lengths of all phrases that begin with a word, and the readings of each.
+
+        They are sorted out when the word is first met: a process that parses one sentence meets few of them.
+        """
+        found = self._readings.get(word)
+        if found is not None:
+            return found
+        readings: dict[Words, list[Reading]] = {}
+        for phrase, reading in self._beginnings.get(word, ()):
+            known = readings.setdefault(tuple(phrase.split(" ")), [])
+            if reading not in known:
+                known.append(reading)
+        found = tuple(dict.fromkeys(map(len, readings))), readings
+        if readings:  # an unknown word is not kept: there is no end of them
+            self._readings[word] = found
+        return found
 
     def match(self, words: Sequence[str]) -> tuple[int, Sequence[Reading]]:
         """The longest phrase at the beginning of ``words``: its length and readings, or (0, ())."""
@@ -99,7 +108,8 @@ class Vocabulary:
     @cached_property
     def single_words(self) -> frozenset[str]:
         """Every word that occurs in some phrase."""
-        return frozenset(itertools.chain.from_iterable(self._readings))
+        phrases = itertools.chain.from_iterable(self._beginnings.values())
+        return frozenset(word for phrase, _ in phrases for word in phrase.split(" "))
 
     def phrases(self, class_name: str) -> list[str]:
         """Every phrase of a class, sorted."""
@@ -153,7 +163,7 @@ def _digest(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> str |
     folder = importlib.resources.files("executive.vocabulary")
     outside = outside_files(VOCABULARY)
     try:
-        rules = [(folder / name).read_bytes() for name in ("__init__.py", "inflection.py")]
+        rules = [(folder / name).read_bytes() for name in ("__init__.py", "inflection.py", "written.py")]
         given = [path.read_bytes() for path in user_files]
         brought = [f"{name}".encode() + file.read_bytes() for name, file in sorted(outside.items())]
     except OSError:
@@ -272,34 +282,3 @@ def _classes(name: str, table: Mapping[str, Any], irregular: Mapping[str, str]) 
 
 def _meaning(meaning: str, table: Mapping[str, Any]) -> str:
     return meaning.title() if table.get("proper") else meaning
-
-
-def split_words(text: str) -> Iterator[tuple[str, int, int]]:
-    """The words, numbers and marks of a text, lower-case, each with its place."""
-    for match in _WORD.finditer(text):
-        whole, start = match.group(), match.start()
-        lowered = whole.lower()
-        if "_" in whole and lowered not in BRIDGE_WORDS:
-            for part in re.finditer(r"[^_]+", whole):
-                yield part.group().lower(), start + part.start(), start + part.end()
-        elif whole in "-\u2013" and _inside_a_word(text, start):
-            continue
-        else:
-            yield lowered, start, match.end()
-
-
-def _inside_a_word(text: str, position: int) -> bool:
-    before, after = text[position - 1 : position], text[position + 1 : position + 2]
-    return before.isalpha() and after.isalpha()
-
-
-def expand(phrase: str) -> Iterator[str]:
-    """Write out ``[x|y]`` (one of them or nothing) and ``(x|y)`` (one of them)."""
-    found = _CHOICE.search(phrase)
-    if found is None:
-        yield " ".join(word for word, _, _ in split_words(phrase))
-        return
-    optional, required = found.groups()
-    choices = ["", *optional.split("|")] if optional is not None else required.split("|")
-    for choice in choices:
-        yield from expand(phrase[: found.start()] + choice + phrase[found.end() :])

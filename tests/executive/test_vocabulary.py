@@ -9,8 +9,9 @@ import executive.vocabulary
 from executive.command_parser import parser_with
 from executive.errors import VocabularyError
 from executive.language.grammar import grammar_text, terminals_of
-from executive.vocabulary import expand, load_vocabulary
+from executive.vocabulary import load_vocabulary
 from executive.vocabulary.inflection import gerund, participle, plural
+from executive.vocabulary.written import expand
 
 
 def test_brackets_in_a_phrase_are_written_out():

@@ -234,3 +234,92 @@ def test_steps_may_be_numbered_in_words():
 
 def test_steps_out_of_order_are_asked_about():
     assert parse("Second step: open the cupboard. First step: wave.").question is not None
+
+
+class TestWhoLostOrDroppedSomething:
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "I dropped my pen, please pick it up",
+            "The baby dropped her pen. Pick it up.",
+            "someone just dropped a pen, can you pick it up",
+        ],
+    )
+    def test_names_the_thing(self, sentence):
+        assert tasks_of(sentence) == tasks_of("pick up the pen")
+
+    def test_may_say_where(self):
+        assert tasks_of("Tom dropped a fork on the floor, pick it up") == tasks_of(
+            "pick up the fork from the floor"
+        )
+
+    def test_may_be_who_gets_it(self):
+        assert tasks_of("Ana can't find her phone, bring it to her") == tasks_of("bring the phone to Ana")
+
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "I dropped my pen",
+            "Ana dropped the pen. Close the fridge.",
+            "I can't find my pen on the table, find it",
+            "Ana dropped her pen. Wave to Maria and give it to her.",
+        ],
+    )
+    def test_is_no_command_and_decides_nothing_that_is_open(self, sentence):
+        assert parse(sentence).outcome != "tasks"
+
+
+class TestAllOfWhatHasNoPlural:
+    @pytest.mark.parametrize(
+        ("said", "kind"),
+        [("all the fruit", "fruit"), ("all the mail", "mail"), ("all my clothes", "clothes")],
+    )
+    def test_is_counted_as_all(self, said, kind):
+        assert tasks_of(f"pick up {said}") == [{"action": "pick", "object": {"kind": kind}, "count": "all"}]
+
+    def test_is_called_it(self):
+        assert tasks_of("take all the food from the table and put it in the fridge")[1]["object"] == {
+            "ref": 0
+        }
+
+    @pytest.mark.parametrize("sentence", ["bring me all my glasses", "pick up all the cup"])
+    def test_is_no_other_singular(self, sentence):
+        assert parse(sentence).outcome != "tasks"
+
+
+@pytest.mark.parametrize("at", ["on the left side of", "on the right of", "to the right side of"])
+@pytest.mark.parametrize("flat", ["tray", "chopping board", "table"])
+def test_a_side_of_what_things_stand_on_is_a_part_of_it(at, flat):
+    assert parse(f"put the cup {at} the {flat}").outcome != "tasks"
+
+
+@pytest.mark.parametrize("sentence", ["wave to Ana together with Ben", "point at Ana along with Ben"])
+def test_who_is_named_as_company_may_be_who_acts_too(sentence):
+    assert parse(sentence).question is not None
+
+
+class TestBringing:
+    @pytest.mark.parametrize(
+        ("sentence", "same"),
+        [
+            (
+                "bring the blanket from the sofa and put it on the bed",
+                "take the blanket from the sofa and put it",
+            ),
+            ("bring both cups and put them on the bed", "pick up both cups and put them"),
+        ],
+    )
+    def test_to_nobody_is_to_get_what_is_put_somewhere_then(self, sentence, same):
+        assert tasks_of(sentence) == tasks_of(f"{same} on the bed")
+
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "bring me the blanket and put it on the bed",
+            "bring the cup and the bowl and put them on the table",
+            "give Ana the cup and the bowl and then put both on the table",
+            "bring the blanket, wave, and put it on the bed",
+        ],
+    )
+    def test_what_somebody_was_given_is_not_put_anywhere(self, sentence):
+        assert parse(sentence).question is not None

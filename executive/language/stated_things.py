@@ -1,0 +1,81 @@
+"""What a statement named, as the task after it takes it up: "there is a cup on the table; bring it here"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from executive.language.discourse import Discourse, ask
+from executive.language.phrases import Bundle, Draft, Mention, Nominal
+
+_AT_A_PLACE = frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"})
+
+
+def _unrelated() -> Exception:
+    return ask("what has the statement to do with the task?")
+
+
+class StatedThings(Discourse):
+    """Puts what a statement named in place of the first "it", "them" or "one" after it."""
+
+    def _with_mention(self, bundle: Bundle) -> Bundle:
+        """With what was stated; a task that does not take it up is asked about.
+
+        Raises:
+            UnresolvedError: It is not clear what the statement is for.
+        """
+        first, *rest = bundle
+        if self._mention is None:
+            return (self._at_stated_place(first), *rest)
+        stated, self._mention = self._mention, None
+        thing = first.get("object")
+        if stated.state is not None:
+            return (self._made_opposite(first, stated), *rest)
+        if first.action in ("open", "close") and not stated.of.is_place and stated.of.sort != "door":
+            raise _unrelated()
+        takes_place = stated.source is None or first.action in _AT_A_PLACE
+        if not isinstance(thing, Nominal) or not takes_place:
+            raise _unrelated()
+        if thing.anaphoric and thing.count == 1 and not stated.of.is_single:
+            return (self._one_of(first, thing, stated), *rest)
+        return (self._the_same(first, thing, stated), *rest)
+
+    def _at_stated_place(self, first: Draft) -> Draft:
+        """Another one of several that were stated to be somewhere: "the right one" after "the left one"."""
+        thing = first.get("object")
+        another = isinstance(thing, Nominal) and thing.anaphoric and first.get("source") is None
+        if self._stated_at is None or not another:
+            return first
+        if first.action not in _AT_A_PLACE:
+            raise _unrelated()
+        return first.with_slot("source", self._stated_at)
+
+    def _made_opposite(self, first: Draft, stated: Mention) -> Draft:
+        """What is open is closed, and what is closed is opened."""
+        thing = first.get("object")
+        opposite = "close" if stated.state == "open" else "open"
+        is_it = isinstance(thing, Nominal) and thing.reference == "it"
+        if self._commands or first.action != opposite or not is_it:
+            raise _unrelated()
+        return first.replacing("object", stated.of)
+
+    def _one_of(self, first: Draft, thing: Nominal, stated: Mention) -> Draft:
+        """One of several that were stated: "there are two cups on the table; take the red one"."""
+        of = stated.of
+        if of.kind is None or not of.is_plain or self._commands or first.get("source") is not None:
+            raise _unrelated()
+        self._stated_at = stated.source
+        told = first.replacing("object", replace(thing, kind=of.kind, sort=of.sort, anaphoric=False))
+        return told.with_slot("source", stated.source)
+
+    def _the_same(self, first: Draft, thing: Nominal, stated: Mention) -> Draft:
+        """The very thing that was stated: "it", or "them" where it is several."""
+        of = stated.of
+        pronoun = "it" if of.is_single else "them"
+        if thing.reference != pronoun:
+            raise _unrelated()
+        if thing.said == "both" and of.count not in (2, "both"):
+            raise ask("which two are meant?")
+        if self._commands or first.get("source") is not None:
+            raise ask(f"what does {pronoun!r} stand for?")
+        told = first.replacing("object", of).with_slot("source", stated.source)
+        return told if of.count == 1 else told.with_slot("count", of.count)

@@ -1,0 +1,44 @@
+"""Words and phrases as they are written: a text cut into words, a phrase with choices written out."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+_CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
+_WORD = re.compile(
+    r"&&|\|\||\d+(?:st|nd|rd|th)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
+)
+BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
+"""Bridge words, which are matched whole; elsewhere an underscore is a space."""
+
+
+def split_words(text: str) -> Iterator[tuple[str, int, int]]:
+    """The words, numbers and marks of a text, lower-case, each with its place."""
+    for match in _WORD.finditer(text):
+        whole, start = match.group(), match.start()
+        lowered = whole.lower()
+        if "_" in whole and lowered not in BRIDGE_WORDS:
+            for part in re.finditer(r"[^_]+", whole):
+                yield part.group().lower(), start + part.start(), start + part.end()
+        elif whole in "-\u2013" and _inside_a_word(text, start):
+            continue
+        else:
+            yield lowered, start, match.end()
+
+
+def _inside_a_word(text: str, position: int) -> bool:
+    before, after = text[position - 1 : position], text[position + 1 : position + 2]
+    return before.isalpha() and after.isalpha()
+
+
+def expand(phrase: str) -> Iterator[str]:
+    """Write out ``[x|y]`` (one of them or nothing) and ``(x|y)`` (one of them)."""
+    found = _CHOICE.search(phrase)
+    if found is None:
+        yield " ".join(word for word, _, _ in split_words(phrase))
+        return
+    optional, required = found.groups()
+    choices = ["", *optional.split("|")] if optional is not None else required.split("|")
+    for choice in choices:
+        yield from expand(phrase[: found.start()] + choice + phrase[found.end() :])
