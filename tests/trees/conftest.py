@@ -35,6 +35,9 @@ QUICK = TreePolicy(
     after_giving_s=0.04,
     pointing_hold_s=0.04,
 )
+PERIOD_S = 0.02
+# Fingers of the fake robot move so many times faster than the true ones.
+HURRY = 4.0
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
 
 
@@ -68,17 +71,21 @@ class RememberedGestures(GesturePlanner):
 
 
 class Stage:
-    """The fake world with a toolbox around it, and ways to run nodes in it."""
+    """The fake world with a toolbox around it, and ways to run nodes in it.
+
+    Its motions are as short as one can be that is met under way; a test that needs more makes them longer.
+    """
 
     def __init__(
         self,
         model,
         objects=None,
         policy=QUICK,
-        period_s=0.02,
+        period_s=PERIOD_S,
         dynamics=None,
         looks_for_twins=True,
         walks=False,
+        motion_s=2 * PERIOD_S,
     ):
         things = [table(), cup()] if objects is None else objects
         self.fake = FakeWorld(model, believed, things, period_s, dynamics)
@@ -101,6 +108,9 @@ class Stage:
             ranging=self.fake.ranging if walks else None,
         )
         self.hooks = []
+        self.fake.planning.motion_s = motion_s
+        for gripper in self.fake.grippers.values():
+            gripper.speed_rad_s *= HURRY
         self.fake.step()
 
     def ready(self, node, **inputs):
@@ -148,6 +158,7 @@ class Stage:
             tree.tick()
             self._run_hooks(tree)
             self.fake.step()
+        assert tree.status == "running" or not self.hooks, f"never got there: {self.hooks}"
         return tree
 
     def _run_hooks(self, tree):

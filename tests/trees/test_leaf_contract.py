@@ -8,7 +8,6 @@ undisturbed run over again, tick by tick, and is left out.
 """
 
 import contextlib
-import dataclasses
 import functools
 import importlib
 import inspect
@@ -128,8 +127,9 @@ UPSETS = {
 }
 
 
-def around_the_robot():
-    return table(), cup(), bowl(), person()
+def set_out(new_stage, **options):
+    """A stage with something of everything, and motions in which a touch is felt on the way."""
+    return new_stage(table(), cup(), bowl(), person(), motion_s=0.08, **options)
 
 
 def leaves_asked_for(items):
@@ -144,7 +144,7 @@ def skills_with(leaves, new_stage):
     """The skills that have one of these leaves; running all of them takes seconds."""
     if leaves is None:
         return list(TREES)
-    toolbox = new_stage(*around_the_robot()).toolbox
+    toolbox = set_out(new_stage).toolbox
     return [kind for kind in TREES if leaves & _leaves_of(kind, toolbox)]
 
 
@@ -211,7 +211,7 @@ def _contexts(new_stage, makers, kinds):
         upsets = [(task, upset) for upset in UPSETS.get(kind, (lambda stage: None,))]
         further = [(other, lambda stage: None) for other in FURTHER.get(kind, ())]
         for task, upset in (*upsets, *further):
-            stage = new_stage(*around_the_robot())
+            stage = set_out(new_stage)
             upset(stage)
             tree = build_tree(task, stage.toolbox)
             before = {type(node): node for node in tree.root.iterate() if isinstance(node, Leaf)}
@@ -355,7 +355,7 @@ def turned_to(new_stage, contexts):
     def parts(kind):
         found = set()
         for options in ({}, {"period_s": LONG_PERIOD_S}):
-            run = Trial(new_stage(*around_the_robot(), walks=True, **options), kind, contexts[kind])
+            run = Trial(set_out(new_stage, walks=True, **options), kind, contexts[kind])
             run.note_what_it_turns_to()
             run.run()
             found |= run.turned_to
@@ -378,7 +378,7 @@ def noted_as(fault):
 @pytest.fixture
 def trial(new_stage, contexts):
     def made(kind, **options):
-        return Trial(new_stage(*around_the_robot(), walks=True, **options), kind, contexts[kind])
+        return Trial(set_out(new_stage, walks=True, **options), kind, contexts[kind])
 
     yield made
     Blackboard.clear()
@@ -493,7 +493,7 @@ def motion_hangs(fake):
 
 def fingers_hang(fake):
     for gripper in fake.grippers.values():
-        gripper._gripper = dataclasses.replace(gripper._gripper, closing_speed_rad_s=0.0)
+        gripper.speed_rad_s = 0.0
 
 
 def camera_hangs(fake):
