@@ -108,6 +108,7 @@ class Stage:
             ranging=self.fake.ranging if walks else None,
         )
         self.hooks = []
+        self._found = {}
         self.fake.planning.motion_s = motion_s
         for gripper in self.fake.grippers.values():
             gripper.speed_rad_s *= HURRY
@@ -164,14 +165,18 @@ class Stage:
     def _run_hooks(self, tree):
         if not self.hooks:
             return
-        # What the tree keeps: going through its branches at each tick would take longer than ticking it.
-        running = {node.name for node in tree._nodes if node.status is Status.RUNNING}
         for hook in list(self.hooks):
-            if hook[0] in running:
+            if any(node.status is Status.RUNNING for node in self._named(tree, hook[0])):
                 hook[2] -= 1
                 if hook[2] < 0:
                     self.hooks.remove(hook)
                     hook[1]()
+
+    def _named(self, tree, name):
+        """A tree's nodes of that name; going through all of them takes longer than a tick."""
+        if (tree, name) not in self._found:
+            self._found[tree, name] = [node for node in tree._nodes if node.name == name]
+        return self._found[tree, name]
 
     def failed(self):
         return [event.failure for event in self.events if hasattr(event, "failure")]
