@@ -14,6 +14,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
 from kinematics.trajectory import CheckedTrajectory
 from robots.description import load_description
+from robots.fake.fake_gesture import FakeGesture
 from robots.fake.fake_world import FakeWorld, cup, table
 from trees.build import build_tree
 from trees.leaf import Leaf
@@ -60,7 +61,7 @@ class RememberedGestures(GesturePlanner):
     """The planner of gestures, which answers what it was asked before at once: its answers are exact."""
 
     def __init__(self, model):
-        super().__init__(model)
+        super().__init__(model, FakeGesture)
         self._answers = {}
 
     def plan(self, request):
