@@ -36,7 +36,7 @@ def pytest_collection_finish():
     ``tests/trees``: trees are rings of parents and children, seldom garbage before their test has ended.
     """
     gc.freeze()
-    gc.set_threshold(5_000, 20, 50)
+    gc.set_threshold(50_000, 20, 100)
     gc.enable()
 
 
