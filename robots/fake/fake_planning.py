@@ -89,6 +89,7 @@ class FakePlanning:
         requests: Everything that was asked.
         jobs: The jobs of those requests.
         gestures: The planner of gestures, which searches their postures as the true one does.
+        reached: What ``reach`` has answered to what; fakes of one model may share it.
     """
 
     def __init__(
@@ -110,6 +111,7 @@ class FakePlanning:
         self.requests: list[PlanRequest] = []
         self.jobs: list[FakeJob] = []
         self.gestures = GesturePlanner(model, FakeGesture)
+        self.reached: dict[tuple[bytes, Hand, bytes], Array] = {}
         self._model, self._clock, self._check = model, clock, check
 
     def submit(self, request: PlanRequest) -> FakeJob:
@@ -263,6 +265,12 @@ class FakePlanning:
 
     def reach(self, q: Array, hand: Hand, place: Array) -> Array:
         """Move arm and trunk until the TCP is at a place, shape (3,), in whatever orientation."""
+        asked = q.tobytes(), hand, place.tobytes()
+        if asked not in self.reached:
+            self.reached[asked] = self._reach(q, hand, place)
+        return self.reached[asked].copy()
+
+    def _reach(self, q: Array, hand: Hand, place: Array) -> Array:
         description = self._model.description
         groups = description.groups
         index = 7 + self._model.indices((*groups["torso"], *groups[f"{hand}_arm"]))

@@ -27,6 +27,7 @@ from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
+from robots.interface import RobotState
 from robots.perception.truth_view import TrueObject
 from robots.sensed_state import SensedState
 
@@ -158,10 +159,10 @@ class FakeWorld:
         self._locate()
         q = self._q
 
-        def felt() -> SensedState:
-            return SensedState(replace(readings(), effort=np.append(efforts(), hands_nm)), q.copy)
+        def felt() -> RobotState:
+            return replace(readings(), effort=np.append(efforts(), hands_nm))
 
-        return felt
+        return lambda: SensedState(felt, q.copy)
 
     def _locate(self) -> None:
         """Note where the robot is, if it may have moved: most of the time it stands and waits."""

@@ -192,11 +192,11 @@ def model():
 def new_stage(model):
     """Makes stages; whoever takes it clears the blackboard himself."""
     dynamics = StandingDynamics(model, stance_at(model, model.q_home))
-    gestures = RememberedGestures(model)
+    gestures, reached = RememberedGestures(model), {}
 
     def made(*objects, **options):
         stage = Stage(model, list(objects) or None, dynamics=dynamics, **options)
-        stage.fake.planning.gestures = gestures
+        stage.fake.planning.gestures, stage.fake.planning.reached = gestures, reached
         return stage
 
     return made
