@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import compress
+from operator import attrgetter, is_not
 from typing import Any, Literal
 
 from py_trees.behaviour import Behaviour
@@ -19,6 +21,9 @@ from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
 from trees.tasks import PickTask, Task
 from trees.toolbox import Toolbox
+
+# of two hundred nodes at each tick: a loop of its own would take as long as ticking them
+_STATUS = attrgetter("status")
 
 
 class TaskTree:
@@ -47,7 +52,6 @@ class TaskTree:
         self._ticks = 0
         self._nodes = list(root.iterate())
         self._told = [Status.INVALID] * len(self._nodes)
-        self._sizes = _sizes(self._nodes)
         # unique while the process lives; it never shows in any output
         self._namespace = f"/task_{root.id.hex}"
         for node in self._nodes:
@@ -130,25 +134,14 @@ class TaskTree:
 
     def _tell_changes(self) -> None:
         """Tell of each node whose status is another one than it was when this was last asked."""
-        changed = self._changed()
+        statuses = list(map(_STATUS, self._nodes))
+        if statuses == self._told:
+            return
         now_s = self._toolbox.clock.now_s()
-        for node in changed:
+        for node in compress(self._nodes, map(is_not, statuses, self._told)):
             message = node.feedback_message
             self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
-
-    def _changed(self) -> list[Behaviour]:
-        """Those nodes, in the tree's order; under a node that is idle, and was, nothing has happened."""
-        nodes, told, changed = self._nodes, self._told, []
-        i = len(nodes) - 1
-        while i >= 0:
-            status = nodes[i].status
-            if status is not told[i]:
-                told[i] = status
-                changed.append(nodes[i])
-            elif status is Status.INVALID:
-                i -= self._sizes[i] - 1
-            i -= 1
-        return changed[::-1]
+        self._told = statuses
 
     def _written(self, port: str) -> Any | None:
         """What some leaf wrote to a port, or None."""
@@ -170,14 +163,6 @@ class TaskTree:
         for node in self._nodes:
             for client in node.blackboards:
                 Blackboard.clients.pop(client.id(), None)
-
-
-def _sizes(nodes: list[Behaviour]) -> list[int]:
-    """How many nodes the branch of each has, itself counted; each comes after those that are under it."""
-    found: dict[Behaviour, int] = {}
-    for node in nodes:
-        found[node] = 1 + sum(found[child] for child in node.children)
-    return list(found.values())
 
 
 def _verb(task: Task) -> str:

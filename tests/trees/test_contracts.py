@@ -1,5 +1,6 @@
 """What every leaf must declare, found by looking at all of them."""
 
+import ast
 import functools
 import importlib
 import inspect
@@ -30,8 +31,24 @@ LEAVES = [
 ]
 
 
-# What leaves have in common would be parsed again for each of them.
-source_of = functools.cache(inspect.getsource)
+@functools.cache
+def sources_in(module):
+    """The sources of a module's classes and of their methods, by qualified name, from one parsing."""
+    text = inspect.getsource(importlib.import_module(module))
+    lines = text.splitlines(keepends=True)
+    classes = [node for node in ast.parse(text).body if isinstance(node, ast.ClassDef)]
+    found = {node.name: node for node in classes}
+    found |= {
+        f"{node.name}.{part.name}": part
+        for node in classes
+        for part in node.body
+        if isinstance(part, ast.FunctionDef)
+    }
+    return {name: "".join(lines[node.lineno - 1 : node.end_lineno]) for name, node in found.items()}
+
+
+def source_of(item):
+    return sources_in(item.__module__)[item.__qualname__]
 
 
 def own_source_of(leaf):

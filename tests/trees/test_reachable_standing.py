@@ -44,6 +44,15 @@ def test_nobody_stands_where_the_arms_would_be_in_an_open_door():
         assert min(clearance_m(door, hand) for hand in hands) > 0.03
 
 
+def test_the_usual_place_keeps_its_own_distance_from_what_is_low_and_others_need_room():
+    stool = SceneObject("stool", Box((0.3, 0.3, 0.4)), USUAL.transform(0.2), movable=False)
+    room = StandingRoom(USUAL, footprints(PlanningScene().with_objects([stool])), (), SETTINGS)
+
+    assert room.has(USUAL)
+    assert not room.has(USUAL @ PlanarPose(-0.1))
+    assert room.has(USUAL @ PlanarPose(0.0, 2.0))
+
+
 def test_no_place_is_farther_from_the_object_than_an_arm_reaches():
     assert all(body.distance_m(PlanarPose(*BOTTLE_M)) <= 1.15 for body in tried())
 
