@@ -7,6 +7,7 @@ several starts, judged like any goal, and reached by the path planner. The robot
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -14,7 +15,6 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.arm_posture import arm_posture
-from kinematics.curves import RoundedPolyline
 from kinematics.gesture_requests import (
     CarryRequest,
     GestureRequest,
@@ -23,15 +23,17 @@ from kinematics.gesture_requests import (
     RaiseHandRequest,
     SwingRequest,
 )
-from kinematics.gesture_task import ENOUGH, STARTS, GestureTask
+from kinematics.gesture_task import ENOUGH, STARTS, GestureTask, Wish
 from kinematics.pointing import beside_ray_m
 from kinematics.requests import MovePlan, NoPlan
+from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.timing import Pace
 
 Array = NDArray[np.float64]
 
-SWING_PACE = Pace(velocity=0.7, acceleration=0.9)
+MakeTask = Callable[[RobotModel, Array, GestureRequest, Hand, int], GestureTask]
+"""Begins to plan a gesture of a hand from a configuration, with a seed."""
+
 # Where a waving hand is, from its shoulder: ahead, outwards, up. Elbow bent, beside the head.
 WAVING_M = (0.24, 0.20, 0.27)
 # Where an offered object is, from the shoulder: ahead, inwards, down. Within a person's easy grasp.
@@ -71,8 +73,19 @@ _UP = np.array([0.0, 0.0, 1.0])
 class GesturePlanner:
     """Answers gesture requests for one robot."""
 
-    def __init__(self, model: RobotModel) -> None:
-        self._model = model
+    def __init__(self, model: RobotModel, make_task: MakeTask | None = None) -> None:
+        """Plan for a robot.
+
+        Args:
+            model: The robot.
+            make_task: How it gets to postures. Left out, past what is around and in balance.
+        """
+        if make_task is None:
+            # imported here: it brings the compiler
+            from kinematics.planned_gesture import PlannedGesture
+
+            make_task = PlannedGesture
+        self._model, self._make_task = model, make_task
 
     def plan(self, request: GestureRequest) -> MovePlan | NoPlan:
         """Plan one gesture, or say honestly why there is none."""
@@ -87,7 +100,7 @@ class GesturePlanner:
         return self._offer(request)
 
     def _raise(self, request: RaiseHandRequest) -> MovePlan | NoPlan:
-        task = GestureTask(self._model, request.q_start, request, request.hand, request.seed)
+        task = self._make_task(self._model, request.q_start, request, request.hand, request.seed)
         target = np.array(request.towards_m)
         ahead, aside, up = WAVING_M
 
@@ -99,12 +112,13 @@ class GesturePlanner:
                 [tcp[:3, 3] - place, 0.3 * _unlike(tcp[:3, 0], _UP), [0.5 * task.turned_past(q, target)]]
             )
 
-        return task.reach(
-            "raise", residual, target, lambda q: abs(task.turned_past(q, target)) <= FACING_RAD, "facing it"
-        )
+        def faces(q: Array) -> bool:
+            return abs(task.turned_past(q, target)) <= FACING_RAD
+
+        return task.reach("raise", Wish(residual, target, faces, "facing it"))
 
     def _swing(self, request: SwingRequest) -> MovePlan | NoPlan:
-        task = GestureTask(self._model, request.q_start, request, request.hand, 0)
+        task = self._make_task(self._model, request.q_start, request, request.hand, 0)
         q = request.q_start
         start = task.tcp(q)
         across = poses.rotation_z(task.heading(q)) @ (0.0, 0.5 * request.width_m, 0.0)
@@ -119,18 +133,14 @@ class GesturePlanner:
             found = arm_posture(self._model, q, task.arm, residual, q[7 + self._model.indices(task.arm)])
             if float(np.linalg.norm(task.tcp(found.q)[:3, 3] - place)) > ENOUGH:
                 return NoPlan("the raised hand has no room to swing", {"out of reach": 1})
-            ends.append(task.space.from_q(found.q))
-        x = task.space.from_q(q)
-        points = [x, *(ends[k % 2] for k in range(request.swings + 1)), x]
-        curve = RoundedPolyline(np.array(points), task.space.weights, 0.06)
-        if not task.planner.curve_is_free(curve):
-            return NoPlan("the raised hand has no room to swing", {"collision": 1})
-        return task.timed("swing", curve, SWING_PACE)
+            ends.append(found.q)
+        return task.swing([q, *(ends[k % 2] for k in range(request.swings + 1)), q])
 
     def _point(self, request: PointRequest) -> MovePlan | NoPlan:
         target = np.array(request.target_m)
         tasks = [
-            GestureTask(self._model, request.q_start, request, hand, request.seed) for hand in request.hands
+            self._make_task(self._model, request.q_start, request, hand, request.seed)
+            for hand in request.hands
         ]
         tasks.sort(key=lambda task: float(np.linalg.norm(task.shoulder(request.q_start) - target)))
         answer: MovePlan | NoPlan = NoPlan("no hand may be used", {})
@@ -153,9 +163,8 @@ class GesturePlanner:
             def meets(q: Array, task: GestureTask = task) -> bool:
                 return beside_ray_m(task.elbow(q), task.tcp(q)[:3, 3], target) <= 2.0 * ENOUGH
 
-            answer = task.reach(
-                "point", residual, target, meets, "pointing at it", 0.1, starts, POINT_SPREAD_RAD
-            )
+            wish = Wish(residual, target, meets, "pointing at it", 0.1, starts, POINT_SPREAD_RAD)
+            answer = task.reach("point", wish)
             if isinstance(answer, MovePlan):
                 break
         return answer
@@ -164,7 +173,7 @@ class GesturePlanner:
         body = request.scene.attached[request.held]
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
-        task = GestureTask(self._model, request.q_start, request, hand, request.seed)
+        task = self._make_task(self._model, request.q_start, request, hand, request.seed)
         person = np.array(request.person_m)
         ahead, inwards, down = OFFER_M
 
@@ -203,7 +212,7 @@ class GesturePlanner:
             (1.0, 0.0, upright, "upright", STARTS),
         ):
             weighed = partial(residual, place_weight=place_weight, finger_weight=finger_weight)
-            answer = task.reach("offer", weighed, person, good, goodness, 0.12, starts)
+            answer = task.reach("offer", Wish(weighed, person, good, goodness, 0.12, starts))
             if isinstance(answer, MovePlan):
                 break
         return answer
@@ -212,7 +221,7 @@ class GesturePlanner:
         body = request.scene.attached[request.held]
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
-        task = GestureTask(self._model, request.q_start, request, hand, request.seed)
+        task = self._make_task(self._model, request.q_start, request, hand, request.seed)
         home = self._model.home_over(request.stance)
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
         ahead, inwards, down = CARRY_M
@@ -242,10 +251,12 @@ class GesturePlanner:
 
         for raised_m in CARRY_RAISED_M:
             raised = partial(residual, raised_m=raised_m)
-            answer = task.reach("carry", raised, watched, good, "upright, with room", 0.08, CARRY_STARTS)
+            wish = Wish(raised, watched, good, "upright, with room", 0.08, CARRY_STARTS)
+            answer = task.reach("carry", wish)
             if isinstance(answer, MovePlan):
                 return answer
-        return task.reach("carry", partial(residual, raised_m=0.0), watched, upright, "upright", enough=0.08)
+        low = partial(residual, raised_m=0.0)
+        return task.reach("carry", Wish(low, watched, upright, "upright", enough=0.08))
 
 
 def _unlike(a: Array, b: Array) -> Array:

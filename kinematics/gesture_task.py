@@ -1,9 +1,11 @@
-"""What planning a gesture goes by: where things are at a posture, and how one is reached."""
+"""What planning a gesture goes by: where things are at a posture, and what is asked of one."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import pinocchio as pin
@@ -11,29 +13,14 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.arm_posture import Residual, arm_posture
-from kinematics.balanced_timing import time_in_balance
-from kinematics.curves import Curve
-from kinematics.free_coordinates import FreeCoordinates, free_coordinates
 from kinematics.gaze import gaze_joints
-from kinematics.gesture_requests import (
-    GestureRequest,
-)
-from kinematics.lead_in import lead_in
-from kinematics.path_planner import PathPlanner
-from kinematics.requests import MovePlan, NoPlan, PlannedStep
+from kinematics.gesture_requests import GestureRequest
+from kinematics.requests import MovePlan, NoPlan
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.start_state import relaxed_at
-from kinematics.timing import Pace
-from kinematics.validity import validity
-from kinematics.wide_berth import widened
 
 Array = NDArray[np.float64]
 
-GESTURE_PACE = Pace(velocity=0.5, acceleration=0.7)
-# Kept in reserve against the checker, which judges with the scene's own margins.
-RESERVE_M = 0.003
 STARTS = 12
 # Residual that a posture may keep: a centimetre, or half a degree.
 ENOUGH = 0.02
@@ -41,15 +28,35 @@ ENOUGH = 0.02
 SPREAD_RAD = 0.6
 
 
-class GestureTask:
-    """The state of one gesture's planning.
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What a posture is to be like.
+
+    Attributes:
+        residual: What should be zero.
+        look_m: Where the robot looks and turns its trunk to, shape (3,).
+        good: Whether a posture will do.
+        goodness: What ``good`` asks, in words.
+        enough: Residual that it may keep.
+        starts: How often a search begins at random.
+        spread_rad: How far beside home it begins.
+    """
+
+    residual: Residual
+    look_m: Array
+    good: Callable[[Array], bool]
+    goodness: str
+    enough: float = ENOUGH
+    starts: int = STARTS
+    spread_rad: float = SPREAD_RAD
+
+
+class GestureTask(ABC):
+    """The state of one gesture's planning; a subclass knows how the robot gets to a posture.
 
     Attributes:
         arm: Joints of the arm.
         outwards: 1 for the left hand, -1 for the right one: the sign of its side.
-        space: The free coordinates.
-        scene: The scene, with margins that the start keeps.
-        planner: Of paths in that scene.
     """
 
     def __init__(
@@ -69,11 +76,6 @@ class GestureTask:
         self._tcp_id = model.frame_id(model.description.tcp_frames[hand])
         self._home = model.home_over(request.stance)
         self._chest_home = self._placed(self._home).oMi[self._chest_id].rotation.copy()
-        self.space: FreeCoordinates = free_coordinates(model, request.stance)
-        self.scene: PlanningScene = relaxed_at(model, request.scene, q_start, RESERVE_M)
-        self.planner = PathPlanner(
-            model, self.space, validity(model, request.stance, self.scene, RESERVE_M, RESERVE_M)
-        )
 
     # where things are at a configuration
 
@@ -118,76 +120,54 @@ class GestureTask:
 
     # planning
 
-    def reach(
-        self,
-        name: str,
-        residual: Residual,
-        look_m: Array,
-        good: Callable[[Array], bool],
-        goodness: str,
-        enough: float = ENOUGH,
-        starts: int = STARTS,
-        spread_rad: float = SPREAD_RAD,
-    ) -> MovePlan | NoPlan:
-        """Plan to a posture with a small residual that is ``good`` and free, looking at a point."""
-        reasons: Counter[str] = Counter()
-        joints = (*self.arm, *self._turning)
-        columns = 7 + self._model.indices(joints)
-        for q_seed in self._starts(columns, look_m, starts, spread_rad):
-            found = arm_posture(self._model, q_seed, joints, residual, self._home[columns])
-            if found.error > enough:
-                reasons["out of reach"] += 1
-                continue
-            if not good(found.q):
-                reasons[f"not {goodness}"] += 1
-                continue
-            goal = found.q.copy()
-            for joint, angle in gaze_joints(self._model, goal, look_m).items():
-                goal[7 + self._model.joint_index(joint)] = angle
-            x_start, x_goal = self.space.from_q(self._q_start), self.space.from_q(goal)
-            if not self.planner.is_free(x_goal):
-                reasons["collision or lost balance"] += 1
-                continue
-            curve = self.planner.plan(x_start, x_goal, self._moving(joints), self._rng)
-            if curve is None:
-                reasons["no path"] += 1
-                continue
-            return self.timed(name, curve, GESTURE_PACE)
-        return NoPlan(f"no posture of the {self._hand} arm for that was found", reasons)
+    @abstractmethod
+    def reach(self, name: str, wish: Wish) -> MovePlan | NoPlan:
+        """Plan to a posture that is as wished for."""
 
+    @abstractmethod
+    def swing(self, postures: Sequence[Array]) -> MovePlan | NoPlan:
+        """Plan to go back and forth through postures of the arm, shape (nq,) each, from the first one."""
+
+    @abstractmethod
     def room_for(self, sway_m: float) -> Callable[[Array], bool]:
         """Whether a configuration keeps so much more than their margins from all movable things."""
-        wide = widened(self.scene, sway_m)
-        if wide is self.scene:
-            return lambda _: True
-        judge = validity(self._model, self._stance, wide, RESERVE_M, RESERVE_M)
-        return lambda q: judge.points_are_free(self.space.from_q(q)[None, :])
 
-    def timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:
-        """Give a free curve its time."""
-        trajectory = time_in_balance(self._model, self.space, self._stance, curve, pace)
-        if trajectory is None:
-            return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-        trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)
-        return MovePlan(PlannedStep(name, trajectory, self.scene))
+    @property
+    def _joints(self) -> tuple[str, ...]:
+        """Those that a gesture moves."""
+        return (*self.arm, *self._turning)
 
-    def _starts(
-        self, columns: NDArray[np.intp], look_m: Array, count: int, spread_rad: float
-    ) -> Iterator[Array]:
+    def _postures(self, wish: Wish, reasons: Counter[str]) -> Iterator[Array]:
+        """Postures as wished for, looking there, shape (nq,); why others are none is counted."""
+        columns = 7 + self._model.indices(self._joints)
+        for q_seed in self._starts(columns, wish):
+            found = arm_posture(self._model, q_seed, self._joints, wish.residual, self._home[columns])
+            if found.error > wish.enough:
+                reasons["out of reach"] += 1
+                continue
+            if not wish.good(found.q):
+                reasons[f"not {wish.goodness}"] += 1
+                continue
+            goal = found.q.copy()
+            for joint, angle in gaze_joints(self._model, goal, wish.look_m).items():
+                goal[7 + self._model.joint_index(joint)] = angle
+            yield goal
+
+    def _none(self, reasons: Counter[str]) -> NoPlan:
+        return NoPlan(f"no posture of the {self._hand} arm for that was found", reasons)
+
+    def _starts(self, columns: NDArray[np.intp], wish: Wish) -> Iterator[Array]:
         """From home with the trunk turned, the other arm where it is, then random ones about that."""
         q = self._home.copy()
         other_arm = self._model.group("left_arm" if self._hand == "right" else "right_arm")
         q[7 + other_arm] = self._q_start[7 + other_arm]
         turning = 7 + self._model.indices(self._turning)
-        q[turning] -= self.turned_past(q, look_m) / max(len(turning), 1)
+        q[turning] -= self.turned_past(q, wish.look_m) / max(len(turning), 1)
         yield q
-        for _ in range(count):
+        for _ in range(wish.starts):
             other = q.copy()
-            other[columns] += self._rng.uniform(-spread_rad, spread_rad, len(columns))
+            other[columns] += self._rng.uniform(-wish.spread_rad, wish.spread_rad, len(columns))
             yield other
-
-    def _moving(self, joints: Sequence[str]) -> list[int]:
-        return [self.space.index(joint) for joint in joints]
 
 
 def _is_vertical(model: RobotModel, joint: str) -> bool:

@@ -28,6 +28,8 @@ def hidden(eye: Array, points: Array, items: Iterable[SceneObject]) -> Mask:
     """
     found: Mask = np.zeros(len(points), dtype=bool)
     for item in items:
+        if found.all():  # of no points as well
+            break
         found |= _blocked(eye, points, item)
     return found
 

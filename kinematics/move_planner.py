@@ -11,10 +11,10 @@ from kinematics.balanced_timing import time_in_balance
 from kinematics.collision import CollisionWorld
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates, free_coordinates
-from kinematics.gesture_task import RESERVE_M
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner, PathSettings
 from kinematics.pick_task import REACH_PACE
+from kinematics.planned_gesture import RESERVE_M
 from kinematics.requests import MovePlan, MoveRequest, NoPlan, PlannedStep
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene

@@ -79,8 +79,7 @@ class ReachabilityMap:
             hand: The hand.
             thing_m: The place; heights count from the floor.
         """
-        seen = body.to(PlanarPose(thing_m[0], thing_m[1]))
-        return self.share(hand, seen.x_m, seen.y_m, thing_m[2])
+        return self.share(hand, *body.sees(thing_m[0], thing_m[1]), thing_m[2])
 
     def best_from(self, body: PlanarPose, hands: Iterable[str], thing_m: tuple[float, float, float]) -> float:
         """Share of that one of some hands which gets there best; 0 without any."""

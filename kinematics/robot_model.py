@@ -54,6 +54,8 @@ class RobotModel:
         self._index = {name: i for i, name in enumerate(self.joints)}
         self._data = self.pin.createData()
         self._frame_ids: dict[str, int] = {}
+        # of the stance that was asked for last: feet stand still for most of a task
+        self._home_over: tuple[Stance, Array] | None = None
 
     @property
     def nq(self) -> int:
@@ -172,6 +174,11 @@ class RobotModel:
         """The home posture with its soles at a stance, shape (nq,); that of a welded robot has none."""
         if self.description.welded:
             return self.q_home
+        if self._home_over is None or self._home_over[0] is not stance:
+            self._home_over = stance, self._over(stance)
+        return self._home_over[1].copy()
+
+    def _over(self, stance: Stance) -> Array:
         soles = [world_T_sole for _, world_T_sole in stance.soles]
         middle = poses.interpolate(soles[0], soles[-1], 0.5)
         if middle[2, 2] < _LEVEL:  # soles lie on what they stand on, the body stands upright all the same

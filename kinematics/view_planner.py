@@ -21,6 +21,7 @@ from kinematics.lead_in import lead_in
 from kinematics.line_of_sight import hidden, near_line
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_task import REACH_PACE
+from kinematics.picture import in_picture
 from kinematics.pointing import elbow_frame
 from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import HANDS
@@ -45,8 +46,6 @@ TURNS_RAD = (0.0, 0.4, -0.4, 0.8, -0.8, 1.15, -1.15)
 # Aims: where most of what was not seen is near together.
 MOST_AIMS = 3
 TOGETHER_M = 0.12
-# A point nearer to the edge of the picture than this share may be cut off.
-IN_PICTURE = 0.9
 # A view that shows less than this of all, by worth, is not worth going there.
 LEAST_SHARE = 0.02
 # So many postures are judged, and so many of the free ones are planned to.
@@ -171,15 +170,6 @@ class ViewPlanner:
         index, margin = self._model.joint_index(joint), self._model.description.planning_margin_rad
         low, high = self._model.lower_rad[index] + margin, self._model.upper_rad[index] - margin
         return float(np.clip(angle, low, high))
-
-
-def in_picture(
-    points: Array, world_T_camera: poses.Transform, horizontal_rad: float, vertical_rad: float
-) -> NDArray[np.bool_]:
-    """Which points, shape (n, 3), a camera has well inside its picture."""
-    x, y, z = world_T_camera[:3, :3].T @ (points - world_T_camera[:3, 3]).T
-    wide, high = IN_PICTURE * np.tan([0.5 * horizontal_rad, 0.5 * vertical_rad])
-    return np.asarray((z > 0.0) & (np.abs(x) <= wide * z) & (np.abs(y) <= high * z), dtype=np.bool_)
 
 
 def _aims(points: Array, worth: Array) -> list[Array]:

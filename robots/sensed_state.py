@@ -17,23 +17,29 @@ class SensedState:
 
     The configuration is computed when it is first asked for: one is made each control period, and
     few are looked at.
-
-    Attributes:
-        readings: The sensors' readings.
     """
 
-    __slots__ = ("_estimate", "_q", "readings")
+    __slots__ = ("_estimate", "_q", "_readings")
 
-    def __init__(self, readings: RobotState, estimate: Callable[[], Array]) -> None:
+    def __init__(
+        self, readings: RobotState | Callable[[], RobotState], estimate: Callable[[], Array]
+    ) -> None:
         """Keep readings.
 
         Args:
-            readings: The sensors' readings.
-            estimate: Gives ``q``; its answer must depend on nothing that changes later.
+            readings: The sensors' readings, or what gives them when they are first asked for.
+            estimate: Gives ``q``; the answers of both must depend on nothing that changes later.
         """
-        self.readings = readings
+        self._readings = readings
         self._estimate = estimate
         self._q: Array | None = None
+
+    @property
+    def readings(self) -> RobotState:
+        """The sensors' readings."""
+        if not isinstance(self._readings, RobotState):
+            self._readings = self._readings()
+        return self._readings
 
     @property
     def q(self) -> Array:

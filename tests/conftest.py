@@ -1,12 +1,15 @@
 """What every test shares: one thread a process, no wall-clock deadlines, marks as properties of reports."""
 
 import ctypes
+import gc
 import os
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+gc.disable()  # until everything is imported
 
 settings.register_profile(
     "repeatable", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
@@ -24,6 +27,17 @@ def _has_opengl() -> bool:
             continue
         return True
     return False
+
+
+def pytest_collection_finish():
+    """Keep what imports made out of every later collection of garbage: it lives as long as the tests do.
+
+    Going through it again and again, and so often through the trees of a test, was an eighth of the time of
+    ``tests/trees``: trees are rings of parents and children, seldom garbage before their test has ended.
+    """
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 100)
+    gc.enable()
 
 
 def pytest_collection_modifyitems(items):

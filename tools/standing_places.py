@@ -31,7 +31,7 @@ from robots.description import load_description
 from robots.scene_description import Furniture, MovingPart, SceneDescription
 from robots.scene_solids import planning_scene
 from trees.destination import Place
-from trees.reachable_standing import sees, stance_of, stands_to_try
+from trees.reachable_standing import StandingRoom, places_about, sees, stance_of
 from trees.standing_place import standing_place
 
 THING = "thing"
@@ -147,7 +147,8 @@ class Comparison:
         def reach(body: PlanarPose) -> float:
             return known.best_from(body, hands, (x, y, z))
 
-        stands = stands_to_try(usual, (x, y), about, above, self._settings, reach=reach if mapped else None)
+        places = places_about(usual, (x, y), reach=reach if mapped else None)
+        stands = filter(StandingRoom(usual, about, above, self._settings).has, places)
         return (stand for stand in stands if sees(stand, self._eye_m, thing, scene))
 
     def _serves(self, body: PlanarPose, scene: PlanningScene, seed: int) -> bool:

@@ -43,7 +43,10 @@ _WALL_M = 0.06
 _APART_M = 0.05
 _FINGERS_M = 0.05
 """An opening finger sweeps so far beyond the foot of what it lets go."""
-_DIRECTIONS = 8
+_RING = np.array(
+    [(math.cos(turn), math.sin(turn), 0.0) for turn in np.linspace(0.0, 2.0 * math.pi, 8, endpoint=False)]
+)
+"""Directions around a place."""
 _MOST = 12
 
 
@@ -192,9 +195,7 @@ def _about(place: Array, held: HeldObject, board: SceneObject) -> list[Array]:
     """
     middle = place + np.array([0.0, 0.0, ABOVE_M])
     far_m = footprint_radius_m(held.shape) + _FINGERS_M
-    turns = np.linspace(0.0, 2.0 * math.pi, _DIRECTIONS, endpoint=False)
-    ring = [middle + far_m * np.array([math.cos(turn), math.sin(turn), 0.0]) for turn in turns.tolist()]
-    return [middle, *(point for point in ring if is_over(board, point))]
+    return [middle, *(point for point in middle + far_m * _RING if is_over(board, point))]
 
 
 def _were_seen(points: list[Array], sight: SightOfTops, scene: PlanningScene) -> bool:

@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.line_of_sight import hidden, near_line
+from kinematics.picture import in_picture
 from kinematics.robot_description import CameraDescription
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
-from kinematics.view_planner import in_picture
 from trees.sight import Glimpse
 
 Array = NDArray[np.float64]

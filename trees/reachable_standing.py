@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -70,42 +70,63 @@ class Stand:
         return PlanarPose(x + self.x_m, y + self.y_m, self.yaw_rad)
 
 
-def stands_to_try(
+def places_about(
     usual: PlanarPose,
     thing_m: tuple[float, float],
-    obstacles: Sequence[Footprint],
-    tall: Sequence[Footprint],
-    settings: WalkingSettings,
     turned_rad: Sequence[float] = TURNED_RAD,
     reach: Callable[[PlanarPose], float] | None = None,
-) -> Iterator[PlanarPose]:
-    """Poses of the body around the usual one where the robot has room to stand, the most promising first.
+) -> list[PlanarPose]:
+    """Poses of the body around the usual one, the most promising first, whether there is room or not.
 
     Those are near to the usual one, and the hands get to the object from them in many directions.
 
     Args:
         usual: Where one would stand without knowing better.
         thing_m: Where the object is, on the floor.
-        obstacles: Everything that stands about.
-        tall: What of it is as tall as the hands of the home posture.
-        settings: The robot's sizes.
         turned_rad: How far it may be turned out of the usual heading.
         reach: The share of directions in which a hand gets to the object from a pose. Left out, all poses
             count alike.
     """
-    low, high = _inside(settings, settings.half_width_m), _inside(settings, settings.hands_half_width_m)
     ways = [(way, usual @ PlanarPose(*way)) for way in product(_AHEAD_M, _ASIDE_M, turned_rad)]
-    shares = [1.0 if reach is None else reach(body) for _, body in ways]
+    near = [
+        (way, body)
+        for way, body in ways
+        if math.hypot(thing_m[0] - body.x_m, thing_m[1] - body.y_m) <= _FARTHEST_M
+    ]
     ranked = sorted(
-        ((_cost(way, share), body) for (way, body), share in zip(ways, shares, strict=True)),
+        ((_cost(way, 1.0 if reach is None else reach(body)), body) for way, body in near),
         key=lambda one: one[0],
     )
-    for (_, ahead_m, aside_m, turn_rad), body in ranked:
-        if math.hypot(thing_m[0] - body.x_m, thing_m[1] - body.y_m) > _FARTHEST_M:
-            continue
-        at_usual = ahead_m == aside_m == turn_rad == 0.0  # it keeps its own distance from what is low
-        if _is_free(body, high, tall) and (at_usual or _is_free(body, low, obstacles)):
-            yield body
+    return [body for _, body in ranked]
+
+
+class StandingRoom:
+    """Where the robot has room to stand."""
+
+    def __init__(
+        self,
+        usual: PlanarPose,
+        obstacles: Sequence[Footprint],
+        tall: Sequence[Footprint],
+        settings: WalkingSettings,
+    ) -> None:
+        """Keep what is around.
+
+        Args:
+            usual: Where one would stand without knowing better; it keeps its own distance from what is low.
+            obstacles: Everything that stands about.
+            tall: What of it is as tall as the hands of the home posture.
+            settings: The robot's sizes.
+        """
+        self._usual, self._obstacles, self._tall = usual, obstacles, tall
+        self._low = _inside(settings, settings.half_width_m)
+        self._high = _inside(settings, settings.hands_half_width_m)
+
+    def has(self, body: PlanarPose) -> bool:
+        """Whether there is room at a pose."""
+        return _is_free(body, self._high, self._tall) and (
+            body == self._usual or _is_free(body, self._low, self._obstacles)
+        )
 
 
 def stands_free(body: PlanarPose, tall: Sequence[Footprint], settings: WalkingSettings) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,6 +56,12 @@ class Glimpse:
 
     odom_T_camera: Transform
     in_the_way: tuple[Array, ...]
+    _parts: list[list[float]] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Note where the parts are from the eye: a glimpse is asked about many points."""
+        eye = self.odom_T_camera[:3, 3]
+        object.__setattr__(self, "_parts", [(part - eye).tolist() for part in self.in_the_way])
 
     def shows(self, camera: CameraDescription, point: Array, within_m: float) -> bool:
         """Whether something at a point, shape (3,), would have been seen.
@@ -67,13 +73,20 @@ class Glimpse:
         """
         if not in_view(camera, self.odom_T_camera, point):
             return False
-        eye = self.odom_T_camera[:3, 3]
-        return not any(passes(eye, point, part, within_m) for part in self.in_the_way)
+        if not self.in_the_way:
+            return True
+        ray = (point - self.odom_T_camera[:3, 3]).tolist()
+        return not any(_passes(ray, part, within_m) for part in self._parts)
 
 
 def passes(eye: Array, point: Array, part: Array, within_m: float) -> bool:
     """Whether the line of sight from ``eye`` to ``point`` passes something nearer than that."""
-    x, y, z = (point - eye).tolist()
-    u, v, w = (part - eye).tolist()
+    return _passes((point - eye).tolist(), (part - eye).tolist(), within_m)
+
+
+def _passes(ray: list[float], part: list[float], within_m: float) -> bool:
+    """The same in plain numbers, both as seen from the eye."""
+    x, y, z = ray
+    u, v, w = part
     along = min(max((u * x + v * y + w * z) / (x * x + y * y + z * z), 0.0), 1.0)
     return math.hypot(along * x - u, along * y - v, along * z - w) < within_m

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from operator import attrgetter
+from itertools import compress
+from operator import attrgetter, is_not
 from typing import Any, Literal
 
 from py_trees.behaviour import Behaviour
@@ -138,10 +139,9 @@ class TaskTree:
         if statuses == self._told:
             return
         now_s = self._toolbox.clock.now_s()
-        for node, told, status in zip(self._nodes, self._told, statuses, strict=True):
-            if told is not status:
-                message = node.feedback_message
-                self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
+        for node in compress(self._nodes, map(is_not, statuses, self._told)):
+            message = node.feedback_message
+            self._toolbox.events(NodeChanged(now_s, place_of(node), status_word(node), message))
         self._told = statuses
 
     def _written(self, port: str) -> Any | None:

@@ -158,6 +158,8 @@ def _cell(point: PlanarPose, low: Array) -> tuple[int, int]:
 def _search(
     free: NDArray[np.bool_], first: tuple[int, int], last: tuple[int, int]
 ) -> list[tuple[int, int]] | None:
+    # in plain numbers: an array of cells is asked ten times as slowly
+    rows, columns, is_free = *free.shape, free.tolist()
     cost = {first: 0.0}
     came: dict[tuple[int, int], tuple[int, int]] = {}
     queue = [(math.dist(first, last), first)]
@@ -173,12 +175,13 @@ def _search(
         if here in done:
             continue
         done.add(here)
+        here_i, here_j = here
+        so_far = cost[here]
         for di, dj, length in _NEIGHBOURS:
-            there = here[0] + di, here[1] + dj
-            inside = 0 <= there[0] < free.shape[0] and 0 <= there[1] < free.shape[1]
-            if not inside or not free[there]:
+            i, j = there = here_i + di, here_j + dj
+            if not (0 <= i < rows and 0 <= j < columns and is_free[i][j]):
                 continue
-            new = cost[here] + length
+            new = so_far + length
             if new < cost.get(there, math.inf):
                 cost[there], came[there] = new, here
                 heapq.heappush(queue, (new + math.dist(there, last), there))

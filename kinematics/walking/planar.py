@@ -46,6 +46,12 @@ class PlanarPose:
         seen = self.inverse() @ other
         return PlanarPose(seen.x_m, seen.y_m, wrapped(seen.yaw_rad))
 
+    def sees(self, x_m: float, y_m: float) -> tuple[float, float]:
+        """A place as seen from here: ahead and to the left; the same as ``to`` tells of it, sooner."""
+        c, s = math.cos(self.yaw_rad), math.sin(self.yaw_rad)
+        ahead_m = -c * self.x_m - s * self.y_m + c * x_m + s * y_m
+        return ahead_m, s * self.x_m - c * self.y_m - s * x_m + c * y_m
+
     def distance_m(self, other: PlanarPose) -> float:
         """Between the two positions."""
         return math.hypot(self.x_m - other.x_m, self.y_m - other.y_m)

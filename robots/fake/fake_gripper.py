@@ -17,6 +17,7 @@ class FakeGripper:
     Attributes:
         empty: While true, the fingers always miss.
         holding: Name of what it holds, or None.
+        speed_rad_s: How fast the fingers move.
         position_rad, effort_nm: What its sensors read; effort negative when it closes.
     """
 
@@ -28,6 +29,7 @@ class FakeGripper:
         self.holding: str | None = None
         self.position_rad = gripper.open_rad
         self.effort_nm = 0.0
+        self.speed_rad_s = gripper.closing_speed_rad_s
         self._gripper, self._world, self._motion, self._pose_of = gripper, world, motion, pose_of
         self._handle: MotionHandle | None = None
         self._goal_rad = gripper.open_rad
@@ -64,7 +66,7 @@ class FakeGripper:
             self._goal_rad = self._gripper.closed_rad
         if self._handle is not None and self._handle.status is MotionStatus.CANCELED:
             self._goal_rad, self._handle = self.position_rad, None
-        reach_rad = self._gripper.closing_speed_rad_s * period_s
+        reach_rad = self.speed_rad_s * period_s
         self.position_rad += max(-reach_rad, min(reach_rad, self._goal_rad - self.position_rad))
         if self._handle is not None and not self._handle.finished and self.position_rad == self._goal_rad:
             self._handle.status, self._handle.progress = MotionStatus.DONE, 1.0

@@ -84,6 +84,11 @@ class FakeMotion:
         if self._active is not None and self._active[1] is handle:
             self._active = None
 
+    @property
+    def posture(self) -> Array:
+        """The same as ``reference``, not to be written to: another array whenever it was changed."""
+        return self._q
+
     def reference(self) -> Array:
         """Configuration that is commanded now, shape (nq,)."""
         return self._q.copy()
@@ -119,10 +124,15 @@ class FakeMotion:
         self._stance = Stance(tuple((frame, moved @ sole) for frame, sole in self._stance.soles))
         self._q = standing_at(self._model, self._q, self._stance)
 
-    def unwalked(self) -> Array:
-        """The configuration with the feet where they were at first, shape (nq,); it bears the same."""
-        here = self.reference()
-        return here if self._stance is self._home else standing_at(self._model, here, self._home)
+    def unwalked(self) -> Callable[[], Array]:
+        """Tells this instant's configuration with the feet where they were at first, shape (nq,), also later.
+
+        It bears the same.
+        """
+        here = self._q
+        if self._stance is self._home:
+            return lambda: here
+        return lambda: standing_at(self._model, here, self._home)
 
     def be_at(self, q: Array) -> None:
         """Be at a configuration, shape (nq,): for a motion that somebody else plays."""

@@ -40,6 +40,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import AttachedBody, PlanningScene
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
 from robots.clock import Clock
+from robots.fake.fake_gesture import FakeGesture
 from robots.fake.scripted_world import diameter_m
 
 Array = NDArray[np.float64]
@@ -48,8 +49,6 @@ Answer = PickPlan | PlacePlan | HandlePlan | MovePlan | NoPlan | CheckedTrajecto
 _APPROACH_M = 0.10
 _BAR_M = 0.02
 _LABELS = ("side", "top", "diagonal", "far side")
-# Motions of the real planners are played so many times faster.
-HURRY = 20.0
 # Position-only inverse kinematics by damped least squares; converges in a dozen steps.
 _STEPS = 40
 _DAMPING = 1e-4
@@ -82,14 +81,15 @@ class FakePlanning:
 
     Attributes:
         delay_s: Time that a job takes.
-        motion_s: Duration of every motion.
+        motion_s: Duration of every motion, and of each stretch of one to and fro.
         raises: Raised by every job while it is set.
         hangs: While true, jobs never end.
         no_plan: Answered to every planning request while it is set.
         unsafe: Asked with each check; what it returns is answered instead of a checked trajectory.
         requests: Everything that was asked.
         jobs: The jobs of those requests.
-        gestures: The planner of gestures, which is the true one.
+        gestures: The planner of gestures, which searches their postures as the true one does.
+        reached: What ``reach`` has answered to what; fakes of one model may share it.
     """
 
     def __init__(
@@ -110,7 +110,8 @@ class FakePlanning:
         self.unsafe: Callable[[CheckRequest], Unsafe | None] = lambda _request: None
         self.requests: list[PlanRequest] = []
         self.jobs: list[FakeJob] = []
-        self.gestures = GesturePlanner(model)
+        self.gestures = GesturePlanner(model, FakeGesture)
+        self.reached: dict[tuple[bytes, Hand, bytes], Array] = {}
         self._model, self._clock, self._check = model, clock, check
 
     def submit(self, request: PlanRequest) -> FakeJob:
@@ -138,7 +139,7 @@ class FakePlanning:
         if isinstance(request, OfferRequest):
             return self._offer(request)
         if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest | CarryRequest):
-            return self._quick(self.gestures.plan(replace(request, scene=_bare(request.scene))))
+            return self._timed(self.gestures.plan(replace(request, scene=_bare(request.scene))))
         if isinstance(request, PlaceRequest):
             return self._place(request)
         if isinstance(request, HandleRequest):
@@ -232,13 +233,12 @@ class FakePlanning:
         goal = self.reach(request.q_start, hand, np.array([0.5, aside, 1.15]))
         return MovePlan(self._step("offer", request.q_start, goal, request.stance, request.scene))
 
-    def _quick(self, answer: MovePlan | NoPlan) -> MovePlan | NoPlan:
-        return answer if isinstance(answer, NoPlan) else MovePlan(self._faster(answer.step))
-
-    def _faster(self, step: PlannedStep) -> PlannedStep:
-        trajectory = step.trajectory
-        t_s = trajectory.t_s / HURRY
-        return replace(step, trajectory=replace(trajectory, t_s=t_s, v=np.zeros_like(trajectory.v)))
+    def _timed(self, answer: MovePlan | NoPlan) -> MovePlan | NoPlan:
+        if isinstance(answer, NoPlan):
+            return answer
+        trajectory = answer.step.trajectory
+        timed = replace(trajectory, t_s=self.motion_s * trajectory.t_s)
+        return MovePlan(replace(answer.step, trajectory=timed))
 
     def _looking_at(self, q: Array, place: Array) -> Array:
         """The same configuration with the head turned to a place."""
@@ -265,6 +265,12 @@ class FakePlanning:
 
     def reach(self, q: Array, hand: Hand, place: Array) -> Array:
         """Move arm and trunk until the TCP is at a place, shape (3,), in whatever orientation."""
+        asked = q.tobytes(), hand, place.tobytes()
+        if asked not in self.reached:
+            self.reached[asked] = self._reach(q, hand, place)
+        return self.reached[asked].copy()
+
+    def _reach(self, q: Array, hand: Hand, place: Array) -> Array:
         description = self._model.description
         groups = description.groups
         index = 7 + self._model.indices((*groups["torso"], *groups[f"{hand}_arm"]))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,7 +23,7 @@ class FakeRobot:
 
     Attributes:
         stuck: Names of joints that do not move any more.
-        effort: What the effort sensors read, Nm, shape (n,); set by whoever plays the world.
+        effort: What the effort sensors read, Nm, shape (n,); another array is set by whoever plays the world.
     """
 
     def __init__(self, description: RobotDescription, clock: Clock) -> None:
@@ -41,13 +43,23 @@ class FakeRobot:
         """The robot's data."""
         return self._description
 
+    @property
+    def joints(self) -> Array:
+        """Where they are, rad, shape (n,), not to be written to: another array whenever they were moved."""
+        return self._q
+
     def read(self) -> RobotState:
         """Perfect readings of a robot that stands on both feet."""
-        return RobotState(
-            stamp_s=self._clock.now_s(),
-            q=self._q.copy(),
-            v=self._v.copy(),
-            effort=self.effort.copy(),
+        return self.readings()()
+
+    def readings(self) -> Callable[[], RobotState]:
+        """Tells what is read at this instant, also later."""
+        stamp_s, q, v, effort = self._clock.now_s(), self._q, self._v, self.effort
+        return lambda: RobotState(
+            stamp_s=stamp_s,
+            q=q.copy(),
+            v=v.copy(),
+            effort=effort.copy(),
             gyro=np.zeros(3),
             accelerometer=self._accelerometer.copy(),
             foot_wrench=self._wrench.copy(),

@@ -27,6 +27,7 @@ from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
+from robots.interface import RobotState
 from robots.perception.truth_view import TrueObject
 from robots.sensed_state import SensedState
 
@@ -69,6 +70,8 @@ class FakeWorld:
         self.robot = FakeRobot(model.description, self.clock)
         self.motion = FakeMotion(model, self.clock)
         self._q = self.motion.reference()
+        self._placed: tuple[NDArray[np.float64], list[float]] | None = None
+        self._told_by: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         self._poses: dict[str, Transform] = {}
         self._dynamics = dynamics or StandingDynamics(model, self.motion.stance())
         camera = model.description.camera
@@ -101,12 +104,15 @@ class FakeWorld:
 
     def _follow(self) -> None:
         """Put the robot where motion and grippers have it; there is no control loop in between."""
-        fingers = [self.grippers[hand].position_rad for hand in HANDS]
-        self.robot.be_at(np.concatenate([self.motion.reference()[7:], fingers]))
+        posture, fingers = self.motion.posture, [self.grippers[hand].position_rad for hand in HANDS]
+        if self._placed is not None and self._placed[0] is posture and self._placed[1] == fingers:
+            return
+        self.robot.be_at(np.concatenate([posture[7:], fingers]))
+        self._placed = None if self.robot.stuck else (posture, fingers)
 
     def _body_efforts(self) -> Callable[[], NDArray[np.float64]]:
         """Tells what holds the posture of this instant, less what supports and people carry."""
-        q, acceleration = self.motion.unwalked(), self.motion.acceleration()
+        unwalked, acceleration = self.motion.unwalked(), self.motion.acceleration()
         borne = {}
         for hand, gripper in self.grippers.items():
             pull_n = self.pull_n.get(hand)
@@ -115,6 +121,7 @@ class FakeWorld:
                 borne[hand] = np.add(pull_n or (0.0, 0.0, 0.0), (0.0, 0.0, support_n))
 
         def efforts() -> NDArray[np.float64]:
+            q = unwalked()
             found = self._motion_efforts(q, acceleration())
             for hand, force_n in borne.items():
                 found -= self._lever(q, hand).T @ force_n
@@ -147,14 +154,27 @@ class FakeWorld:
 
     def _sense(self) -> Sense:
         """Tells what is felt at this instant, and notes where the robot is then."""
-        readings, efforts = self.robot.read(), self._body_efforts()
+        readings, efforts = self.robot.readings(), self._body_efforts()
         hands_nm = [self.grippers[hand].effort_nm for hand in HANDS]
-        q = self.motion.reference()
-        q[7:] = readings.q[: len(self.model.joints)]
+        self._locate()
+        q = self._q
+
+        def felt() -> RobotState:
+            return replace(readings(), effort=np.append(efforts(), hands_nm))
+
+        return lambda: SensedState(felt, q.copy)
+
+    def _locate(self) -> None:
+        """Note where the robot is, if it may have moved: most of the time it stands and waits."""
+        posture, joints = self.motion.posture, self.robot.joints
+        if self._told_by is not None and self._told_by[0] is posture and self._told_by[1] is joints:
+            return
+        self._told_by = posture, joints
+        q = posture.copy()
+        q[7:] = joints[: len(self.model.joints)]
         if q.tobytes() != self._q.tobytes():
             self._q = q
             self._poses.clear()
-        return lambda: SensedState(replace(readings, effort=np.append(efforts(), hands_nm)), lambda: q)
 
     def _pose_of(self, frame: str) -> Transform:
         """A frame's pose; kept, since camera and hands of a robot that holds stay where they are."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-
-import numpy as np
 
 from kinematics import poses
 from kinematics.poses import Transform
@@ -82,17 +81,19 @@ class ScriptedDetector:
         seen = []
         for item in view.solids:
             camera_T_object = camera_T_world @ item.world_T_object
-            x, y, z = camera_T_object[:3, 3]
+            x, y, z = camera_T_object[:3, 3].tolist()
             in_view = (
                 z > 0.0
-                and abs(np.arctan2(x, z)) <= 0.5 * self._camera.horizontal_fov_rad
-                and abs(np.arctan2(y, z)) <= 0.5 * self._camera.vertical_fov_rad
+                and abs(math.atan2(x, z)) <= 0.5 * self._camera.horizontal_fov_rad
+                and abs(math.atan2(y, z)) <= 0.5 * self._camera.vertical_fov_rad
             )
             # of furniture and people any corner is enough; the fake does not look for corners
             if item.name in view.hidden or not (in_view or item.category != "object"):
                 continue
-            offset = poses.translation(*view.offset_m.get(item.name, (0.0, 0.0, 0.0)))
-            told = camera_T_world @ offset @ item.world_T_object
+            offset_m = view.offset_m.get(item.name)
+            told = camera_T_object
+            if offset_m is not None:
+                told = camera_T_world @ poses.translation(*offset_m) @ item.world_T_object
             name = item.name if item.category == "person" else None
             seen.append(Detection(item.category, item.kind, item.color, told, item.shape, 0.95, name))
         return seen

@@ -60,7 +60,7 @@ class ObjectEstimate:
     @property
     def tilt_rad(self) -> float:
         """Angle of its own z axis to the vertical, in [0, pi]."""
-        return math.acos(float(np.clip(self.odom_T_object[2, 2], -1.0, 1.0)))
+        return math.acos(min(max(float(self.odom_T_object[2, 2]), -1.0), 1.0))
 
     @property
     def lying(self) -> bool:
@@ -70,21 +70,24 @@ class ObjectEstimate:
 
 @dataclass(slots=True)
 class _Cluster:
-    """Detections of what is taken for one thing, at most one a frame."""
+    """Detections of what is taken for one thing, at most one a frame.
+
+    Places are plain numbers: there are few of them, and of few numpy's sums take ten times as long.
+    """
 
     first: Detection
-    positions: list[Array] = field(default_factory=list)
+    positions: list[list[float]] = field(default_factory=list)
     rotations: list[Array] = field(default_factory=list)
     detections: list[Detection] = field(default_factory=list)
 
     def add(self, detection: Detection, odom_T_object: Transform) -> None:
         self.detections.append(detection)
-        self.positions.append(odom_T_object[:3, 3])
+        self.positions.append(odom_T_object[:3, 3].tolist())
         self.rotations.append(odom_T_object[:3, :3])
 
     @property
-    def centre(self) -> Array:
-        return np.array([_median(column) for column in np.array(self.positions).T.tolist()])
+    def centre(self) -> list[float]:
+        return [_median(column) for column in zip(*self.positions, strict=True)]
 
     def accepts(self, detection: Detection) -> bool:
         colors = {d.color for d in self.detections} - {None}
@@ -131,7 +134,7 @@ def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cl
     centres = [cluster.centre for cluster in clusters]
     pairs = []
     for i, (detection, odom_T_object) in enumerate(placed):
-        place = odom_T_object[:3, 3]
+        place = odom_T_object[:3, 3].tolist()
         gate = _OBJECT_GATE_M if detection.category == "object" else _FURNITURE_GATE_M
         for k, cluster in enumerate(clusters):
             distance = math.dist(place, centres[k])
@@ -152,13 +155,14 @@ def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cl
 
 
 def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
-    positions = np.array(cluster.positions)
-    from_median = np.linalg.norm(positions - cluster.centre, axis=1)
-    near = from_median <= max(_OUTLIER_M, 3.0 * _median(from_median.tolist()))
-    position = positions[near].mean(axis=0)
-    off = positions - position
-    inliers = [detection for detection, ok in zip(cluster.detections, near, strict=True) if ok]
-    rotation = _mean_rotation(np.array(cluster.rotations)[near])
+    centre = cluster.centre
+    from_median = [math.dist(place, centre) for place in cluster.positions]
+    near_m = max(_OUTLIER_M, 3.0 * _median(from_median))
+    near = [i for i, away_m in enumerate(from_median) if away_m <= near_m]
+    position = [fmean(column) for column in zip(*(cluster.positions[i] for i in near), strict=True)]
+    off = [math.dist(place, position) for place in cluster.positions]
+    inliers = [cluster.detections[i] for i in near]
+    rotation = _mean_rotation([cluster.rotations[i] for i in near])
     shape = _mean_shape([detection.shape for detection in inliers])
     colors = Counter(detection.color for detection in inliers if detection.color is not None)
     seen = len(cluster.detections)
@@ -171,7 +175,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         shape=shape,
         confidence=confidence * (len(inliers) / frames) ** 0.5,
         frames_seen=seen,
-        spread_m=math.sqrt(float((off * off).sum()) / len(off)),
+        spread_m=math.hypot(*off) / math.sqrt(len(off)),
         name=cluster.first.name,
     )
 
@@ -181,11 +185,12 @@ def _median(values: Iterable[float]) -> float:
     return float(median(values))
 
 
-def _mean_rotation(rotations: Array) -> Array:
+def _mean_rotation(rotations: Sequence[Array]) -> Array:
     """Chordal mean: the rotation nearest to the arithmetic mean (Markley et al. 2007)."""
-    if (rotations == rotations[0]).all():  # a detector that tracks what stands still tells the same again
-        return np.asarray(rotations[0], dtype=np.float64)
-    u, _, vt = np.linalg.svd(rotations.mean(axis=0))
+    first, *others = [rotation.tolist() for rotation in rotations]
+    if all(other == first for other in others):  # a detector that tracks what stands still tells the same
+        return rotations[0]
+    u, _, vt = np.linalg.svd(np.mean(rotations, axis=0))
     flip = np.diag([1.0, 1.0, float(np.sign(np.linalg.det(u @ vt)))])
     return np.asarray(u @ flip @ vt, dtype=np.float64)
 
@@ -194,7 +199,7 @@ def _upright(rotation: Array, shape: Shape, category: Category) -> Array:
     """Vertical when it stands (heading kept, but for round things); else as it lies."""
     if isinstance(shape, Ball):
         return np.eye(3)
-    if math.acos(float(np.clip(rotation[2, 2], -1.0, 1.0))) > _STANDING_TILT_RAD:
+    if math.acos(min(max(float(rotation[2, 2]), -1.0), 1.0)) > _STANDING_TILT_RAD:
         return rotation
     faceless = isinstance(shape, Cylinder) and category != "person"
     return np.eye(3) if faceless else poses.rotation_z(poses.yaw_of(rotation))
@@ -220,8 +225,7 @@ def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
     for estimate in sorted(estimates, key=lambda e: (-e.frames_seen, -e.confidence, *_order(e))):
         taken = estimate.category == "object" and any(
             other.category == "object"
-            and float(np.linalg.norm(other.odom_T_object[:3, 3] - estimate.odom_T_object[:3, 3]))
-            < _SAME_PLACE_M
+            and math.dist(other.odom_T_object[:3, 3], estimate.odom_T_object[:3, 3]) < _SAME_PLACE_M
             and not _could_hold(other.shape, estimate.shape)
             for other in kept
         )

@@ -14,6 +14,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
 from kinematics.trajectory import CheckedTrajectory
 from robots.description import load_description
+from robots.fake.fake_gesture import FakeGesture
 from robots.fake.fake_world import FakeWorld, cup, table
 from trees.build import build_tree
 from trees.leaf import Leaf
@@ -35,6 +36,9 @@ QUICK = TreePolicy(
     after_giving_s=0.04,
     pointing_hold_s=0.04,
 )
+PERIOD_S = 0.02
+# Fingers of the fake robot move so many times faster than the true ones.
+HURRY = 4.0
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
 
 
@@ -57,7 +61,7 @@ class RememberedGestures(GesturePlanner):
     """The planner of gestures, which answers what it was asked before at once: its answers are exact."""
 
     def __init__(self, model):
-        super().__init__(model)
+        super().__init__(model, FakeGesture)
         self._answers = {}
 
     def plan(self, request):
@@ -68,17 +72,21 @@ class RememberedGestures(GesturePlanner):
 
 
 class Stage:
-    """The fake world with a toolbox around it, and ways to run nodes in it."""
+    """The fake world with a toolbox around it, and ways to run nodes in it.
+
+    Its motions are as short as one can be that is met under way; a test that needs more makes them longer.
+    """
 
     def __init__(
         self,
         model,
         objects=None,
         policy=QUICK,
-        period_s=0.02,
+        period_s=PERIOD_S,
         dynamics=None,
         looks_for_twins=True,
         walks=False,
+        motion_s=2 * PERIOD_S,
     ):
         things = [table(), cup()] if objects is None else objects
         self.fake = FakeWorld(model, believed, things, period_s, dynamics)
@@ -101,6 +109,10 @@ class Stage:
             ranging=self.fake.ranging if walks else None,
         )
         self.hooks = []
+        self._found = {}
+        self.fake.planning.motion_s = motion_s
+        for gripper in self.fake.grippers.values():
+            gripper.speed_rad_s *= HURRY
         self.fake.step()
 
     def ready(self, node, **inputs):
@@ -148,19 +160,24 @@ class Stage:
             tree.tick()
             self._run_hooks(tree)
             self.fake.step()
+        assert tree.status == "running" or not self.hooks, f"never got there: {self.hooks}"
         return tree
 
     def _run_hooks(self, tree):
         if not self.hooks:
             return
-        # What the tree keeps: going through its branches at each tick would take longer than ticking it.
-        running = {node.name for node in tree._nodes if node.status is Status.RUNNING}
         for hook in list(self.hooks):
-            if hook[0] in running:
+            if any(node.status is Status.RUNNING for node in self._named(tree, hook[0])):
                 hook[2] -= 1
                 if hook[2] < 0:
                     self.hooks.remove(hook)
                     hook[1]()
+
+    def _named(self, tree, name):
+        """A tree's nodes of that name; going through all of them takes longer than a tick."""
+        if (tree, name) not in self._found:
+            self._found[tree, name] = [node for node in tree._nodes if node.name == name]
+        return self._found[tree, name]
 
     def failed(self):
         return [event.failure for event in self.events if hasattr(event, "failure")]
@@ -175,11 +192,11 @@ def model():
 def new_stage(model):
     """Makes stages; whoever takes it clears the blackboard himself."""
     dynamics = StandingDynamics(model, stance_at(model, model.q_home))
-    gestures = RememberedGestures(model)
+    gestures, reached = RememberedGestures(model), {}
 
     def made(*objects, **options):
         stage = Stage(model, list(objects) or None, dynamics=dynamics, **options)
-        stage.fake.planning.gestures = gestures
+        stage.fake.planning.gestures, stage.fake.planning.reached = gestures, reached
         return stage
 
     return made

@@ -1,10 +1,12 @@
 import pytest
+from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
 from trees.events import LeafFailed, NotSo
 from trees.failures import Failure, FailureKind
 from trees.leaf import DONE, RUNNING
+from trees.ports import ports
 
 
 def test_a_leaf_runs_until_it_is_done(stage, probe_leaf):
@@ -133,3 +135,42 @@ def test_time_in_a_pause_does_not_count_towards_the_deadline(stage, probe_leaf):
 
     assert leaf.elapsed_s == pytest.approx(before_s)
     assert stage.tick(leaf) is Status.RUNNING
+
+
+@pytest.fixture
+def reader(stage, probe_leaf):
+    """A leaf that reads a number."""
+
+    class Reader(probe_leaf, register=False):
+        INPUT_PORTS = ports(count=int)
+
+    leaf = Reader("reader", stage.toolbox)
+    leaf.wiring = {"count": "how_many"}
+    return leaf
+
+
+def test_a_port_is_read_where_it_is_wired_to_in_the_tree_of_the_leaf(reader):
+    Blackboard.set("/one/how_many", 1)
+    Blackboard.set("/other/how_many", 2)
+
+    reader.wire("/one")
+    first = reader.get_input("count")
+    reader.wire("/other")
+
+    assert (first, reader.get_input("count")) == (1, 2)
+
+
+def test_what_is_not_of_the_type_of_its_port_is_refused(reader):
+    reader.wire("/one")
+    Blackboard.set("/one/how_many", "three")
+
+    with pytest.raises(TypeError, match="is not of type"):
+        reader.get_input("count")
+
+
+def test_a_port_that_is_not_declared_cannot_be_read_though_something_is_there(reader):
+    reader.wire("/one")
+    Blackboard.set("/one/length", 4)
+
+    with pytest.raises(KeyError, match="not defined"):
+        reader.get_input("length")

@@ -11,7 +11,7 @@ from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from robots.description import load_description
 from trees.destination import Place
-from trees.reachable_standing import Stand, stance_of, stands_to_try
+from trees.reachable_standing import Stand, StandingRoom, places_about, stance_of
 
 SETTINGS = load_description("talos").walking
 USUAL = PlanarPose(5.25, 0.9, 0.0)
@@ -24,7 +24,8 @@ FRIDGE = SceneObject("fridge", Box((0.64, 0.6, 1.7)), poses.translation(5.88, 0.
 
 def tried(*solids):
     about = footprints(PlanningScene().with_objects(solids))
-    return list(stands_to_try(USUAL, BOTTLE_M, about, about, SETTINGS))
+    room = StandingRoom(USUAL, about, about, SETTINGS)
+    return list(filter(room.has, places_about(USUAL, BOTTLE_M)))
 
 
 def test_with_nothing_about_the_usual_place_comes_first():
@@ -43,6 +44,15 @@ def test_nobody_stands_where_the_arms_would_be_in_an_open_door():
         assert min(clearance_m(door, hand) for hand in hands) > 0.03
 
 
+def test_the_usual_place_keeps_its_own_distance_from_what_is_low_and_others_need_room():
+    stool = SceneObject("stool", Box((0.3, 0.3, 0.4)), USUAL.transform(0.2), movable=False)
+    room = StandingRoom(USUAL, footprints(PlanningScene().with_objects([stool])), (), SETTINGS)
+
+    assert room.has(USUAL)
+    assert not room.has(USUAL @ PlanarPose(-0.1))
+    assert room.has(USUAL @ PlanarPose(0.0, 2.0))
+
+
 def test_no_place_is_farther_from_the_object_than_an_arm_reaches():
     assert all(body.distance_m(PlanarPose(*BOTTLE_M)) <= 1.15 for body in tried())
 
@@ -51,7 +61,7 @@ def test_a_place_from_which_hands_get_there_better_is_asked_about_sooner():
     def reach(body):
         return 1.0 if body.to(USUAL).y_m > 0.05 else 0.1
 
-    places = list(stands_to_try(USUAL, BOTTLE_M, (), (), SETTINGS, reach=reach))
+    places = places_about(USUAL, BOTTLE_M, reach=reach)
 
     assert places[0].to(USUAL).y_m > 0.05
     assert USUAL in places
@@ -61,7 +71,7 @@ def test_where_no_hand_gets_there_one_is_asked_to_stand_after_places_farther_awa
     def reach(body):
         return 0.0 if body.distance_m(USUAL) < 0.15 else 0.9
 
-    places = list(stands_to_try(USUAL, BOTTLE_M, (), (), SETTINGS, reach=reach))
+    places = places_about(USUAL, BOTTLE_M, reach=reach)
 
     assert places[0].distance_m(USUAL) > 0.15
     assert set(places) == set(tried())

@@ -3,8 +3,10 @@ from py_trees.blackboard import Blackboard
 from py_trees.composites import Sequence
 
 from trees.events import NodeChanged
+from trees.failure_chain import place_of
 from trees.failures import FailureKind
 from trees.leaf import DONE, RUNNING
+from trees.snapshot_of import status_word
 from trees.task_tree import TaskTree
 from trees.tasks import GoHomeTask
 
@@ -35,6 +37,23 @@ def test_ticks_after_the_end_do_nothing(stage, probe_leaf):
     tree.halt("too late")
 
     assert (tree.status, tree.failure, leaf.begun) == ("success", None, 1)
+
+
+def test_every_change_of_every_node_is_told_once_and_in_the_trees_order(stage):
+    stage.when("verify lift", lambda: stage.fake.world.remove("red cup"))
+    tree = stage.pick()
+    nodes = list(tree.root.iterate())
+    before = [node.status for node in nodes]
+
+    while tree.status == "running":
+        stage.events.clear()
+        stage.play(tree, 1)
+
+        now = [node.status for node in nodes]
+        changed = [node for node, old, new in zip(nodes, before, now, strict=True) if old is not new]
+        told = [(event.where, event.status) for event in stage.events if isinstance(event, NodeChanged)]
+        assert told == [(place_of(node), status_word(node)) for node in changed]
+        before = now
 
 
 @pytest.mark.requirement("S8")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import functools
+from collections.abc import Callable, Iterator, Sequence
 from typing import ClassVar
 
 from py_trees.common import Status
@@ -21,7 +22,15 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.reachable_standing import TURNED_RAD, Stand, sees, stance_of, stands_free, stands_to_try
+from trees.reachable_standing import (
+    TURNED_RAD,
+    Stand,
+    StandingRoom,
+    places_about,
+    sees,
+    stance_of,
+    stands_free,
+)
 from trees.standing_place import standing_place
 from trees.toolbox import Job
 
@@ -74,15 +83,10 @@ class ChooseStand(Leaf):
             model = toolbox.model
             eye_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
             self._above = above
+            places = places_about(self._usual, (x, y), self.TURNED_RAD, self.reach(thing))
+            room = StandingRoom(self._usual, about, above, settings)
             self._stands = (
-                stand
-                for stand in self.stands(
-                    body,
-                    stands_to_try(
-                        self._usual, (x, y), about, above, settings, self.TURNED_RAD, self.reach(thing)
-                    ),
-                )
-                if sees(stand, eye_m, thing, scene)
+                stand for stand in self.stands(body, places, room) if sees(stand, eye_m, thing, scene)
             )
 
     def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
@@ -105,11 +109,14 @@ class ChooseStand(Leaf):
         if known is None:
             return None
         x, y, z = (float(value) for value in thing.world_T_object[:3, 3])
-        return lambda body: known.best_from(body, self.hands(), (x, y, z))
+        hands = self.hands()
+        return functools.cache(lambda body: known.best_from(body, hands, (x, y, z)))
 
-    def stands(self, _here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
+    def stands(
+        self, _here: PlanarPose, places: Sequence[PlanarPose], room: StandingRoom
+    ) -> Iterator[PlanarPose]:
         """The places to ask about, in order, where there is room."""
-        return stands
+        return filter(room.has, places)
 
     def request(self, body: PlanarPose, stance: Stance) -> PickRequest | PlaceRequest:
         """What the planner is asked for a place to stand."""

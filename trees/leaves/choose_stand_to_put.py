@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +25,7 @@ from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.leaves.choose_stand import ChooseStand
 from trees.ports import ports
-from trees.reachable_standing import EYE_AHEAD_M, TURNED_RAD, Stand
+from trees.reachable_standing import EYE_AHEAD_M, TURNED_RAD, Stand, StandingRoom
 from trees.standing_place import EDGE_M
 
 Array = NDArray[np.float64]
@@ -86,7 +87,9 @@ class ChooseStandToPut(ChooseStand):
         """The hand that holds it."""
         return (self.get_input("held").hand,)
 
-    def stands(self, here: PlanarPose, stands: Iterator[PlanarPose]) -> Iterator[PlanarPose]:
+    def stands(
+        self, here: PlanarPose, places: Sequence[PlanarPose], room: StandingRoom
+    ) -> Iterator[PlanarPose]:
         """Here first, for who stands well does not walk; then where the hand gets there best."""
         thing = self.thing(self._place)
         if thing is None:
@@ -99,8 +102,10 @@ class ChooseStandToPut(ChooseStand):
                 return math.ceil(_NINTHS * reach(one)) / _NINTHS
             return 1.0 if (one @ shoulder).distance_m(spot) <= _REACH_M else 0.0
 
-        best = sorted(stands, key=lambda one: (-share(one), (one @ shoulder).distance_m(spot)))
-        return (one for one in (here, *best) if share(one) > 0.0 and self._in_sight(one))
+        first = [here] if share(here) > 0.0 else []
+        reached = [one for one in places if share(one) > 0.0]
+        reached.sort(key=lambda one: (-share(one), (one @ shoulder).distance_m(spot)))
+        return filter(self._in_sight, chain(first, filter(room.has, reached)))
 
     def _in_sight(self, body: PlanarPose) -> tuple[Spot, ...]:
         """The spots that the eyes see from a place to stand."""

@@ -66,7 +66,7 @@ def joints_of(gaze: Gaze, description: RobotDescription) -> Mapping[str, float]:
     inside = {}
     for joint, angle in wanted.items():
         lower, upper = description.limits[joint].position
-        inside[joint] = float(np.clip(angle, lower + margin, upper - margin))
+        inside[joint] = min(max(angle, lower + margin), upper - margin)
     return inside
 
 

@@ -56,6 +56,7 @@ def slips(stage):
 
 
 def hits(stage):
+    stage.fake.planning.motion_s = 0.08  # so that the touch is felt on the way
     stage.when("lower", lambda: stage.fake.pull_n.update(right=(0.0, 0.0, 60.0)), 3)
     stage.when("lift it again", stage.fake.pull_n.clear)
 

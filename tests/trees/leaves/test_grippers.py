@@ -86,7 +86,8 @@ def test_verify_hold_fails_when_nothing_is_between_the_fingers(knowing, planned)
 @pytest.mark.requirement("M2")
 def test_verify_hold_fails_when_something_thinner_is_held(knowing, planned):
     planned.grip()
-    knowing.fake.grippers["right"].position_rad = -0.4
+    hand = knowing.fake.grippers["right"]
+    hand.position_rad, hand.speed_rad_s = -0.4, 0.0
     leaf = VerifyHold("verify hold", knowing.toolbox)
 
     assert knowing.run(leaf, grasp=planned.grasp) is Status.FAILURE

@@ -52,6 +52,11 @@ def run(stage, task):
     return stage.play(build_tree(task, stage.toolbox))
 
 
+def long_enough_to_feel_on_the_way(stage):
+    """Make motions so long that a touch is felt twice before the end."""
+    stage.fake.planning.motion_s = 0.08
+
+
 def said(stage):
     return [event.text for event in stage.events if isinstance(event, Said)]
 
@@ -219,6 +224,7 @@ def test_a_cup_under_which_nothing_is_felt_is_kept(stage):
 
 
 def test_a_table_that_seemed_higher_does_not_bar_the_way_farther_down(stage):
+    long_enough_to_feel_on_the_way(stage)
     stage.play(stage.pick())
     stage.fake.detector.offset_m["table"] = (0.0, 0.0, 0.02)
 
@@ -233,6 +239,7 @@ def test_a_table_that_seemed_higher_does_not_bar_the_way_farther_down(stage):
 
 def test_an_early_touch_leads_to_another_spot(stage):
     stage.play(stage.pick())
+    long_enough_to_feel_on_the_way(stage)
     stage.when("lower", lambda: stage.fake.pull_n.update(right=(0.0, 0.0, 60.0)), 3)
     stage.when("lift it again", stage.fake.pull_n.clear)
 

@@ -66,7 +66,7 @@ def test_an_open_hand_that_was_stopped_on_its_way_in_is_drawn_back_too(stage):
 
 
 def test_what_the_hand_holds_is_not_let_go(stage):
-    cancelled_at(stage, "stream lift", 3)
+    cancelled_at(stage, "stream lift", 1)
     assert "red cup" in stage.told.scene.attached
 
     assert objects_in_open_grasp(stage.toolbox) == ()
