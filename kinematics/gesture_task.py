@@ -6,10 +6,9 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
-from kinematics import poses
+from kinematics.arm_frames import ArmFrames, arm_kinematics
 from kinematics.arm_posture import Residual, arm_posture
 from kinematics.balanced_timing import time_in_balance
 from kinematics.curves import Curve
@@ -45,7 +44,7 @@ class GestureTask:
     """The state of one gesture's planning.
 
     Attributes:
-        arm: Joints of the arm.
+        arm: Of the hand.
         outwards: 1 for the left hand, -1 for the right one: the sign of its side.
         space: The free coordinates.
         scene: The scene, with margins that the start keeps.
@@ -55,91 +54,43 @@ class GestureTask:
     def __init__(
         self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int
     ) -> None:
-        groups = model.description.groups
         self._model, self._hand, self._q_start = model, hand, q_start
         self._stance = request.stance
         self._rng = np.random.default_rng(seed)
-        self._data, self._placed_at = model.pin.createData(), b""
-        self.arm = groups[f"{hand}_arm"]
+        self.arm = arm_kinematics(model, hand)
         self.outwards = 1.0 if hand == "left" else -1.0
-        self._turning = tuple(joint for joint in groups["torso"] if _is_vertical(model, joint))
-        self._shoulder_id = model.pin.getJointId(self.arm[1])
-        self._elbow_id = model.pin.getJointId(self.arm[3])
-        self._chest_id = int(model.pin.parents[model.pin.getJointId(self.arm[0])])
-        self._tcp_id = model.frame_id(model.description.tcp_frames[hand])
         self._home = model.home_over(request.stance)
-        self._chest_home = self._placed(self._home).oMi[self._chest_id].rotation.copy()
         self.space: FreeCoordinates = free_coordinates(model, request.stance)
         self.scene: PlanningScene = relaxed_at(model, request.scene, q_start, RESERVE_M)
         self.planner = PathPlanner(
             model, self.space, validity(model, request.stance, self.scene, RESERVE_M, RESERVE_M)
         )
 
-    # where things are at a configuration
-
-    def shoulder(self, q: Array) -> Array:
-        """Of the arm's second joint, shape (3,)."""
-        return np.array(self._placed(q).oMi[self._shoulder_id].translation)
-
-    def elbow(self, q: Array) -> Array:
-        """Of the arm's fourth joint, shape (3,)."""
-        return np.array(self._placed(q).oMi[self._elbow_id].translation)
-
-    def tcp(self, q: Array) -> poses.Transform:
-        """``world_T_tcp``."""
-        data = self._placed(q)
-        return np.array(pin.updateFramePlacement(self._model.pin, data, self._tcp_id).homogeneous)
-
-    def heading(self, q: Array) -> float:
-        """Where the chest faces: its turn about the vertical from where it faces at home, rad."""
-        turn = self._placed(q).oMi[self._chest_id].rotation @ self._chest_home.T
-        return poses.yaw_of(turn) + poses.yaw_of(poses.rotation_from_quaternion(self._home[3:7]))
-
-    def bearing(self, q: Array, point: Array) -> float:
-        """Direction of a point from the chest, rad."""
-        x, y = (point - self._placed(q).oMi[self._chest_id].translation)[:2]
-        return float(np.arctan2(y, x))
-
-    def turned_past(self, q: Array, point: Array) -> float:
-        """How far the chest is turned past a point, rad."""
-        angle = self.heading(q) - self.bearing(q, point)
-        return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
-
-    def length_m(self, q: Array) -> float:
-        """From shoulder to elbow to TCP."""
-        shoulder, elbow, tcp = self.shoulder(q), self.elbow(q), self.tcp(q)[:3, 3]
-        return float(np.linalg.norm(elbow - shoulder) + np.linalg.norm(tcp - elbow))
-
-    def _placed(self, q: Array) -> pin.Data:
-        if q.tobytes() != self._placed_at:
-            pin.forwardKinematics(self._model.pin, self._data, q)
-            self._placed_at = q.tobytes()
-        return self._data
-
-    # planning
-
     def reach(
         self,
         name: str,
         residual: Residual,
         look_m: Array,
-        good: Callable[[Array], bool],
+        good: Callable[[ArmFrames], bool],
         goodness: str,
         enough: float = ENOUGH,
         starts: int = STARTS,
         spread_rad: float = SPREAD_RAD,
+        has_room: Callable[[Array], bool] | None = None,
     ) -> MovePlan | NoPlan:
-        """Plan to a posture with a small residual that is ``good`` and free, looking at a point."""
+        """Plan to a posture with a small residual that is ``good``, roomy and free, looking at a point."""
         reasons: Counter[str] = Counter()
-        joints = (*self.arm, *self._turning)
-        columns = 7 + self._model.indices(joints)
+        columns = self.arm.columns
         for q_seed in self._starts(columns, look_m, starts, spread_rad):
-            found = arm_posture(self._model, q_seed, joints, residual, self._home[columns])
+            found = arm_posture(self._model, self.arm, q_seed, residual, self._home[columns])
             if found.error > enough:
                 reasons["out of reach"] += 1
                 continue
-            if not good(found.q):
+            if not good(self.arm.at(found.q)):
                 reasons[f"not {goodness}"] += 1
+                continue
+            if has_room is not None and not has_room(found.q):
+                reasons["too near to something"] += 1
                 continue
             goal = found.q.copy()
             for joint, angle in gaze_joints(self._model, goal, look_m).items():
@@ -148,7 +99,7 @@ class GestureTask:
             if not self.planner.is_free(x_goal):
                 reasons["collision or lost balance"] += 1
                 continue
-            curve = self.planner.plan(x_start, x_goal, self._moving(joints), self._rng)
+            curve = self.planner.plan(x_start, x_goal, self._moving(self.arm.joints), self._rng)
             if curve is None:
                 reasons["no path"] += 1
                 continue
@@ -178,8 +129,8 @@ class GestureTask:
         q = self._home.copy()
         other_arm = self._model.group("left_arm" if self._hand == "right" else "right_arm")
         q[7 + other_arm] = self._q_start[7 + other_arm]
-        turning = 7 + self._model.indices(self._turning)
-        q[turning] -= self.turned_past(q, look_m) / max(len(turning), 1)
+        turning = 7 + self._model.indices(self.arm.turning)
+        q[turning] -= self.arm.at(q).turned_past_rad(look_m)[0] / max(len(turning), 1)
         yield q
         for _ in range(count):
             other = q.copy()
@@ -188,13 +139,3 @@ class GestureTask:
 
     def _moving(self, joints: Sequence[str]) -> list[int]:
         return [self.space.index(joint) for joint in joints]
-
-
-def _is_vertical(model: RobotModel, joint: str) -> bool:
-    """Whether a joint turns about the vertical at home."""
-    data = model.pin.createData()
-    pin.computeJointJacobians(model.pin, data, model.q_home)
-    index = model.pin.getJointId(joint)
-    axis = pin.getJointJacobian(model.pin, data, index, pin.ReferenceFrame.WORLD)[3:, :]
-    own = axis[:, int(model.pin.joints[index].idx_v)]
-    return bool(abs(own[2]) > 0.99)
