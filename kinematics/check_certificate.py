@@ -4,7 +4,8 @@ The motion is a binary tree of intervals. In an interval's middle two solids are
 distance; within it they approach by no more than the joints between them move, times how far the
 solids can be from their axes. Where the first exceeds the second the pair is done with, for the whole
 interval; what is left goes on to the two halves, the earlier one first, so that the first contact of a
-pair is the last thing that has to be known of it.
+pair is the last thing that has to be known of it. Its upper levels join parts that are cut beforehand:
+there, what stays as far apart as it is, or is far away, is proven once for many parts.
 
 The distances are the kernel's; the kinematics and the bounds of motion are the checker's own.
 """
@@ -34,6 +35,9 @@ from kinematics.kernel.separation import core_distance, point_distance
 from kinematics.kernel.solids import HULL, Solids
 
 WORLD, BASE = 0, 1
+# In intervals of more parts than one, distances are computed of what comes no nearer than this: of the rest
+# balls tell which pairs are far away. Nothing that is near and moves is proven there.
+_HARDLY_M = 0.02
 # An interval of an hour is shorter than a rounding error after so many halvings.
 _DEPTH = 62
 
@@ -226,21 +230,26 @@ def certify(
         floats1(loose, np.array([33, 3])),
         floats1(loose, np.array([36, 3])),
     )
-    open_pairs = np.empty(n * (_DEPTH + 2), np.int64)
-    spans = starts.shape[0] - 1
-    begins, ends = np.empty(spans + _DEPTH + 2), np.empty(spans + _DEPTH + 2)
-    bounds = np.empty((spans + _DEPTH + 2, 3), np.int64)
+    parts = starts.shape[0] - 1
+    levels = _DEPTH + 2
+    while parts >> (levels - _DEPTH - 2) > 0:
+        levels += 1
+    open_pairs = np.empty(n * levels, np.int64)
+    begins, ends = np.empty(levels), np.empty(levels)
+    # first and last open pair, how often a part was halved, and the first and last part
+    bounds = np.empty((levels, 5), np.int64)
     for k in range(n):
         open_pairs[k] = k
-    for k in range(spans):
-        begins[k], ends[k] = starts[spans - 1 - k], starts[spans - k]
-        bounds[k, 0], bounds[k, 1], bounds[k, 2] = 0, n, 0
-    top = spans
+    begins[0], ends[0] = starts[0], starts[parts]
+    bounds[0, 0], bounds[0, 1], bounds[0, 2], bounds[0, 3], bounds[0, 4] = 0, n, 0, 0, parts
+    top = 1
     queries = 0
     while top > 0:
         top -= 1
         begin, end = begins[top], ends[top]
         first_open, last_open, depth = bounds[top, 0], bounds[top, 1], bounds[top, 2]
+        first_part, last_part = bounds[top, 3], bounds[top, 4]
+        joined = last_part - first_part > 1
         needed[:] = 0
         wanted[:] = 0
         some = False
@@ -305,6 +314,10 @@ def certify(
                 apart = math.sqrt(square) - solids.radius[first] - solids.radius[second]
             if apart > need + 1e-9:
                 continue
+            if joined and step > _HARDLY_M:
+                open_pairs[left] = pair
+                left += 1
+                continue
             _relative(solids, first, second, R, p, A, B, a, b)
             rounding = solids.round[first] + solids.round[second]
             queries += 1
@@ -331,19 +344,26 @@ def certify(
             else:
                 apart = low
             if apart < touching:
-                contact[pair] = middle
+                contact[pair] = min(contact[pair], middle)
                 if step <= collision:
                     # all of this interval is as near, and everything before is proven
                     contact[pair] = begin
                     continue
-            if not jumping and depth < _DEPTH:
+            if joined or (not jumping and depth < _DEPTH):
                 open_pairs[left] = pair
                 left += 1
         if left > last_open:
+            cut = (first_part + last_part) // 2
+            if joined:
+                middle = starts[cut]
+            else:
+                depth += 1
             for half in range(2):
                 begins[top] = middle if half == 0 else begin
                 ends[top] = end if half == 0 else middle
-                bounds[top, 0], bounds[top, 1], bounds[top, 2] = last_open, left, depth + 1
+                bounds[top, 0], bounds[top, 1], bounds[top, 2] = last_open, left, depth
+                bounds[top, 3] = cut if joined and half == 0 else first_part
+                bounds[top, 4] = cut if joined and half == 1 else last_part
                 top += 1
     # a last use: their owners keep the loose arrays' memory until here
     owners = own_R.shape[0] + own_p.shape[0] + own_axis.shape[0] + scratch.shape[0]

@@ -46,7 +46,8 @@ class ContactFinder:
         self._kinematics = kinematics
         self._settings = settings
         self._chains = [kinematics.chain(body) for body in range(kinematics.count)]
-        self._levels = np.array([[_levels(one, other) for other in self._chains] for one in self._chains])
+        levels = np.array([[_levels(one, other) for other in self._chains] for one in self._chains], np.int64)
+        self._first_level, self._second_level = levels[..., 0], levels[..., 1]
         self._own = len(robot)
         self._robot = (self._limbs(robot), self._flat(robot))
         self._last: tuple[Pairs, Limbs, kernel.Solids, PairList] | None = None
@@ -143,20 +144,17 @@ class ContactFinder:
             if rest:
                 held = [solid for solid in rest if solid.body != WORLD]
                 around = rest[len(held) :]
-                # what follows has no points, so its rows need no shift
-                parts = [solids, *([self._flat(held)] if held else []), _plain(around)]
-                solids = kernel.Solids(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+                solids = kernel.with_plain(solids, *([self._flat(held)] if held else []), _plain(around))
                 still = np.zeros((len(around), limbs.body.shape[1]))
                 nothing = Limbs(still.astype(np.int64), still, np.zeros(len(around), np.int64))
                 all_limbs = [limbs, *([self._limbs(held)] if held else []), nothing]
                 limbs = Limbs(*(np.concatenate(part) for part in zip(*all_limbs, strict=True)))
-            bodies = solids.body
-            levels = self._levels[bodies[pairs.first], bodies[pairs.second]]
+            bodies = solids.body[pairs.first], solids.body[pairs.second]
             listed = PairList(
-                pairs.first.astype(np.int64),
-                pairs.second.astype(np.int64),
-                np.ascontiguousarray(levels[:, 0]),
-                np.ascontiguousarray(levels[:, 1]),
+                pairs.first.astype(np.int64, copy=False),
+                pairs.second.astype(np.int64, copy=False),
+                self._first_level[bodies],
+                self._second_level[bodies],
                 pairs.clearance_m,
             )
             self._last = (pairs, limbs, solids, listed)

@@ -191,7 +191,9 @@ class DynamicsCheck:
         window = self._settings.acceleration_window_s
         end = trajectory.duration_s
         before, after = np.maximum(times - window, 0.0), np.minimum(times + window, end)
-        v, early, late = (_interpolate(trajectory, t) for t in (times, before, after))
+        n = len(times)
+        every = _interpolate(trajectory, np.concatenate([times, before, after]))
+        v, early, late = every[:n], every[n : 2 * n], every[2 * n :]
         return v, (late - early) / np.maximum(after - before, 1e-9)[:, None]
 
     def _inverse_dynamics(self, trajectory: Trajectory, times: Array, q: Array) -> Array:

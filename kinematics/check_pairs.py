@@ -134,7 +134,8 @@ class PairBuilder:
             held.append(
                 plain_solid(body.body.name, int(frame.parentJoint), joint_T_object, shape, self._kinematics)
             )
-        things = list(scene.objects.values())
+        # looks tell of the same things in other orders
+        things = sorted(scene.objects.values(), key=lambda item: item.name)
         if FLOOR not in scene.objects:
             things.append(self._floor)
         solids = (*self.robot, *held, *self._around(things))
@@ -153,11 +154,11 @@ class PairBuilder:
         """Which pairs are judged; kept, as most scenes of a task differ in where things are alone."""
         held = tuple((item.body.name, item.touch_links) for item in scene.attached.values())
         key = tuple(things), held, scene.allowed
-        known = self._layouts.get(key)
-        if known is None:
-            while len(self._layouts) >= _KEPT:
-                self._layouts.pop(next(iter(self._layouts)))
-            known = self._layouts[key] = self._laid_out(scene, things)
+        known = self._layouts.pop(key, None) or self._laid_out(scene, things)
+        # behind those that were not asked about for longer
+        self._layouts[key] = known
+        while len(self._layouts) > _KEPT:
+            self._layouts.pop(next(iter(self._layouts)))
         return known
 
     def _laid_out(self, scene: PlanningScene, things: Sequence[str]) -> PairLayout:

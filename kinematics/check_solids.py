@@ -6,6 +6,7 @@ bounding ball and the support function prove most pairs apart without it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -86,8 +87,11 @@ def plain_solid(
     """A box, cylinder or ball on a body, or in the world (``body`` 0)."""
     centre = np.array(body_T_solid[:3, 3])
     radius = _circumradius(shape)
-    axis = kinematics.axis[body]
-    from_axis = float(np.linalg.norm(centre - axis * (axis @ centre)))
+    reach_m = axis_reach_m = 0.0
+    if body != WORLD:
+        axis = kinematics.axis[body]
+        reach_m = math.hypot(*centre) + radius
+        axis_reach_m = math.hypot(*(centre - axis * (axis @ centre))) + radius
     return Solid(
         name=name,
         body=body,
@@ -97,8 +101,8 @@ def plain_solid(
         shape=shape,
         centre_m=centre,
         radius_m=radius,
-        reach_m=0.0 if body == WORLD else float(np.linalg.norm(centre)) + radius,
-        axis_reach_m=0.0 if body == WORLD else from_axis + radius,
+        reach_m=reach_m,
+        axis_reach_m=axis_reach_m,
         detail=0,
     )
 
@@ -183,9 +187,9 @@ def _coal_shape(shape: Shape) -> Any:
 def _circumradius(shape: Shape) -> float:
     match shape:
         case Box(size_m=size):
-            return 0.5 * float(np.linalg.norm(size))
+            return 0.5 * math.hypot(*size)
         case Cylinder(radius_m=radius, height_m=height):
-            return float(np.hypot(radius, 0.5 * height))
+            return math.hypot(radius, 0.5 * height)
         case Ball(radius_m=radius):
             return radius
 

@@ -81,10 +81,9 @@ def _mount_findings(model: RobotModel, timeline: Timeline, settings: CheckSettin
 
 def _instants(timeline: Timeline, legs: list[int], settings: CheckSettings) -> Array:
     """Samples, and more between them where base or legs bend by more than a part of the tolerance."""
-    bend = timeline.bend(legs)
-    moving = np.ptp(timeline.joints_rad[:, legs], axis=0).any() or timeline.base_turn_rad.any()
-    if not (moving or np.ptp(timeline.base_position_m, axis=0).any() or bend[:, [0]].any()):
+    if timeline.rests(legs):
         return timeline.t_s[:1]
+    bend = timeline.bend(legs)
     stray = bend[:, 0] + _LEG_M * bend[:, 1:].sum(axis=1)
     parts = np.ceil(np.sqrt(stray / (0.25 * settings.stance_m))).astype(np.intp)
     extra = [

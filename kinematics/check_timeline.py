@@ -57,16 +57,12 @@ class Timeline:
         self.joints_rad = trajectory.q[:, 7:]
         self.joint_velocity = trajectory.v[:, 6:]
         self.base_position_m = trajectory.q[:, :3]
-        norm = np.maximum(np.linalg.norm(trajectory.q[:, 3:7], axis=1, keepdims=True), 1e-9)
-        quaternions = trajectory.q[:, 3:7] / norm
-        dots = np.einsum("ni,ni->n", quaternions[:-1], quaternions[1:])
-        flips = np.cumprod(np.where(dots < 0.0, -1.0, 1.0))
-        quaternions = quaternions * np.concatenate([[1.0], flips])[:, None]
-        self.quaternions = quaternions
+        self.quaternions = _continuous(trajectory.q[:, 3:7])
         # the chord's length gives small angles without the cancellation of arccos
-        chord = np.linalg.norm(np.diff(quaternions, axis=0), axis=1)
+        chord = np.linalg.norm(np.diff(self.quaternions, axis=0), axis=1)
         self.base_turn_rad = 4.0 * np.arcsin(np.minimum(0.5 * chord, 1.0))
-        rotation = rotations(quaternions)
+        self._turns = bool(self.base_turn_rad.any())
+        rotation = self._rotations(self.quaternions)
         self.base_velocity = np.einsum("nij,nj->ni", rotation, trajectory.v[:, :3])
         self.duration_s = float(trajectory.t_s[-1])
         self._values = np.hstack([self.base_position_m, self.joints_rad])
@@ -79,7 +75,7 @@ class Timeline:
             values, quaternions = self._values, self.quaternions
         else:
             values, quaternions, _ = self._evaluate(t_s, with_rates=False)
-        return Configurations(t_s, values[:, :3], quaternions, rotations(quaternions), values[:, 3:])
+        return Configurations(t_s, values[:, :3], quaternions, self._rotations(quaternions), values[:, 3:])
 
     def knots(self, spacing_s: float) -> Array:
         """Times from start to end, evenly spaced, not farther apart than ``spacing_s``; an odd number."""
@@ -132,6 +128,14 @@ class Timeline:
         bound = (4.0 / 27.0) * (np.abs(early) + np.abs(late))
         return np.column_stack([np.linalg.norm(bound[:, :3], axis=1), bound[:, 3:]])
 
+    def rests(self, joints: Sequence[int]) -> bool:
+        """Tell whether the base and some joints stay where they are, between the samples too."""
+        still = (self.base_turn_rad, self.base_velocity, self.joint_velocity[:, joints])
+        if any(array.any() for array in still):
+            return False
+        places = (self.base_position_m, self.joints_rad[:, joints])
+        return all(bool((array == array[0]).all()) for array in places)
+
     def accelerations(self) -> tuple[Array, Array]:
         """Of the joints at the beginning and at the end of each segment, shape (n - 1, k) each."""
         if self._accelerations is None:
@@ -142,6 +146,14 @@ class Timeline:
             late = (-6.0 * slope + 2.0 * v[:-1] + 4.0 * v[1:]) / h
             self._accelerations = (early, late)
         return self._accelerations
+
+    def _rotations(self, quaternions: Array) -> Array:
+        """Those of the base at some times, shape (m, 3, 3); most motions do not turn it."""
+        if self._turns:
+            return rotations(quaternions)
+        found = np.empty((len(quaternions), 3, 3))
+        found[:] = rotations(self.quaternions[:1])
+        return found
 
     def _evaluate(self, t_s: Array, with_rates: bool = True) -> tuple[Array, Array, Array]:
         """Values (base position, joints), base quaternions, and the values' rates, unless nobody asks."""
@@ -160,6 +172,18 @@ class Timeline:
             return values, quaternions, values
         rates = (change + w * (1.0 - 3.0 * u) * bow + u * (2.0 - 3.0 * u) * lean) / h
         return values, quaternions, rates
+
+
+def _continuous(quaternions: Array) -> Array:
+    """Made unit quaternions, shape (n, 4), each on the side of the sphere where the one before is."""
+    if (quaternions == quaternions[0]).all():
+        unit = quaternions[0] / max(float(np.linalg.norm(quaternions[0])), 1e-9)
+        return np.tile(unit, (len(quaternions), 1))
+    norm = np.maximum(np.linalg.norm(quaternions, axis=1, keepdims=True), 1e-9)
+    quaternions = quaternions / norm
+    dots = np.einsum("ni,ni->n", quaternions[:-1], quaternions[1:])
+    flips = np.cumprod(np.where(dots < 0.0, -1.0, 1.0))
+    return np.asarray(quaternions * np.concatenate([[1.0], flips])[:, None])
 
 
 def rotations(quaternions: Array) -> Array:

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arm_frames import ArmFrames, arm_kinematics
 from kinematics.arm_posture import arm_posture
 from kinematics.gesture_requests import (
     CarryRequest,
@@ -40,6 +42,8 @@ WAVING_M = (0.24, 0.20, 0.27)
 OFFER_M = (0.50, 0.06, 0.22)
 # What a decimetre off that place counts, when the fingers are in the way there.
 OFFER_FREEDOM = 0.2
+# How far it leans, at most.
+OFFER_TILT_RAD = 0.05
 # Between an offered object and the person's axis, at least: an arm's length of room.
 OFFER_ROOM_M = 0.55
 # Cosine of the angle between the fingers' closing and the way to the person, at most: a cup in an open hand
@@ -104,34 +108,37 @@ class GesturePlanner:
         target = np.array(request.towards_m)
         ahead, aside, up = WAVING_M
 
-        def residual(q: Array) -> Array:
-            turn = poses.rotation_z(task.bearing(q, target))
-            place = task.shoulder(q) + turn @ (ahead, task.outwards * aside, up)
-            tcp = task.tcp(q)
-            return np.concatenate(
-                [tcp[:3, 3] - place, 0.3 * _unlike(tcp[:3, 0], _UP), [0.5 * task.turned_past(q, target)]]
+        def residual(at: ArmFrames) -> Array:
+            turn = poses.rotations_z(at.bearing_rad(target))
+            place = at.shoulder_m + turn @ (ahead, task.outwards * aside, up)
+            return np.column_stack(
+                [
+                    at.tcp_m - place,
+                    0.3 * _unlike(at.world_R_tcp[:, :, 0], _UP),
+                    0.5 * at.turned_past_rad(target),
+                ]
             )
 
-        def faces(q: Array) -> bool:
-            return abs(task.turned_past(q, target)) <= FACING_RAD
+        def facing(at: ArmFrames) -> bool:
+            return abs(float(at.turned_past_rad(target)[0])) <= FACING_RAD
 
-        return task.reach("raise", Wish(residual, target, faces, "facing it"))
+        return task.reach("raise", Wish(residual, target, facing, "facing it"))
 
     def _swing(self, request: SwingRequest) -> MovePlan | NoPlan:
         task = self._make_task(self._model, request.q_start, request, request.hand, 0)
         q = request.q_start
-        start = task.tcp(q)
-        across = poses.rotation_z(task.heading(q)) @ (0.0, 0.5 * request.width_m, 0.0)
+        arm = arm_kinematics(self._model, request.hand, trunk=False)
+        start = arm.at(q)
+        across = poses.rotation_z(float(start.heading_rad[0])) @ (0.0, 0.5 * request.width_m, 0.0)
         ends = []
         for side in (1.0, -1.0):
-            place = start[:3, 3] + side * across
+            place = start.tcp_m[0] + side * across
 
-            def residual(q: Array, place: Array = place) -> Array:
-                tcp = task.tcp(q)
-                return np.concatenate([tcp[:3, 3] - place, 0.05 * _unlike(tcp[:3, 0], _UP)])
+            def residual(at: ArmFrames, place: Array = place) -> Array:
+                return np.hstack([at.tcp_m - place, 0.05 * _unlike(at.world_R_tcp[:, :, 0], _UP)])
 
-            found = arm_posture(self._model, q, task.arm, residual, q[7 + self._model.indices(task.arm)])
-            if float(np.linalg.norm(task.tcp(found.q)[:3, 3] - place)) > ENOUGH:
+            found = arm_posture(self._model, arm, q, residual, q[arm.columns])
+            if float(np.linalg.norm(arm.at(found.q).tcp_m[0] - place)) > ENOUGH:
                 return NoPlan("the raised hand has no room to swing", {"out of reach": 1})
             ends.append(found.q)
         return task.swing([q, *(ends[k % 2] for k in range(request.swings + 1)), q])
@@ -142,26 +149,26 @@ class GesturePlanner:
             self._make_task(self._model, request.q_start, request, hand, request.seed)
             for hand in request.hands
         ]
-        tasks.sort(key=lambda task: float(np.linalg.norm(task.shoulder(request.q_start) - target)))
+        tasks.sort(key=lambda task: math.dist(task.arm.at(request.q_start).shoulder_m[0], target))
         answer: MovePlan | NoPlan = NoPlan("no hand may be used", {})
         # the other hand before many postures of the first
         for task, above_m, starts in [(task, *way) for way in POINT_WAYS for task in tasks]:
 
-            def residual(q: Array, task: GestureTask = task, above_m: float = above_m) -> Array:
-                tcp, elbow, shoulder = task.tcp(q), task.elbow(q), task.shoulder(q)
-                towards = target - shoulder
-                far = float(np.linalg.norm(towards))
-                reach = max(min(STRETCHED * task.length_m(q), far - POINT_ROOM_M), 0.2)
-                return np.concatenate(
+            def residual(at: ArmFrames, above_m: float = above_m) -> Array:
+                towards = target - at.shoulder_m
+                far = np.linalg.norm(towards, axis=1)
+                reach = np.maximum(np.minimum(STRETCHED * at.length_m(), far - POINT_ROOM_M), 0.2)
+                way = (reach / far)[:, None] * towards + above_m * _UP
+                return np.hstack(
                     [
-                        _unlike(tcp[:3, 3] - elbow, target - elbow),
-                        0.5 * _unlike(tcp[:3, 0], target - tcp[:3, 3]),
-                        0.15 * (tcp[:3, 3] - shoulder - reach * towards / far - above_m * _UP),
+                        _unlike(at.tcp_m - at.elbow_m, target - at.elbow_m),
+                        0.5 * _unlike(at.world_R_tcp[:, :, 0], target - at.tcp_m),
+                        0.15 * (at.tcp_m - at.shoulder_m - way),
                     ]
                 )
 
-            def meets(q: Array, task: GestureTask = task) -> bool:
-                return beside_ray_m(task.elbow(q), task.tcp(q)[:3, 3], target) <= 2.0 * ENOUGH
+            def meets(at: ArmFrames) -> bool:
+                return beside_ray_m(at.elbow_m[0], at.tcp_m[0], target) <= 2.0 * ENOUGH
 
             wish = Wish(residual, target, meets, "pointing at it", 0.1, starts, POINT_SPREAD_RAD)
             answer = task.reach("point", wish)
@@ -174,36 +181,36 @@ class GesturePlanner:
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
-        person = np.array(request.person_m)
+        held, person = _HeldInHand(body.frame_T_object), np.array(request.person_m)
         ahead, inwards, down = OFFER_M
 
-        def across(tcp: poses.Transform, item: poses.Transform) -> float:
-            """Cosine of the angle between the fingers' closing and the way to the person."""
-            way = (person - item[:3, 3])[:2]
-            return float(tcp[:2, 1] @ way) / math.hypot(*way)
+        def across(at: ArmFrames, item_m: Array) -> Array:
+            """Cosine of the angle between the fingers' closing and the way to the person, shape (n,)."""
+            way = (person - item_m)[:, :2]
+            return np.asarray(np.sum(at.world_R_tcp[:, :2, 1] * way, axis=1) / np.hypot(*way.T))
 
-        def residual(q: Array, place_weight: float, finger_weight: float) -> Array:
-            shoulder, bearing = task.shoulder(q), task.bearing(q, person)
-            far = math.hypot(*(person - shoulder)[:2])
-            turn = poses.rotation_z(bearing)
-            place = shoulder + turn @ (min(ahead, far - OFFER_ROOM_M), -task.outwards * inwards, -down)
-            tcp = task.tcp(q)
-            item = tcp @ body.frame_T_object
-            return np.concatenate(
+        def residual(at: ArmFrames, place_weight: float, finger_weight: float) -> Array:
+            far = np.hypot(*(person - at.shoulder_m)[:, :2].T)
+            turn = poses.rotations_z(at.bearing_rad(person))
+            aside, below = -task.outwards * inwards * turn[:, :, 1], down * _UP
+            place = (
+                at.shoulder_m + np.minimum(ahead, far - OFFER_ROOM_M)[:, None] * turn[:, :, 0] + aside - below
+            )
+            item_m = held.places_m(at)
+            return np.column_stack(
                 [
-                    place_weight * (item[:3, 3] - place),
-                    0.5 * _unlike(item[:3, 2], _UP),
-                    0.03 * _unlike(tcp[:3, 0], turn[:, 0]),
-                    [finger_weight * across(tcp, item)],
+                    place_weight * (item_m - place),
+                    0.5 * _unlike(held.upwards(at), _UP),
+                    0.03 * _unlike(at.world_R_tcp[:, :, 0], turn[:, :, 0]),
+                    finger_weight * across(at, item_m),
                 ]
             )
 
-        def upright(q: Array) -> bool:
-            return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(0.05))
+        def upright(at: ArmFrames) -> bool:
+            return held.is_upright(at, OFFER_TILT_RAD)
 
-        def out_of_the_way(q: Array) -> bool:
-            tcp = task.tcp(q)
-            return upright(q) and abs(across(tcp, tcp @ body.frame_T_object)) <= BESIDE_FINGERS
+        def out_of_the_way(at: ArmFrames) -> bool:
+            return upright(at) and abs(float(across(at, held.places_m(at))[0])) <= BESIDE_FINGERS
 
         answer: MovePlan | NoPlan = NoPlan("nothing was tried", {})
         for place_weight, finger_weight, good, goodness, starts in (
@@ -224,34 +231,30 @@ class GesturePlanner:
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
         home = self._model.home_over(request.stance)
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
+        held = _HeldInHand(body.frame_T_object)
         ahead, inwards, down = CARRY_M
         watched = home[:3] + facing @ CARRY_LOOK_M
         watched[2] = CARRY_LOOK_M[2]
 
-        def residual(q: Array, raised_m: float) -> Array:
-            place = task.shoulder(q) + facing @ (ahead, -task.outwards * inwards, raised_m - down)
-            tcp = task.tcp(q)
-            item = tcp @ body.frame_T_object
-            return np.concatenate(
+        def residual(at: ArmFrames, raised_m: float) -> Array:
+            place = at.shoulder_m + facing @ (ahead, -task.outwards * inwards, raised_m - down)
+            return np.column_stack(
                 [
-                    0.2 * (item[:3, 3] - place),
-                    _unlike(item[:3, 2], _UP),
-                    0.02 * _unlike(tcp[:3, 0], facing[:, 0]),
-                    [0.5 * task.turned_past(q, watched)],
+                    0.2 * (held.places_m(at) - place),
+                    _unlike(held.upwards(at), _UP),
+                    0.02 * _unlike(at.world_R_tcp[:, :, 0], facing[:, 0]),
+                    0.5 * at.turned_past_rad(watched),
                 ]
             )
 
-        def upright(q: Array) -> bool:
-            return bool((task.tcp(q) @ body.frame_T_object)[2, 2] >= np.cos(CARRY_TILT_RAD))
+        def upright(at: ArmFrames) -> bool:
+            return held.is_upright(at, CARRY_TILT_RAD)
 
         has_room = task.room_for(CARRY_ROOM_M)
 
-        def good(q: Array) -> bool:
-            return upright(q) and has_room(q)
-
         for raised_m in CARRY_RAISED_M:
             raised = partial(residual, raised_m=raised_m)
-            wish = Wish(raised, watched, good, "upright, with room", 0.08, CARRY_STARTS)
+            wish = Wish(raised, watched, upright, "upright", 0.08, starts=CARRY_STARTS, has_room=has_room)
             answer = task.reach("carry", wish)
             if isinstance(answer, MovePlan):
                 return answer
@@ -259,7 +262,29 @@ class GesturePlanner:
         return task.reach("carry", Wish(low, watched, upright, "upright", enough=0.08))
 
 
+@dataclass(frozen=True, slots=True)
+class _HeldInHand:
+    """Where a held object is, by the hand's places."""
+
+    tcp_T_object: poses.Transform
+
+    def places_m(self, at: ArmFrames) -> Array:
+        """Of its middle, shape (n, 3)."""
+        return np.asarray(at.tcp_m + at.world_R_tcp @ self.tcp_T_object[:3, 3])
+
+    def upwards(self, at: ArmFrames) -> Array:
+        """Its axis that is up while it stands, shape (n, 3)."""
+        return np.asarray(at.world_R_tcp @ self.tcp_T_object[:3, 2])
+
+    def is_upright(self, at: ArmFrames, tilt_rad: float) -> bool:
+        """Whether that is the vertical within an angle, in the first row."""
+        return bool(self.upwards(at)[0, 2] >= math.cos(tilt_rad))
+
+
 def _unlike(a: Array, b: Array) -> Array:
-    """Difference of two directions as unit vectors, shape (3,)."""
-    # numpy takes longer for the length of three numbers than for all the rest
-    return np.asarray(b / math.hypot(*b) - a / math.hypot(*a))
+    """Differences of directions as unit vectors; of shape (n, 3), the second one or shape (3,)."""
+    return np.asarray(_unit(b) - _unit(a))
+
+
+def _unit(ways: Array) -> Array:
+    return np.asarray(ways / np.sqrt(np.sum(ways * ways, axis=-1, keepdims=True)))

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.balanced_timing import time_in_balance
-from kinematics.collision import CollisionWorld
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates, free_coordinates
 from kinematics.lead_in import lead_in
@@ -19,7 +18,7 @@ from kinematics.requests import MovePlan, MoveRequest, NoPlan, PlannedStep
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.start_state import relaxed_at, touching_at_rest
-from kinematics.validity import validity
+from kinematics.validity import Validity, validity
 from kinematics.wide_berth import wide_berth
 
 Array = NDArray[np.float64]
@@ -50,7 +49,7 @@ def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
         resting = touching_at_rest(model, scene, request.q_start, q_goal)
         curve = PathPlanner(model, space, validity(model, request.stance, resting)).straight(start, ends.goal)
         if curve is None:
-            return _no_way(model, scene, q_goal, request.q_start)
+            return _no_way(validity(model, request.stance, scene), q_goal, request.q_start)
         scene = resting
     trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
     if trajectory is None:
@@ -90,9 +89,8 @@ def _way(model: RobotModel, request: MoveRequest, ends: _Ends, scene: PlanningSc
     return None
 
 
-def _no_way(model: RobotModel, scene: PlanningScene, q_goal: Array, q_start: Array) -> NoPlan:
+def _no_way(judge: Validity, q_goal: Array, q_start: Array) -> NoPlan:
     """What bars goal or start, if anything does."""
-    world = CollisionWorld(model, scene)
-    pair = world.colliding_pair(q_goal) or world.colliding_pair(q_start)
+    pair = judge.colliding_pair(q_goal) or judge.colliding_pair(q_start)
     reason = "no collision-free path" if pair is None else f"{pair[0]} collides with {pair[1]}"
     return NoPlan(f"no motion to the posture was found: {reason}", {reason: 1})

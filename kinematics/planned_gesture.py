@@ -56,7 +56,7 @@ class PlannedGesture(GestureTask):
     def reach(self, name: str, wish: Wish) -> MovePlan | NoPlan:
         """Plan to a posture that is as wished for, and free."""
         reasons: Counter[str] = Counter()
-        moving = [self.space.index(joint) for joint in self._joints]
+        moving = [self.space.index(joint) for joint in self.arm.joints]
         for goal in self._postures(wish, reasons):
             x_start, x_goal = self.space.from_q(self._q_start), self.space.from_q(goal)
             if not self.planner.is_free(x_goal):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import coal
 import numpy as np
@@ -47,16 +47,13 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         The same scene when nothing is too near; else one in which ``q`` is free, unless a link is in
         furniture or in another link.
     """
-    parts = _parts(model)
-    geometry, placed = parts.geometry, parts.placed
-    centres = _placed_centres(model, parts, q)
     items = list(scene.objects.values())
-    relaxed = scene
-    for item, near in zip(items, _near(centres, parts.radii_m, items, reserve_m + ROOM_M), strict=True):
+    nearby = _nearby(model, _Start(q, items))
+    links, relaxed = nearby.parts.links, scene
+    for row, near in nearby.within([item.margin_m + reserve_m + ROOM_M for item in items]).items():
+        item = items[row]
         distances = {
-            parts.links[k]: _distance(geometry.geometryObjects[k], placed.oMg[k], item)
-            for k in near
-            if not scene.is_allowed(parts.links[k], item.name)
+            links[k]: nearby.distance_m(row, k) for k in near if not scene.is_allowed(links[k], item.name)
         }
         nearest = min(distances.values(), default=np.inf)
         if nearest >= item.margin_m + reserve_m + ROOM_M:
@@ -87,67 +84,101 @@ def touching_at_rest(model: RobotModel, scene: PlanningScene, q_start: Array, q_
         The same scene when no link that rests is too near to anything.
     """
     parts = _parts(model)
-    geometry, placed = parts.geometry, parts.placed
-    _placed_centres(model, parts, q_goal)
-    there = [pin.SE3(at) for at in placed.oMg]
-    centres = _placed_centres(model, parts, q_start)
-    resting = {k for k, at in enumerate(placed.oMg) if at.isApprox(there[k], _AT_REST)}
+    there = [pin.SE3(at) for at in parts.at(q_goal).oMg]
+    resting = {k for k, at in enumerate(parts.at(q_start).oMg) if at.isApprox(there[k], _AT_REST)}
     items = list(scene.objects.values())
+    nearby = _nearby(model, _Start(q_start, items))
     pairs = [
-        (parts.links[k], item.name)
-        for item, near in zip(items, _near(centres, parts.radii_m, items, ROOM_M), strict=True)
+        (parts.links[k], items[row].name)
+        for row, near in nearby.within([item.margin_m + ROOM_M for item in items]).items()
         for k in resting.intersection(near)
-        if _distance(geometry.geometryObjects[k], placed.oMg[k], item) < item.margin_m + ROOM_M
+        if nearby.distance_m(row, k) < items[row].margin_m + ROOM_M
     ]
     return scene.allowing(pairs) if pairs else scene
 
 
-@dataclass(frozen=True, slots=True)
 class _Parts:
     """A robot's collision geometries with a ball about each, in its own frame.
 
     With Pinocchio's memory for where they are: to make it takes longer than all that is done with it.
+
+    Attributes:
+        links: Of each geometry.
+        shapes: For Coal.
     """
 
-    geometry: pin.GeometryModel
-    data: pin.Data
-    placed: pin.GeometryData
-    links: tuple[str, ...]
-    centres_m: tuple[Array, ...]
-    radii_m: Array
+    def __init__(self, model: RobotModel) -> None:
+        self._model, self._geometry = model.pin, model.geometry()
+        self._data, self._placed = model.pin.createData(), self._geometry.createData()
+        self._q = b""
+        items = list(self._geometry.geometryObjects)
+        self.links = tuple(model.link_of(item) for item in items)
+        self.shapes = tuple(item.geometry for item in items)
+        self._centres_m = tuple(np.array(item.geometry.aabb_center) for item in items)
+        self._radii_m = np.array([item.geometry.aabb_radius for item in items])
+
+    def at(self, q: Array) -> pin.GeometryData:
+        """Where they are at a configuration, until the next one is asked about."""
+        if q.tobytes() != self._q:
+            pin.updateGeometryPlacements(self._model, self._data, self._geometry, self._placed, q)
+            self._q = q.tobytes()
+        return self._placed
+
+    def gaps_m(self, q: Array, items: Sequence[SceneObject]) -> Array:
+        """At least how far each is from each object, shape (objects, parts): from ball to box."""
+        places = zip(self.at(q).oMg, self._centres_m, strict=True)
+        centres_m = np.array([at.act(centre) for at, centre in places])
+        poses = np.array([item.world_T_object for item in items]).reshape(-1, 4, 4)
+        half = np.array([_half_extents_m(item.shape) for item in items]).reshape(-1, 1, 3)
+        local = (centres_m - poses[:, None, :3, 3]) @ poses[:, :3, :3]
+        outside = np.maximum(np.abs(local) - half, 0.0)
+        return np.asarray(np.sqrt(np.sum(outside**2, axis=2)) - self._radii_m)
 
 
 @functools.lru_cache(maxsize=4)
 def _parts(model: RobotModel) -> _Parts:
-    geometry = model.geometry()
-    items = list(geometry.geometryObjects)
-    return _Parts(
-        geometry,
-        model.pin.createData(),
-        geometry.createData(),
-        tuple(model.link_of(item) for item in items),
-        tuple(np.array(item.geometry.aabb_center) for item in items),
-        np.array([item.geometry.aabb_radius for item in items]),
-    )
+    return _Parts(model)
 
 
-def _placed_centres(model: RobotModel, parts: _Parts, q: Array) -> Array:
-    """Place the geometries in ``parts`` at a configuration; centres of their balls, shape (n, 3)."""
-    pin.updateGeometryPlacements(model.pin, parts.data, parts.geometry, parts.placed, q)
-    return np.array([at.act(centre) for at, centre in zip(parts.placed.oMg, parts.centres_m, strict=True)])
+class _Start:
+    """A configuration among objects, known by identity: other margins change neither poses nor shapes."""
+
+    def __init__(self, q: Array, items: Sequence[SceneObject]) -> None:
+        self.q, self.items = q, items
+        self._key = (q.tobytes(), *((id(item.world_T_object), id(item.shape)) for item in items))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Start) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
 
 
-def _near(
-    centres_m: Array, radii_m: Array, items: Sequence[SceneObject], reserve_m: float
-) -> list[list[int]]:
-    """Which balls come near to a box about each object: nearer than its margin and a reserve."""
-    poses = np.array([item.world_T_object for item in items]).reshape(-1, 4, 4)
-    half = np.array([_half_extents_m(item.shape) for item in items]).reshape(-1, 1, 3)
-    local = (centres_m - poses[:, None, :3, 3]) @ poses[:, :3, :3]
-    outside = np.maximum(np.abs(local) - half, 0.0)
-    near_m = np.array([item.margin_m + reserve_m for item in items])[:, None] + radii_m
-    near = np.sqrt(np.sum(outside**2, axis=2)) < near_m
-    return [np.flatnonzero(row).tolist() for row in near]
+class _Nearby:
+    """How far the robot is from what is around; exactly where that is asked."""
+
+    def __init__(self, parts: _Parts, start: _Start) -> None:
+        self.parts, self._start = parts, start
+        self._gaps_m = parts.gaps_m(start.q, start.items)
+        self._exact_m: dict[tuple[int, int], float] = {}
+
+    def within(self, reaches_m: Sequence[float]) -> dict[int, list[int]]:
+        """Parts that may be nearer to an object than its reach, by the object's row, if there are any."""
+        near = self._gaps_m < np.array(reaches_m)[:, None]
+        return {int(row): np.flatnonzero(near[row]).tolist() for row in np.flatnonzero(near.any(axis=1))}
+
+    def distance_m(self, row: int, part: int) -> float:
+        """Between an object and a part."""
+        if (row, part) not in self._exact_m:
+            at = self.parts.at(self._start.q).oMg[part]
+            self._exact_m[row, part] = _distance(self.parts.shapes[part], at, self._start.items[row])
+        return self._exact_m[row, part]
+
+
+@functools.lru_cache(maxsize=2)
+def _nearby(model: RobotModel, start: _Start) -> _Nearby:
+    """A plan asks about one start with several margins."""
+    return _Nearby(_parts(model), start)
 
 
 def _half_extents_m(shape: Shape) -> tuple[float, float, float]:
@@ -157,11 +188,11 @@ def _half_extents_m(shape: Shape) -> tuple[float, float, float]:
     return shape.radius_m, shape.radius_m, 0.5 * shape.height_m
 
 
-def _distance(part: pin.GeometryObject, at: pin.SE3, item: SceneObject) -> float:
+def _distance(part: coal.CollisionGeometry, at: pin.SE3, item: SceneObject) -> float:
     pose = item.world_T_object
     return float(
         coal.distance(
-            part.geometry,
+            part,
             coal.Transform3s(at.rotation, at.translation),
             coal_shape(item.shape),
             coal.Transform3s(pose[:3, :3], pose[:3, 3]),

@@ -46,6 +46,10 @@ class Validity(Protocol):
         """Tell whether the lines between neighbouring points, shape (n, size), are free."""
         ...
 
+    def colliding_pair(self, q: Array) -> tuple[str, str] | None:
+        """Names of a pair that collides at a configuration, shape (nq,), or None."""
+        ...
+
     def allowing(self, scene: PlanningScene) -> Validity | None:
         """A judge of the same in a scene in which other pairs may touch; None when it is better made anew."""
         ...
@@ -199,6 +203,10 @@ class SampledValidity:
             count = max(1, int(np.ceil(self._space.distance(a, b) / RESOLUTION)))
             pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
         return self.points_are_free(np.concatenate([*pieces, x[-1:]]))
+
+    def colliding_pair(self, q: Array) -> tuple[str, str] | None:
+        """Names of the first pair that collides, or None."""
+        return self._world.colliding_pair(q)
 
     def allowing(self, scene: PlanningScene) -> None:
         """Nothing is shared."""

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.kernel import door, judge
+from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.coordinates import (
     Coordinates,
     Limits,
@@ -74,12 +75,16 @@ class Refusal:
 class _Shared:
     """A problem's memory, and which pairs of it are judged at present."""
 
-    def __init__(self, packed: Packed, judged: Indices) -> None:
+    def __init__(self, packed: Packed, judged: Indices, buffers: Buffers) -> None:
         # the buffers are kept: compiled code is given where they are
-        self._packed, self.judged = packed, judged
+        self._packed, self.judged, self._buffers = packed, judged, buffers
         self.addresses = packed.floats.ctypes.data, packed.ints.ctypes.data, packed.table
         begin = int(packed.table[JUDGED_ROW, 0])
         self._place = packed.ints[begin : begin + judged.size].reshape(judged.shape)
+
+    def __del__(self) -> None:
+        """The next problem is laid out in the same memory."""
+        self._buffers.give_back(self._packed.floats, self._packed.ints)
 
     def judge(self, judged: Indices) -> None:
         """Judge these pairs from now on."""
@@ -139,7 +144,8 @@ class CollisionKernel:
             own_pairs=len(self._own.first),
         )
         blocks = [robot.fixed(space, limits, TUNING), found.moves.laid_out, found.laid_out]
-        self._shared = _Shared(pack(blocks, sizes), found.judged)
+        packed = pack(robot.hulls, blocks, sizes, robot.buffers)
+        self._shared = _Shared(packed, found.judged, robot.buffers)
         self._judged = found.judged
         self._nothing = np.empty(0)
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.chains import Chains
 from kinematics.kernel.coordinates import Coordinates, Limits
 from kinematics.kernel.memory import Packed, Problem, Work
@@ -23,6 +24,8 @@ Parts = tuple[Array | Indices, ...]
 # Room for pairs that are open at once, and for intervals of an edge.
 _OPEN_PAIRS = 32768
 _SPANS = 4096
+# Lists of whole numbers that questions read before they write them; the others are a question's own.
+_LASTING_LISTS = ("needed", "sweep_look", "look", "near")
 
 _FIELDS = {
     "tree": Tree._fields,
@@ -50,7 +53,15 @@ CARRIED_ROWS = [
     *(_PAIR_ROWS[name] for name in (*OwnPairs._fields, *Carriers._fields)),
 ]
 _AROUND = ("object_margin", "judged", "object_low", "object_high")
-SCENE_ROWS = [*_rows_of("solids"), *(_PAIR_ROWS[name] for name in _AROUND)]
+_SOLID_ROWS = dict(zip(Solids._fields, _rows_of("solids"), strict=True))
+HULL_ROWS = [_SOLID_ROWS["points"]]
+SCENE_SOLIDS = tuple(name for name in Solids._fields if name != "points")
+"""What a scene adds to; only the robot has hulls."""
+SCENE_ROWS = [
+    *(_SOLID_ROWS[name] for name in SCENE_SOLIDS),
+    *(_PAIR_ROWS[name] for name in _AROUND),
+]
+_LASTING = [_GIVEN + Work._fields.index(name) for name in _LASTING_LISTS]
 JUDGED_ROW = _PAIR_ROWS["judged"]
 
 
@@ -116,20 +127,29 @@ class Sizes(NamedTuple):
     own_pairs: int
 
 
-def pack(blocks: Sequence[Block], sizes: Sizes) -> Packed:
-    """Put blocks, which are a whole problem, and the memory for it into two buffers; the memory is zero."""
-    floats = sum([len(part.floats) for part in blocks])
-    ints = sum([len(part.ints) for part in blocks])
+def pack(hulls: Block, blocks: Sequence[Block], sizes: Sizes, buffers: Buffers) -> Packed:
+    """Put a whole problem and the memory for it into two buffers; what outlives a question is zero.
+
+    Args:
+        hulls: What the buffers begin with already.
+        blocks: All the rest.
+        sizes: Of the memory.
+        buffers: Where the two come from.
+    """
     table = np.empty((_GIVEN + len(Work._fields), 4), np.int64)
     begins = np.zeros(2, np.int64)
-    for part in blocks:
+    for part in (hulls, *blocks):
         table[part.rows] = part.table
         table[part.rows, 0] += begins[part.are_floats]
         begins += len(part.ints), len(part.floats)
+    ints, floats = begins.tolist()
     more_floats, more_ints = _lay_out_memory(sizes, floats, ints, table)
-    packed = Packed(np.zeros(more_floats), np.zeros(more_ints, np.int64), table)
-    np.concatenate([part.floats for part in blocks], out=packed.floats[:floats])
+    packed = Packed(*buffers.take(more_floats, more_ints), table)
+    np.concatenate([part.floats for part in blocks], out=packed.floats[len(hulls.floats) : floats])
     np.concatenate([part.ints for part in blocks], out=packed.ints[:ints])
+    packed.floats[floats:more_floats] = 0.0
+    for begin, *lengths in table[_LASTING].tolist():
+        packed.ints[begin : begin + math.prod(filter(None, lengths))] = 0
     return packed
 
 

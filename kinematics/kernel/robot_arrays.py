@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -10,9 +10,10 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.errors import ModelError, UnknownNameError
+from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.chains import Chains, Indices, chains_of, limbs_of
 from kinematics.kernel.coordinates import Coordinates, Limits, joint_limits, plain_coordinates
-from kinematics.kernel.packing import CARRIED_ROWS, FIXED_ROWS, Block, block
+from kinematics.kernel.packing import CARRIED_ROWS, FIXED_ROWS, HULL_ROWS, Block, block
 from kinematics.kernel.pairs import Carriers, OwnPair, OwnPairs, carriers_of, grouped, meeting
 from kinematics.kernel.solids import Solid, Solids, flatten, link_solid
 from kinematics.kernel.tree import Tree, tree_of, welded_at
@@ -33,6 +34,7 @@ class RobotAlone(NamedTuple):
         carriers: What carries its solids.
         laid_out: All of them, ready for the compiled code.
         levels: What ``levels_of`` has found so far.
+        holding: The same with things that it held lately.
     """
 
     chains: Chains
@@ -40,6 +42,7 @@ class RobotAlone(NamedTuple):
     carriers: Carriers
     laid_out: Block
     levels: dict[tuple[int, int], tuple[int, int]]
+    holding: dict[Hashable, RobotAlone]
 
     def levels_of(self, first: int, second: int) -> tuple[int, int]:
         """How many joints two bodies are away from the body that carries both."""
@@ -126,6 +129,16 @@ class RobotArrays:
         return flatten(self.solids)
 
     @cached_property
+    def hulls(self) -> Block:
+        """The vertices of its solids, ready for the compiled code."""
+        return block([self.flat.points], HULL_ROWS)
+
+    @cached_property
+    def buffers(self) -> Buffers:
+        """Memory for problems of this robot."""
+        return Buffers(self.hulls.floats)
+
+    @cached_property
     def solids_of(self) -> dict[str, list[int]]:
         """Numbers of the solids of each link."""
         found: dict[str, list[int]] = {}
@@ -146,7 +159,7 @@ class RobotArrays:
             ]
             own = grouped(pairs, [solid.body for solid in self.solids], chains)
             laid_out = carried(chains, own, self._carriers)
-            found = self._alone[key] = RobotAlone(chains, own, self._carriers, laid_out, {})
+            found = self._alone[key] = RobotAlone(chains, own, self._carriers, laid_out, {}, {})
         return found
 
     def fixed(self, space: Coordinates, limits: Limits, tuning: Tuning) -> Block:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kinematics.kernel.chains import with_solids
-from kinematics.kernel.packing import SCENE_ROWS, Block, block
+from kinematics.kernel.packing import SCENE_ROWS, SCENE_SOLIDS, Block, block
 from kinematics.kernel.pairs import Array, Indices, OwnPairs, carriers_of, joined
 from kinematics.kernel.robot_arrays import RobotAlone, RobotArrays, carried
 from kinematics.kernel.solids import Solid, Solids, flatten, half_extents_m, plain_solid, plain_solids
@@ -25,7 +25,8 @@ class SceneSolids(NamedTuple):
         moves: The robot with what it holds.
         object_margin: What everything keeps from each object, shape (objects,), m.
         judged: 1 where a moving solid is judged against an object, shape (objects, moving).
-        laid_out: Solids, and pairs of what moves with what is around, ready for the compiled code.
+        laid_out: Solids but the robot's hulls, and pairs of what moves with what is around, ready for the
+            compiled code.
     """
 
     names: tuple[str, ...]
@@ -63,11 +64,7 @@ def scene_solids(
     moves = _holding(robot, alone, scene, held, extra_margin_m) if held else alone
     around = _around(_Things(tuple(scene.objects.values())))
     every = (robot.flat, flatten(held), around.solids) if held else (robot.flat, around.solids)
-    # only the robot has hulls, whose points are behind each other
-    solids = [
-        robot.flat.points if name == "points" else tuple(getattr(part, name) for part in every)
-        for name in Solids._fields
-    ]
+    solids = [tuple(getattr(part, name) for part in every) for name in SCENE_SOLIDS]
     margin = around.margin_m + extra_margin_m
     judged = judged_in(robot, scene)
     return SceneSolids(
@@ -137,7 +134,25 @@ def _holding(
     held: list[Solid],
     margin_m: float,
 ) -> RobotAlone:
-    """The robot with what it holds."""
+    """The robot with what it holds; kept for the same things in the same places of a hand."""
+    key = (
+        margin_m,
+        *(
+            (name, item.touch_links, solid.body, solid.centre.tobytes(), solid.radius_m)
+            for (name, item), solid in zip(scene.attached.items(), held, strict=True)
+        ),
+    )
+    touching = frozenset(pair for pair in scene.allowed if not pair.isdisjoint(scene.attached))
+    found = alone.holding.pop((key, touching), None) or _made_holding(robot, alone, scene, held, margin_m)
+    alone.holding[key, touching] = found
+    while len(alone.holding) > _KEPT:
+        alone.holding.pop(next(iter(alone.holding)))
+    return found
+
+
+def _made_holding(
+    robot: RobotArrays, alone: RobotAlone, scene: PlanningScene, held: list[Solid], margin_m: float
+) -> RobotAlone:
     names = [*robot.names, *scene.attached]
     body = np.array([*robot.body_of, *(solid.body for solid in held)], np.int64)
     own = alone.own
@@ -149,7 +164,7 @@ def _holding(
         own = joined(own, _held_apart(alone, body, np.array(apart, np.int64), number, margin_m))
     chains = with_solids(alone.chains, held)
     carriers = carriers_of(robot.limb, body.tolist())
-    return RobotAlone(chains, own, carriers, carried(chains, own, carriers), alone.levels)
+    return RobotAlone(chains, own, carriers, carried(chains, own, carriers), alone.levels, {})
 
 
 def _held_apart(alone: RobotAlone, body: Indices, apart: Indices, number: int, margin_m: float) -> OwnPairs:

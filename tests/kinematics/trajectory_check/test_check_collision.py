@@ -53,6 +53,38 @@ def test_a_plate_between_two_samples_is_found(talos, checker, swing, findings_of
 
 
 @pytest.mark.requirement("S6")
+@pytest.mark.parametrize("fraction", [0.2, 0.31, 0.45])
+def test_what_is_hit_on_the_way_out_and_back_is_told_when_it_is_hit_first(talos, swing, checker, fraction):
+    rod = SceneObject(
+        "rod", Cylinder(0.0025, 0.3), poses.translation(*finger_at(talos, swing.q[int(fraction * 160)]))
+    )
+    scene = PlanningScene().with_object(rod)
+
+    first_s = checker.check(swing, scene).findings[0].t_s
+
+    assert first_s < fraction * 1.6
+    until = swing.t_s < first_s - 0.005
+    cut = Trajectory(swing.joints, swing.stance, swing.t_s[until], swing.q[until], swing.v[until])
+    assert isinstance(checker.check(cut, scene), CheckedTrajectory)
+
+
+@pytest.mark.requirement("S6")
+def test_a_hand_that_rests_too_near_is_told_from_the_beginning_while_the_head_turns(talos, motions, checker):
+    looking = motions.joint("head_2_joint", 0.8, 3.0, 301)
+    x, y, z = hand_at(talos, talos.q_home)
+    ball = SceneObject("ball", Ball(0.05), poses.translation(x + 0.2, y, z))
+    gap_m = exact_gap(talos, PlanningScene().with_object(ball))
+    near, kept = (PlanningScene().with_object(replace(ball, margin_m=gap_m + by)) for by in (1e-4, -1e-4))
+
+    answer = checker.check(looking, near)
+
+    assert isinstance(checker.check(looking, kept), CheckedTrajectory)
+    assert isinstance(answer, Unsafe)
+    assert answer.findings[0].t_s < 0.05  # the first interval that is looked at without compiled code
+    assert answer.findings[0].value == pytest.approx(gap_m, abs=1e-6)
+
+
+@pytest.mark.requirement("S6")
 def test_the_margin_of_an_object_is_kept_to_a_tenth_of_a_millimetre(talos, motions, checker):
     still = motions.still()
     x, y, z = hand_at(talos, talos.q_home)
