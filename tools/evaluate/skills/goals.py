@@ -189,14 +189,14 @@ def _piece(kind: str, before: PlanarPose, rng: np.random.Generator) -> Furniture
 
 def _passable(scene: SceneDescription, start: PlanarPose, goal: PlanarPose, people_aimed_at: int) -> bool:
     """Whether there is room at both ends, and a way between them."""
-    everything = footprints(planning_scene(scene), _TALL_M, _HANDS_M)
+    everything = footprints(planning_scene(scene), [(_TALL_M, _HANDS_M)])
     if clearance_m(everything, start) < FREE_AT_START_M:
         return False
     aim_count = 1 - people_aimed_at
     rest = SceneDescription(
         scene.name, furniture=scene.furniture[aim_count:], people=scene.people[people_aimed_at:]
     )
-    if clearance_m(footprints(planning_scene(rest), _TALL_M, _HANDS_M), goal) < FREE_AT_GOAL_M:
+    if clearance_m(footprints(planning_scene(rest), [(_TALL_M, _HANDS_M)]), goal) < FREE_AT_GOAL_M:
         return False
     before = goal @ PlanarPose(-0.5)
     return plan_path(start, before, everything, WAY_M) is not None
