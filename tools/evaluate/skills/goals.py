@@ -16,8 +16,9 @@ from robots.articulated import ARTICULATED_KINDS, GAP_M, PANEL_M
 from robots.errors import SceneError
 from robots.furniture import floor_pose
 from robots.scene_description import Furniture, MovingPart, Person, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import dump, read_scene
+from robots.scene_file import read_scene
 from robots.scene_solids import planning_scene
+from robots.scene_writer import dump
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked, feet_of
