@@ -13,6 +13,7 @@ from kinematics import poses
 from kinematics.robot_model import RobotModel
 from kinematics.scene import AttachedBody
 from kinematics.shapes import Ball, Box, Shape
+from kinematics.walking.planar import PlanarPose
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ def load_of(model: RobotModel, q: Array, held: Iterable[AttachedBody], hand_m: f
         hand_m: Radius of a ball about the frame that holds something, in which the hand is, m.
     """
     yaw = poses.yaw_of(poses.rotation_from_quaternion(q[3:7]))
-    level_T_world = poses.inverse(poses.transform(poses.rotation_z(yaw), (float(q[0]), float(q[1]), 0.0)))
+    level_T_world = poses.inverse(PlanarPose(float(q[0]), float(q[1]), yaw).transform())
     solids: list[tuple[poses.Transform, Shape]] = []
     for body in held:
         level_T_hand = level_T_world @ model.frame_pose(q, body.frame)
