@@ -50,7 +50,7 @@ class TightSpot:
     """Where a robot that turns has least room.
 
     Attributes:
-        part: What of it: "legs", "hands" or "load".
+        part: What of it: "legs", "body", "hands" or "load".
         room_m: Distance from between the feet to the nearest thing that this meets.
         needed_m: The distance that turning takes.
     """
@@ -69,7 +69,6 @@ class WalkingRoom:
     """The room that one robot takes, with what it holds just now.
 
     Attributes:
-        seen_m: Distance from between the feet that turning keeps from a thing of unknown height.
         widest_m: How much more room than the body the widest part takes to all sides along a path.
     """
 
@@ -88,7 +87,7 @@ class WalkingRoom:
             around_m, from_m = load.radius_m, load.from_m - sway_m
             straight = (load.front_m, load.back_m, load.half_width_m)
             self._layers.append(_Layer("load", from_m, *straight, around_m, around_m + sway_m))
-        self.seen_m = self._body_m + _SPARE_M
+        self._seen_m = self._body_m + _SPARE_M
         self.widest_m = max(layer.around_m for layer in self._layers) - self._body_m
 
     def free_way_m(self, points: Array, linear_m_s: float) -> float:
@@ -131,7 +130,20 @@ class WalkingRoom:
         for layer in self._layers:
             needed_m = layer.turning_m
             if at_ease:
-                needed_m = max(needed_m, self.seen_m)
+                needed_m = max(needed_m, self._seen_m)
             meets = footprints(scene, above_m=layer.from_m)
             spots.append(TightSpot(layer.part, clearance_m(meets, body), needed_m))
+        return max(spots, key=lambda spot: spot.lack_m)
+
+    def tightest_seen(self, points: Array) -> TightSpot:
+        """Where there is least room to turn right here, by what is seen and may be known to nobody.
+
+        Args:
+            points: As for ``free_way_m``; what is seen low may reach up to the elbows.
+        """
+        away_m = np.hypot(points[:, 0], points[:, 1])
+        spots = [TightSpot("body", float(away_m.min(initial=math.inf)), self._seen_m)]
+        for layer in self._layers[1:]:
+            meets = points[:, 2] >= layer.from_m
+            spots.append(TightSpot(layer.part, float(away_m[meets].min(initial=math.inf)), layer.turning_m))
         return max(spots, key=lambda spot: spot.lack_m)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
@@ -85,10 +84,8 @@ class ChangeViewpoint(WalkingLeaf):
             if room_m < _LEAST_BACK_M:
                 return Failure.infeasible("there is no room behind to look from", room_m=room_m)
             return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
-        near_m = float(np.hypot(scan[:, 0], scan[:, 1]).min(initial=math.inf))
-        if near_m < room.seen_m:
-            return Failure.infeasible("there is no room to turn", room_m=near_m)
-        tight = room.tightest(self.toolbox.world.scene, body)
+        found = room.tightest_seen(scan), room.tightest(self.toolbox.world.scene, body)
+        tight = max(found, key=lambda spot: spot.lack_m)
         if tight.lack_m > 0.0:
             message = f"there is no room to turn for the {tight.part}"
             return Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
