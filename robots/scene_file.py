@@ -1,13 +1,11 @@
-"""Read and write scenes as TOML files; ``validate`` is the judge of what they hold."""
+"""Read scenes from TOML files; ``validate`` is the judge of what they hold."""
 
 from __future__ import annotations
 
 import difflib
 import importlib.resources
-import json
-import math
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import fields
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -31,11 +29,10 @@ from robots.scene_description import (
     SceneDescription,
     SceneItem,
 )
-from robots.scene_parts import part_keys, part_values, read_part
+from robots.scene_parts import part_keys, read_part
 from robots.scene_rules import validate
+from robots.scene_table import SceneTable
 from robots.scene_words import CYLINDER_KINDS, HOLLOW_KINDS, OBJECT_KINDS, nearest_word
-
-__all__ = ["dump", "known_scenes", "load_scene", "read_scene", "validate"]
 
 Table = Mapping[str, Any]
 
@@ -101,7 +98,7 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         data = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as broken:
         raise SceneError(source, "file", f"is no TOML: {broken}") from broken
-    root = _Reader(data, source, "")
+    root = SceneTable(data, source, "")
     root.only(_TOP_KEYS)
     pieces = tuple(_furniture(reader) for reader in root.tables("furniture"))
     scene = SceneDescription(
@@ -115,66 +112,6 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
     )
     validate(scene, source)
     return scene
-
-
-def dump(scene: SceneDescription) -> str:
-    """Write a scene as the TOML document that ``read_scene`` reads back.
-
-    Raises:
-        ValueError: An object is tilted, which a file cannot say.
-    """
-    start, model = scene.robot_start, scene.perception
-    lines = [
-        f"robot_start = {{ x_m = {start.x_m!r}, y_m = {start.y_m!r}, yaw_rad = {start.yaw_rad!r} }}",
-        "",
-        "[perception]",
-        *(f"{item.name} = {_toml(getattr(model, item.name))}" for item in fields(model)),
-    ]
-    for piece in scene.furniture:
-        lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
-        lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
-        lines += _pairs(**part_values(piece))
-    for person in scene.people:
-        lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
-        lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)
-    for region in scene.places:
-        lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
-        lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
-    for item in scene.objects:
-        if item.world_T_object[2, 2] < 1.0 - 1e-12:
-            raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
-        color = {} if item.color is None else {"color": item.color}
-        lines += ["", "[[object]]", *_pairs(name=item.name, kind=item.kind, **color)]
-        lines += _pairs(**_shape_keys(item.shape), mass_kg=item.mass_kg, friction=item.friction)
-        if item.wall_m is not None:
-            lines += _pairs(wall_m=item.wall_m)
-        yaw = poses.yaw_of(item.world_T_object[:3, :3])
-        lines += _pairs(position_m=tuple(map(float, item.world_T_object[:3, 3])), yaw_rad=yaw)
-    return "\n".join(lines) + "\n"
-
-
-def _pairs(**values: Any) -> list[str]:
-    return [f"{key} = {_toml(value)}" for key, value in values.items()]
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, str):
-        return json.dumps(value)
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, tuple):
-        return "[" + ", ".join(_toml(item) for item in value) + "]"
-    return repr(float(value))
-
-
-def _shape_keys(shape: Shape) -> dict[str, Any]:
-    match shape:
-        case Box(size_m=size):
-            return {"size_m": size}
-        case Cylinder(radius_m=radius, height_m=height):
-            return {"radius_m": radius, "height_m": height}
-        case Ball(radius_m=radius):
-            return {"radius_m": radius}
 
 
 def _scene_folder() -> Traversable:
@@ -193,86 +130,12 @@ def _near_scene(stem: str) -> str:
     return f"; did you mean the scene {close[0]!r}?" if close else ""
 
 
-class _Reader:
-    """One table of the document, with its key for messages."""
-
-    def __init__(self, data: Any, source: str, key: str) -> None:
-        self.data, self.source, self.key = data, source, key
-        if not isinstance(data, dict):
-            raise SceneError(source, key, "must be a table")
-
-    def fail(self, key: str, reason: str) -> SceneError:
-        return SceneError(self.source, f"{self.key}.{key}" if self.key else key, reason)
-
-    def only(self, known: Iterable[str]) -> None:
-        names = list(known)
-        for key in self.data:
-            if key not in names:
-                near = nearest_word(key, names)
-                raise self.fail(key, f"unknown key; the nearest is {near!r}, all: {', '.join(names)}")
-
-    def table(self, key: str) -> _Reader:
-        return _Reader(self.data.get(key, {}), self.source, f"{self.key}.{key}" if self.key else key)
-
-    def tables(self, key: str) -> list[_Reader]:
-        items = self.data.get(key, [])
-        if not isinstance(items, list):
-            raise self.fail(key, f"must be a list of tables: write [[{key}]]")
-        return [_Reader(item, self.source, f"{key}[{i}]") for i, item in enumerate(items)]
-
-    def _get(self, key: str) -> Any:
-        if key not in self.data:
-            raise self.fail(key, "is missing")
-        return self.data[key]
-
-    def text(self, key: str) -> str:
-        value = self._get(key)
-        if not isinstance(value, str) or not value.strip():
-            raise self.fail(key, f"must be a text in quotes, not {value!r}")
-        return value
-
-    def word(self, key: str, known: Iterable[str]) -> str:
-        value, words = self.text(key), list(known)
-        if value not in words:
-            near = nearest_word(value, words)
-            raise self.fail(key, f"unknown {key} {value!r}; the nearest is {near!r}, all: {', '.join(words)}")
-        return value
-
-    def number(self, key: str, default: float | None = None) -> float:
-        if default is not None and key not in self.data:
-            return default
-        return self._number(key, self._get(key))
-
-    def _number(self, key: str, value: Any) -> float:
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.fail(key, f"must be a number, not {value!r}")
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
-        if not math.isfinite(number):
-            raise self.fail(key, f"must be finite, not {value!r}")
-        return number
-
-    def flag(self, key: str) -> bool:
-        value = self.data.get(key, False)
-        if not isinstance(value, bool):
-            raise self.fail(key, f"must be true or false, not {value!r}")
-        return value
-
-    def numbers(self, key: str, count: int) -> tuple[float, ...]:
-        value = self._get(key)
-        if not isinstance(value, list) or len(value) != count:
-            raise self.fail(key, f"must be a list of {count} numbers, not {value!r}")
-        return tuple(self._number(f"{key}[{i}]", item) for i, item in enumerate(value))
-
-
-def _start(reader: _Reader) -> RobotStart:
+def _start(reader: SceneTable) -> RobotStart:
     reader.only(("x_m", "y_m", "yaw_rad"))
     return RobotStart(reader.number("x_m", 0.0), reader.number("y_m", 0.0), reader.number("yaw_rad", 0.0))
 
 
-def _perception(reader: _Reader) -> PerceptionModel:
+def _perception(reader: SceneTable) -> PerceptionModel:
     default = PerceptionModel()
     names = [item.name for item in fields(PerceptionModel)]
     reader.only(names)
@@ -281,7 +144,7 @@ def _perception(reader: _Reader) -> PerceptionModel:
     return PerceptionModel(kind=kind, **numbers)
 
 
-def _furniture(reader: _Reader) -> Furniture:
+def _furniture(reader: SceneTable) -> Furniture:
     kind = reader.word("kind", furniture.FURNITURE_KINDS)
     reader.only(("name", "kind", "size_m", "position_m", "yaw_rad", "friction", *part_keys(kind)))
     depth, width, height = reader.numbers("size_m", 3)
@@ -297,20 +160,20 @@ def _furniture(reader: _Reader) -> Furniture:
     )
 
 
-def _person(reader: _Reader) -> Person:
+def _person(reader: SceneTable) -> Person:
     reader.only(("name", "position_m", "yaw_rad", "takes"))
     x, y = reader.numbers("position_m", 2)
     return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0), reader.flag("takes"))
 
 
-def _region(reader: _Reader) -> Region:
+def _region(reader: SceneTable) -> Region:
     reader.only(("name", "position_m", "size_m", "yaw_rad"))
     x, y = reader.numbers("position_m", 2)
     along, across = reader.numbers("size_m", 2)
     return Region(reader.text("name"), (x, y), (along, across), reader.number("yaw_rad", 0.0))
 
 
-def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:
+def _item(reader: SceneTable, pieces: tuple[Furniture, ...]) -> SceneItem:
     kind = reader.word("kind", OBJECT_KINDS)
     shape, shape_keys = _shape(reader, kind)
     common = ("name", "kind", "color", "mass_kg", "friction", "on", "board", "position_m", "yaw_rad")
@@ -328,7 +191,7 @@ def _item(reader: _Reader, pieces: tuple[Furniture, ...]) -> SceneItem:
     )
 
 
-def _shape(reader: _Reader, kind: str) -> tuple[Shape, tuple[str, ...]]:
+def _shape(reader: SceneTable, kind: str) -> tuple[Shape, tuple[str, ...]]:
     if kind == "ball":
         return Ball(reader.number("radius_m")), ("radius_m",)
     if kind in CYLINDER_KINDS:
@@ -341,7 +204,7 @@ def _shape(reader: _Reader, kind: str) -> tuple[Shape, tuple[str, ...]]:
 STANDING_SHARE = 0.3
 
 
-def _place(reader: _Reader, shape: Shape, pieces: tuple[Furniture, ...]) -> Transform:
+def _place(reader: SceneTable, shape: Shape, pieces: tuple[Furniture, ...]) -> Transform:
     """``world_T_object`` of an object on furniture, or free with the position of its centre."""
     turn = poses.rotation_z(reader.number("yaw_rad", 0.0))
     if "on" not in reader.data:
@@ -363,7 +226,7 @@ def _place(reader: _Reader, shape: Shape, pieces: tuple[Furniture, ...]) -> Tran
     return furniture.floor_pose(carrier) @ poses.transform(turn, (x, y, height))
 
 
-def _board_m(reader: _Reader, carrier: Furniture) -> float:
+def _board_m(reader: SceneTable, carrier: Furniture) -> float:
     """Height of what an object stands on: the board that is named, counted from 0 at the foot, or the top."""
     tops = board_tops_m(carrier)
     if "board" not in reader.data:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, Protocol
+from typing import Any
 
 from robots.articulated import ARTICULATED_KINDS
 from robots.scene_description import Furniture, MovingPart
+from robots.scene_table import SceneTable
 
 _COMMON = (
     "mass_kg",
@@ -26,28 +26,12 @@ _DRAWER = MovingPart(
 )
 
 
-class PartReader(Protocol):
-    """One table of a scene file."""
-
-    def number(self, key: str, default: float | None = None) -> float:
-        """A number, or the default."""
-        ...
-
-    def word(self, key: str, known: Iterable[str]) -> str:
-        """One of the known words."""
-        ...
-
-    def flag(self, key: str) -> bool:
-        """True or false; false when it is not there."""
-        ...
-
-
 def part_keys(kind: str) -> tuple[str, ...]:
     """Further keys of a piece of furniture of this kind."""
     return (*_COMMON, *_OF_KIND[kind]) if kind in ARTICULATED_KINDS else ()
 
 
-def read_part(reader: PartReader, kind: str) -> MovingPart | None:
+def read_part(reader: SceneTable, kind: str) -> MovingPart | None:
     """The door or drawer of a piece of furniture; None when its kind has none."""
     if kind not in ARTICULATED_KINDS:
         return None

@@ -27,6 +27,7 @@ from kinematics.stance import stance_at
 from kinematics.support import top_m
 from kinematics.walking.path_planning import footprints
 from kinematics.walking.planar import PlanarPose
+from kinematics.walking.room import WalkingRoom
 from robots.description import load_description
 from robots.scene_description import Furniture, MovingPart, SceneDescription
 from robots.scene_solids import planning_scene
@@ -138,10 +139,9 @@ class Comparison:
         thing, known = scene.objects[THING], self._known
         x, y, z = (float(value) for value in thing.world_T_object[:3, 3])
         place = Place(THING, "object", thing.shape, thing.world_T_object, z)
-        usual = standing_place(place, scene, PlanarPose(), _GAP_M, self._settings)
-        others = [item for item in scene.objects.values() if item.name != THING]
-        tall = [item for item in others if top_m(item) >= self._settings.hands_from_m]
-        about, above = (footprints(PlanningScene().with_objects(items)) for items in (others, tall))
+        usual = standing_place(place, scene, PlanarPose(), _GAP_M, WalkingRoom(self._settings))
+        others = scene.without_object(THING)
+        about, above = footprints(others), footprints(others, above_m=self._settings.hands_from_m)
         hands = tuple(self._model.description.grippers)
 
         def reach(body: PlanarPose) -> float:

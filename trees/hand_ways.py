@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -28,7 +30,18 @@ _TALL_M = 0.35
 _MOVED_M = 0.02
 
 
-def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> Array:
+@dataclass(frozen=True, slots=True, eq=False)
+class UnseenPlaces:
+    """Where something could stand unseen under a hand.
+
+    Attributes:
+        points: Just above tops, odometry frame, shape (n, 3); none when all was looked at.
+    """
+
+    points: Array
+
+
+def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> UnseenPlaces:
     """Places under the way of a hand where something could stand on the target's furniture unseen.
 
     What the head alone cannot be turned to is left out: a strip along the near edge.
@@ -38,27 +51,21 @@ def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> 
         target: Something on a known piece of furniture; only its top counts.
         reach: The planned way to it.
         hand: The hand that goes there.
-
-    Returns:
-        Points just above the top, odometry frame, shape (n, 3); none when all was looked at.
     """
     scene = toolbox.world.scene
     item = scene.objects.get(target.name)
     top = None if item is None else support_of(item, scene, toolbox.policy.support_gap_m)
     if top is None:
-        return np.empty((0, 3))
+        return UnseenPlaces(np.empty((0, 3)))
     return _unseen(toolbox, _about(_way_of(toolbox, reach.trajectory, hand), top))
 
 
-def unseen_below(toolbox: Toolbox, trajectory: Trajectory) -> Array:
+def unseen_below(toolbox: Toolbox, trajectory: Trajectory) -> UnseenPlaces:
     """The same for hands that are to go nowhere in particular: under their ways, on whatever has a top.
 
     Args:
         toolbox: What was looked at.
         trajectory: The planned motion; hands that stay where they are do not count.
-
-    Returns:
-        Points just above tops, odometry frame, shape (n, 3); none when all was looked at.
     """
     scene = toolbox.world.scene
     tops = [item for item in scene.objects.values() if not item.movable and isinstance(item.shape, Box)]
@@ -76,12 +83,12 @@ def _way_of(toolbox: Toolbox, trajectory: Trajectory, hand: Hand) -> Array:
     return np.array([model.frame_pose(q, frame)[:3, 3] for q in trajectory.q[rows]])
 
 
-def _unseen(toolbox: Toolbox, places: list[Array]) -> Array:
-    """Those of some places that no look has shown and the head can be turned to, shape (n, 3)."""
+def _unseen(toolbox: Toolbox, places: list[Array]) -> UnseenPlaces:
+    """Those of some places that no look has shown and the head can be turned to."""
     policy, camera = toolbox.policy, toolbox.model.description.camera
     sight = SightOfTops(toolbox.world.glimpses, camera, policy.blocked_by_hand_m)
     unseen = [place for place in places if not sight.shows(place) and in_reach_of_the_eyes(toolbox, place)]
-    return np.array(unseen).reshape(-1, 3)
+    return UnseenPlaces(np.array(unseen).reshape(-1, 3))
 
 
 def in_reach_of_the_eyes(toolbox: Toolbox, place: Array) -> bool:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.shapes import Box
+from trees.odometry import body_pose
 from trees.toolbox import Toolbox
 
 Array = NDArray[np.float64]
@@ -26,8 +27,7 @@ def without_held(toolbox: Toolbox, scan: Array) -> Array:
     if not attached:
         return scan
     model, q = toolbox.model, toolbox.sensing.state().q
-    yaw = poses.yaw_of(poses.rotation_from_quaternion(q[3:7]))
-    level = poses.inverse(poses.transform(poses.rotation_z(yaw), (float(q[0]), float(q[1]), 0.0)))
+    level = poses.inverse(body_pose(toolbox).transform())
     for name in sorted(attached):
         item = attached[name]
         x, y, z = (level @ model.frame_pose(q, item.frame) @ item.frame_T_object)[:3, 3]

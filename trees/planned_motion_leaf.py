@@ -7,7 +7,7 @@ from typing import Any
 from py_trees.common import Status
 
 from kinematics.gesture_requests import GestureRequest
-from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, PlannedStep, RetreatRequest
+from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, RetreatRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.view_request import ViewRequest
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -26,7 +26,6 @@ class PlannedMotionLeaf(Leaf):
     """
 
     _job: Job | None = None
-    _step: PlannedStep | None = None
     _checked: CheckedTrajectory | None = None
     _handle: MotionHandle | None = None
     _arrived_by_s: float = 0.0
@@ -45,7 +44,7 @@ class PlannedMotionLeaf(Leaf):
 
     def begin(self) -> None:
         """Submit the planning job."""
-        self._job = self._step = self._checked = self._handle = None
+        self._job = self._checked = self._handle = None
         self._world_version = self.toolbox.world.scene.version
         self._refused = None
         goal = self.goal()
@@ -73,7 +72,6 @@ class PlannedMotionLeaf(Leaf):
         if isinstance(answer, Unsafe):
             return unsafe_failure(self.name, answer)
         if isinstance(answer, MovePlan):
-            self._step = answer.step
             self._job = self.toolbox.planning.submit(CheckRequest(answer.step.trajectory, answer.step.scene))
             self.feedback_message = "checking"
             return RUNNING

@@ -9,7 +9,6 @@ from trees.believed_thing import BelievedThing
 
 _IRREGULAR = {"box": "boxes", "shelf": "shelves"}
 _NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
-_MIDDLE_RAD = 0.25
 
 
 def plural(words: str, count: int) -> str:

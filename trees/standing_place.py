@@ -12,7 +12,7 @@ from kinematics.shapes import Box
 from kinematics.support import support_of, top_m
 from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
-from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.room import WalkingRoom
 from trees.destination import Place
 from trees.scene_update import kind_of
 
@@ -31,8 +31,6 @@ _FROM_BORDER_M = 0.4
 """Who stands in a room stands so far inside it."""
 _ROOM_M = 0.8
 _GRID_M = 0.25
-_TURN_SPARE_M, TURNING_HANDS_M = 0.02, 0.05
-"""Who turns takes so much more room than who stands: elbows, and fingers, go around in a circle and sway."""
 _ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
 _TIGHT_COST_RAD_M = 20.0
 """A place to stand that is too tight by 1 cm is worth going around by 11 degrees."""
@@ -43,7 +41,7 @@ def standing_place(
     scene: PlanningScene,
     body: PlanarPose,
     support_gap_m: float,
-    settings: WalkingSettings | None = None,
+    room: WalkingRoom | None = None,
 ) -> PlanarPose:
     """The pose of the body, in the odometry frame, facing what the task is about.
 
@@ -52,7 +50,7 @@ def standing_place(
         scene: For what an object stands on.
         body: Where the body is now; the nearest side is chosen.
         support_gap_m: As for ``support_of``.
-        settings: The sizes of a robot that walks: before a person it needs room to turn.
+        room: What a robot that walks takes: before a person it needs room to turn.
     """
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
     if place.category == "region" and isinstance(place.shape, Box):
@@ -64,36 +62,24 @@ def standing_place(
         under = support_of(item, scene, support_gap_m)
         if under is not None and isinstance(under.shape, Box):
             return _before(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
-    return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene, settings)
-
-
-def turn_room_m(settings: WalkingSettings) -> float:
-    """Distance from everything, as ``footprints`` has it, in which the robot turns around."""
-    return settings.half_width_m + _TURN_SPARE_M
-
-
-def hands_wider_m(settings: WalkingSettings) -> float:
-    """How much farther than all else the hands of the home posture stand out."""
-    return settings.hands_half_width_m - settings.half_width_m
+    return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene, room)
 
 
 def _around(
-    place: Place, away_m: float, body: PlanarPose, scene: PlanningScene, settings: WalkingSettings | None
+    place: Place, away_m: float, body: PlanarPose, scene: PlanningScene, room: WalkingRoom | None
 ) -> PlanarPose:
     """On a circle around something, facing it: on this side of it, or where there is room to turn."""
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
     direct = math.atan2(y - body.y_m, x - body.x_m)
-    if settings is None:
+    if room is None:
         return PlanarPose(x - away_m * math.cos(direct), y - away_m * math.sin(direct), direct)
     if place.name in scene.objects:
         scene = scene.without_object(place.name)
-    others = footprints(scene, settings.hands_from_m, hands_wider_m(settings) + TURNING_HANDS_M)
-    room_m = turn_room_m(settings)
     best = (math.inf, PlanarPose())
     for aside in sorted(_ASIDE_RAD, key=abs):
         heading = direct + aside
         stand = PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
-        cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, room_m - clearance_m(others, stand))
+        cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, room.tightest(scene, stand, at_ease=True).lack_m)
         if cost < best[0]:
             best = (cost, stand)
     return best[1]

@@ -11,10 +11,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Ball, Box
-from kinematics.support import half_height_m
+from kinematics.support import top_m
 from kinematics.walking.planar import PlanarPose
 
 Array = NDArray[np.float64]
@@ -50,23 +49,23 @@ class Footprint:
 
 
 def footprints(
-    scene: PlanningScene, tall_from_m: float = math.inf, wider_m: float = 0.0
+    scene: PlanningScene, wider: Sequence[tuple[float, float]] = (), above_m: float = -math.inf
 ) -> tuple[Footprint, ...]:
     """Those of everything in a scene that does not hang on a hand.
 
     Args:
         scene: What is believed.
-        tall_from_m, wider_m: What reaches above this height takes so much more room all around.
+        wider: Pairs of a height and the room that what reaches above it takes besides, all around, m; the
+            most of what applies.
+        above_m: Only things that reach above this height.
     """
     found = []
     for item in scene.objects.values():
-        top_m = float(item.world_T_object[2, 3]) + half_height_m(item)
-        more_m = wider_m if top_m > tall_from_m else 0.0
-        pose = PlanarPose(
-            float(item.world_T_object[0, 3]),
-            float(item.world_T_object[1, 3]),
-            poses.yaw_of(item.world_T_object[:3, :3]),
-        )
+        top = top_m(item)
+        if top < above_m:
+            continue
+        more_m = max((room_m for from_m, room_m in wider if top >= from_m), default=0.0)
+        pose = PlanarPose.of(item.world_T_object)
         if isinstance(item.shape, Box):
             found.append(Footprint(pose, 0.5 * item.shape.size_m[0], 0.5 * item.shape.size_m[1], more_m))
         else:

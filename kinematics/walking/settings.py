@@ -26,6 +26,10 @@ class WalkingSettings:
             each side.
         hands_from_m, hands_half_width_m: From this height up, where the hands are, it takes so much room to
             each side.
+        legs_radius_m, hands_radius_m: Of the circles about the middle between the feet that a robot which
+            turns on the spot goes around in, below that height and from there up.
+        hand_radius_m: Of a ball about the TCP that holds a hand which is closed on something.
+        sway_m: So much farther, and lower, than it stands still anything gets while the robot walks.
         acceleration_m_s2, turn_acceleration_rad_s2: Of the body's velocity from step to step.
         dcm_gain: Share of the DCM's error that is added to the ZMP, less 1.
         zmp_inset_m: The ZMP stays this far inside the sole's edge.
@@ -58,6 +62,10 @@ class WalkingSettings:
     half_width_m: float
     hands_from_m: float
     hands_half_width_m: float
+    legs_radius_m: float
+    hands_radius_m: float
+    hand_radius_m: float
+    sway_m: float
     acceleration_m_s2: float
     turn_acceleration_rad_s2: float
     dcm_gain: float

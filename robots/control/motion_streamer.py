@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +13,14 @@ from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory, Stance
 from robots.clock import Clock
 from robots.control.authority import STOP, Authority, together
-from robots.control.body_checker import BodyChecker
-from robots.control.body_motion import BodyMotion
 from robots.control.body_track import BodyTrack
-from robots.control.events import ControlSink, MotionEnded, MotionStarted
+from robots.control.events import ControlSink
 from robots.control.grip_keeper import GripKeeper
 from robots.control.guarded_motion import GuardedMotion
 from robots.control.guarded_track import GuardedTrack
+from robots.control.guarded_tracks import GuardedTracks
 from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.motion_ledger import MotionLedger
 from robots.control.motion_start import why_not
 from robots.control.proposal import Proposal
 from robots.control.refusal import Limit, Refusal
@@ -67,26 +67,20 @@ class MotionStreamer:
         """
         self._model = model
         self._stance = stance
-        self._keepers = dict(keepers)
+        self._guarded = GuardedTracks(model, keepers, authority)
         self._authority = authority
-        self._clock = clock
-        self._sink = sink
+        self._ledger = MotionLedger(clock, sink)
         self._period_s = period_s
         self._track = BodyTrack(model, stance, q, period_s)
         self._body_handle: MotionHandle | None = None
         self._body_owner = ""
         self._waiting: tuple[CheckedTrajectory, MotionHandle] | None = None
-        self._guarded: list[GuardedTrack] = []
-        self._owners: tuple[str, ...] = ()
-        self._count = 0
         self._bodies = len(model.joints)
         self._closed_for = ""
         self._latched_for = ""
         self._pause_wanted = False
         self._periods_to_try = 0
         self.trajectories = 0
-        for keeper in self._keepers.values():
-            authority.claim(_grip(keeper), [keeper.joint])
 
     # ---------------------------------------------------------------- for those who want to move
 
@@ -119,10 +113,9 @@ class MotionStreamer:
         elif self._body_handle is handle:
             self._body_handle = None
             self._track.brake(along_path=True)
-        else:
-            for track in [track for track in self._guarded if track.handle is handle]:
-                self._drop(track)
-        self._end(handle, MotionStatus.CANCELED, reason)
+        elif (track := self._guarded.track_of(handle)) is not None:
+            self._drop(track)
+        self._ledger.end(handle, MotionStatus.CANCELED, reason)
 
     def reference(self) -> Array:
         """Configuration that is commanded now, base included, shape (nq,).
@@ -178,34 +171,35 @@ class MotionStreamer:
         """The body rests where a pause has braked it to, and no pause is wanted any more."""
         if not self._track.go_on():
             self._body_handle = None
-            self._end(handle, MotionStatus.REFUSED, "it cannot be taken up again from where it was paused")
+            self._ledger.end(
+                handle, MotionStatus.REFUSED, "it cannot be taken up again from where it was paused"
+            )
 
     def keeper(self, hand: Hand) -> GripKeeper:
         """What a gripper does between motions."""
-        return self._keepers[hand]
+        return self._guarded.keepers[hand]
 
     # ---------------------------------------------------------------- for the control loop
 
     @property
     def resting(self) -> bool:
         """Whether nothing moves the body."""
-        return self._track.resting and not any(track.moves_body for track in self._guarded)
+        return self._track.resting and not self._guarded.moves_body
 
     @property
     def still(self) -> bool:
         """Whether neither body nor grippers are commanded to move."""
-        fingers = any(keeper.setpoint[1] != 0.0 for keeper in self._keepers.values())
-        return self._track.resting and not self._guarded and not fingers
+        return self._track.resting and self._guarded.still
 
     @property
     def standing(self) -> bool:
         """Whether the feet are meant to stay where they are: nothing but checked motions moves the body."""
-        return not any(track.moves_body for track in self._guarded)
+        return not self._guarded.moves_body
 
     @property
     def in_contact(self) -> bool:
         """Whether a motion runs that holds something which may not move."""
-        return any(track.in_contact for track in self._guarded)
+        return self._guarded.in_contact
 
     @property
     def carrying_out(self) -> bool:
@@ -214,15 +208,15 @@ class MotionStreamer:
 
     def propose(self, state: RobotState) -> Proposal:
         """Compute the setpoint one period ahead from the newest readings."""
-        n = self._bodies + len(self._keepers)
+        n = self._bodies + len(self._guarded.keepers)
         q, v = np.empty(n), np.empty(n)
-        for track in list(self._guarded):
+        for track in self._guarded.running:
             refusal = self._advance(track, state)
             if refusal is not None:
                 return Proposal(track.handle.owner, q, v, self._track.now, refusal)
         body = self._track.propose()
         owners = [] if self._track.resting else [self._body_owner]
-        for track in self._guarded:
+        for track in self._guarded.running:
             owners.append(track.handle.owner)
             if track.body is not None:
                 body = self._track.place_body(track.body)
@@ -230,23 +224,13 @@ class MotionStreamer:
                 inside = track.indices < self._bodies
                 body = self._track.place(track.indices[inside], track.q[inside], track.v[inside])
         q[: self._bodies], v[: self._bodies] = body.q[7:], body.v[6:]
-        for keeper in self._keepers.values():
-            guided = self._guide_of(keeper)
-            if guided is not None:
-                k = int(np.argmax(guided.indices == keeper.index))
-                keeper.follow(float(guided.q[k]), float(guided.v[k]))
-            else:
-                before = keeper.setpoint
-                if keeper.propose() != before or before[1] != 0.0:
-                    owners.append(_grip(keeper))
-            q[keeper.index], v[keeper.index] = keeper.setpoint
+        owners += self._guarded.propose_grips(q, v)
         return Proposal(together(owners), q, v, body)
 
     def commit(self) -> None:
         """The last proposal is what the robot follows now."""
         self._track.commit()
-        for keeper in self._keepers.values():
-            keeper.commit()
+        self._guarded.commit()
         handle = self._body_handle
         if handle is not None:
             handle.progress = self._track.progress
@@ -256,7 +240,7 @@ class MotionStreamer:
                 self._go_on(handle)
             if self._track.resting and not self._track.paused and self._body_handle is not None:
                 self._body_handle = None
-                self._end(handle, MotionStatus.DONE, "")
+                self._ledger.end(handle, MotionStatus.DONE, "")
         if self._track.resting and not self._track.paused and self._body_owner:
             self._authority.release(self._body_owner)
             self._body_owner = ""
@@ -273,9 +257,9 @@ class MotionStreamer:
             along_path: Brake along the path (stop category 1), else every joint at once (2).
             status: How the motions end.
         """
-        ended = [track.handle for track in self._guarded]
+        ended = [track.handle for track in self._guarded.running]
         self._pause_wanted = False
-        for track in list(self._guarded):
+        for track in self._guarded.running:
             self._drop(track)
         if self._waiting is not None:
             ended.append(self._waiting[1])
@@ -288,14 +272,14 @@ class MotionStreamer:
             self._body_owner = STOP
             self._closed_for = reason
         for handle in ended:
-            self._end(handle, status, reason)
+            self._ledger.end(handle, status, reason)
 
     def interrupt(self, reason: str) -> None:
         """End the running trajectory and bring every joint to rest; what comes next may start at once."""
         handle, self._body_handle = self._body_handle, None
         if handle is not None:
             self._track.brake(along_path=False)
-            self._end(handle, MotionStatus.REFUSED, reason)
+            self._ledger.end(handle, MotionStatus.REFUSED, reason)
 
     def latch(self, reason: str) -> None:
         """Refuse every motion with this reason until ``unlatch``, whatever comes to rest meanwhile."""
@@ -307,19 +291,17 @@ class MotionStreamer:
 
     def revert(self) -> None:
         """The last proposal was refused: the grippers' setpoints stay where they were."""
-        for keeper in self._keepers.values():
-            keeper.revert()
+        self._guarded.revert()
 
     def halt(self) -> None:
         """Rest where the robot was told to stay when nothing else was let through."""
         self._track.halt()
-        for keeper in self._keepers.values():
-            keeper.halt()
+        self._guarded.halt()
 
     # ---------------------------------------------------------------- inside
 
     def _start_trajectory(self, checked: CheckedTrajectory) -> MotionHandle:
-        handle = self._new_handle("trajectory")
+        handle = self._ledger.open("trajectory")
         reason = self.why_closed or why_not(
             checked.trajectory, self.reference(), self._stance, self._model.joints
         )
@@ -328,10 +310,10 @@ class MotionStreamer:
             return handle
         if reason is None and self._body_owner:
             reason = f"the body is held by {self._body_owner}"
-        if reason is None:
-            reason = self._claim(handle.owner, self._model.joints)
+        if reason is None and (conflict := self._authority.claim(handle.owner, self._model.joints)):
+            reason = f"{conflict[0]} is held by {conflict[1]}"
         if reason is not None:
-            return self._refuse(handle, reason)
+            return self._ledger.refuse(handle, reason)
         self._play(checked, handle)
         return handle
 
@@ -340,30 +322,16 @@ class MotionStreamer:
         self._body_handle, self._body_owner = handle, handle.owner
         self._track.play(lead_in(checked.trajectory, self._track.now.q, self._model.acceleration))
         self.trajectories += 1
-        self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
+        self._ledger.begun(handle)
         if self._pause_wanted:
             self._track.pause()
 
     def _start_guarded(self, motion: GuardedMotion) -> MotionHandle:
-        handle = self._new_handle(motion.name)
-        joints = motion.bounds.joints
-        closed = self.why_closed
-        if closed is not None:
-            return self._refuse(handle, closed)
-        kept = [keeper for keeper in self._keepers.values() if keeper.joint in joints]
-        if any(self._guide_of(keeper) is not None for keeper in kept):
-            return self._refuse(handle, f"{kept[0].joint} is moved by another motion")
-        for keeper in kept:
-            self._authority.release(_grip(keeper))
-        conflict = self._claim(handle.owner, joints)
-        if conflict is not None:
-            for keeper in kept:
-                self._authority.claim(_grip(keeper), [keeper.joint])
-            return self._refuse(handle, conflict)
-        checker = BodyChecker(self._model, self._stance, motion) if isinstance(motion, BodyMotion) else None
-        actuated = self._model.description.actuated
-        self._guarded.append(GuardedTrack(motion, handle, actuated, self._bodies, checker))
-        self._sink(MotionStarted(self._clock.now_s(), handle.name, handle.owner))
+        handle = self._ledger.open(motion.name)
+        reason = self.why_closed or self._guarded.start(motion, handle, self._stance)
+        if reason is not None:
+            return self._ledger.refuse(handle, reason)
+        self._ledger.begun(handle)
         return handle
 
     def _advance(self, track: GuardedTrack, state: RobotState) -> Refusal | None:
@@ -375,16 +343,12 @@ class MotionStreamer:
         if refusal is None and track.done:
             self._drop(track)
             track.handle.progress = 1.0
-            self._end(track.handle, MotionStatus.DONE, "")
+            self._ledger.end(track.handle, MotionStatus.DONE, "")
         return refusal
 
     def _drop(self, track: GuardedTrack) -> None:
         """Take the joints back from a guarded motion."""
-        self._guarded.remove(track)
-        self._authority.release(track.handle.owner)
-        for keeper in self._keepers.values():
-            if keeper.index in track.indices:
-                self._authority.claim(_grip(keeper), [keeper.joint])
+        self._guarded.drop(track)
         if track.moves_body:
             self._track.brake_what_was_placed()
             if not self._track.resting:
@@ -397,29 +361,6 @@ class MotionStreamer:
         if self._latched_for:
             return self._latched_for
         return f"a stop is under way: {self._closed_for}" if self._closed_for else None
-
-    def _guide_of(self, keeper: GripKeeper) -> GuardedTrack | None:
-        return next((track for track in self._guarded if keeper.index in track.indices), None)
-
-    def _claim(self, owner: str, joints: Sequence[str]) -> str | None:
-        conflict = self._authority.claim(owner, joints)
-        return None if conflict is None else f"{conflict[0]} is held by {conflict[1]}"
-
-    def _new_handle(self, name: str) -> MotionHandle:
-        self._count += 1
-        return MotionHandle(name, f"motion-{self._count}")
-
-    def _refuse(self, handle: MotionHandle, reason: str) -> MotionHandle:
-        self._end(handle, MotionStatus.REFUSED, reason)
-        return handle
-
-    def _end(self, handle: MotionHandle, status: MotionStatus, reason: str) -> None:
-        handle.status, handle.reason = status, reason
-        self._sink(MotionEnded(self._clock.now_s(), handle.name, handle.owner, status.value, reason))
-
-
-def _grip(keeper: GripKeeper) -> str:
-    return f"grip of {keeper.joint}"
 
 
 def _is_guarded(motion: object) -> bool:

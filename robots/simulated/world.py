@@ -47,7 +47,7 @@ def build_world(
 
     Args:
         description: The robot.
-        scene: Everything else; ``robots.scene_file.validate`` has judged it.
+        scene: Everything else; ``robots.scene_rules.validate`` has judged it.
         rng: Source of the sensors' noise; used by nothing else.
 
     Raises:

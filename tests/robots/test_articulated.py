@@ -6,7 +6,8 @@ import pytest
 
 from robots.articulated import moving_solids
 from robots.errors import SceneError
-from robots.scene_file import dump, load_scene, read_scene
+from robots.scene_file import load_scene, read_scene
+from robots.scene_writer import dump
 
 FRIDGE = """
 [[furniture]]

@@ -7,7 +7,8 @@ from robots import furniture
 from robots.boards import board_tops_m
 from robots.errors import SceneError
 from robots.scene_description import Furniture
-from robots.scene_file import dump, load_scene, read_scene
+from robots.scene_file import load_scene, read_scene
+from robots.scene_writer import dump
 
 SHELF = Furniture("shelf", "shelf", (0.34, 1.0, 1.22), (0.66, 0.1), yaw_rad=0.2)
 COUNTER = Furniture("counter", "counter", (0.62, 1.8, 0.91), (0.64, 0.0))

@@ -12,7 +12,9 @@ from kinematics import poses
 from kinematics.shapes import Ball, Box, Cylinder
 from robots.errors import SceneError
 from robots.scene_description import PerceptionModel, Person, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import dump, known_scenes, load_scene, read_scene, validate
+from robots.scene_file import known_scenes, load_scene, read_scene
+from robots.scene_rules import validate
+from robots.scene_writer import dump
 
 TABLE = """
 [[furniture]]

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from robots.scene_file import dump, load_scene
+from robots.scene_file import load_scene
+from robots.scene_writer import dump
 from tools.evaluate.scenes import TARGET, episode_scene, pick_scene, read_episode_scene
 
 SCENES = [read_episode_scene(pick_scene(seed), seed) for seed in range(100)]

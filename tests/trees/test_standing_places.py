@@ -11,13 +11,14 @@ from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
 from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
+from kinematics.walking.room import WalkingRoom
 from robots.description import load_description
 from trees.destination import Place
 from trees.handle_standing import handle_standing_place
 from trees.handles import HandleTarget
 from trees.standing_place import standing_place, stands_inside
 
-SETTINGS = load_description("talos").walking
+ROOM = WalkingRoom(load_description("talos").walking)
 
 
 def room(x=4.0, y=1.0, yaw=0.5, size=(3.0, 4.0)):
@@ -83,7 +84,7 @@ ANA = Place("Ana", "person", Cylinder(0.24, 1.75), poses.translation(3.0, 0.0, 0
 
 
 def test_before_a_person_one_stands_on_the_side_from_which_one_comes():
-    place = standing_place(ANA, crowd((3.0, 3.0)), PlanarPose(), 0.05, SETTINGS)
+    place = standing_place(ANA, crowd((3.0, 3.0)), PlanarPose(), 0.05, ROOM)
 
     assert (place.x_m, place.y_m, place.yaw_rad) == pytest.approx((1.9, 0.0, 0.0))
 
@@ -91,7 +92,7 @@ def test_before_a_person_one_stands_on_the_side_from_which_one_comes():
 def test_where_somebody_else_stands_in_the_way_of_turning_hands_one_goes_around():
     scene = crowd((2.0, 0.9))
 
-    place = standing_place(ANA, scene, PlanarPose(), 0.05, SETTINGS)
+    place = standing_place(ANA, scene, PlanarPose(), 0.05, ROOM)
 
     assert place.distance_m(PlanarPose(3.0, 0.0)) == pytest.approx(1.1)
     assert place.distance_m(PlanarPose(2.0, 0.9)) > 0.24 + 0.83

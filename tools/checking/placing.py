@@ -51,7 +51,6 @@ class Placer:
     def __init__(self, model: RobotModel) -> None:
         self._model = model
         self._referee = Referee(model)
-        self._data = model.pin.createData()
 
     def place(
         self,

@@ -23,7 +23,7 @@ from executive.run_log import recorded_run
 from executive.run_request import RunRequest
 from executive.task_script import script_for
 from robots.planned_fault import PlannedFault
-from robots.scene_file import dump
+from robots.scene_writer import dump
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord

@@ -16,7 +16,8 @@ from kinematics import poses
 from kinematics.shapes import Box, Cylinder, Shape
 from robots.errors import SceneError
 from robots.scene_description import Furniture, PerceptionModel, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import dump, load_scene, read_scene
+from robots.scene_file import load_scene, read_scene
+from robots.scene_writer import dump
 
 TARGET = "red cup"
 SENTENCE = "pick up the red cup on the table"

@@ -20,7 +20,7 @@ from trees.if_shifted import IfShifted
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
 from trees.unless_held import UnlessHeld
-from trees.unless_seen import UnlessSeen, UnlessSeenBelow
+from trees.unless_seen import UnlessSeen
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]
@@ -137,20 +137,8 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
     UnlessSeen: NodeKind(
         "UnlessSeen",
         "Decorator",
-        lambda parts: UnlessSeen(parts.children[0], parts.toolbox),
-        ports=(
-            Port("target", "input", "Target", description="what the hand goes to"),
-            Port("grasp", "input", "Grasp", description="which hand"),
-            Port("reach", "input", "Step", description="its planned way"),
-        ),
-        children=(1, 1),
-        transparent=True,
-    ),
-    UnlessSeenBelow: NodeKind(
-        "UnlessSeenBelow",
-        "Decorator",
-        lambda parts: UnlessSeenBelow(parts.children[0], parts.toolbox),
-        ports=(Port("reach", "input", "Step", description="the planned way of a hand"),),
+        lambda parts: UnlessSeen(parts.children[0]),
+        ports=(Port("unseen", "input", "UnseenPlaces", description="what no look has shown"),),
         children=(1, 1),
         transparent=True,
     ),

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.scene import PlanningScene
-from kinematics.support import top_m
-from kinematics.walking.corridor import free_way_m
-from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
@@ -21,9 +16,9 @@ from trees.leaf import DONE, RUNNING
 from trees.odometry import feet_pose
 from trees.own_load import without_held
 from trees.ports import ports
-from trees.standing_place import TURNING_HANDS_M, hands_wider_m, turn_room_m
 from trees.toolbox import Toolbox
 from trees.walking_leaf import WalkingLeaf
+from trees.walking_room import walking_room
 
 _AHEAD_M = 2.0
 """Half of what the camera sees far."""
@@ -33,10 +28,6 @@ _BACK_M, _LEAST_BACK_M, _ROOM_BEHIND_M = 0.7, 0.2, 0.3
 """So far back there is room to turn, where one stands with the hands over or inside something."""
 _TURN_RAD = 1.9
 """Less than the head sees to both sides, so that nothing is passed over."""
-_TURN_ROOM_M = 0.62
-_TURN_LEGS_M = 0.40
-"""From the middle of the feet to what is known, tables included, which the range sensor looks below: thighs
-that turned 0.30 m from a table's edge pressed against it."""
 _SPEED_M_S = 0.3
 
 
@@ -82,30 +73,20 @@ class ChangeViewpoint(WalkingLeaf):
         return DONE if self._handle.finished else RUNNING
 
     def _steering(self, settings: WalkingSettings, scan: np.ndarray) -> Steering | Failure:
-        body = feet_pose(self.toolbox)
+        body, room = feet_pose(self.toolbox), walking_room(self.toolbox, settings)
         if self._way == "ahead":
-            room_m = free_way_m(scan, settings, 1.0) - _ROOM_M
+            room_m = room.free_way_m(scan, 1.0) - _ROOM_M
             if room_m < _LEAST_M:
                 return Failure.infeasible("there is no room ahead to look from", room_m=room_m)
             return StretchSteering(settings, body, _SPEED_M_S, min(room_m, _AHEAD_M))
         if self._way == "back":
-            room_m = free_way_m(scan, settings, -1.0) - _ROOM_BEHIND_M
+            room_m = room.free_way_m(scan, -1.0) - _ROOM_BEHIND_M
             if room_m < _LEAST_BACK_M:
                 return Failure.infeasible("there is no room behind to look from", room_m=room_m)
             return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
-        near_m = float(np.hypot(scan[:, 0], scan[:, 1]).min(initial=math.inf))
-        if near_m < _TURN_ROOM_M:
-            return Failure.infeasible("there is no room to turn", room_m=near_m)
-        known_m = clearance_m(footprints(self.toolbox.world.scene), body)
-        if known_m < _TURN_LEGS_M:
-            return Failure.infeasible("there is no room to turn for the legs", room_m=known_m)
-        room_m = self._room_for_hands_m(settings, body)
-        if room_m < turn_room_m(settings):
-            return Failure.infeasible("there is no room to turn for the hands", room_m=room_m)
+        found = room.tightest_seen(scan), room.tightest(self.toolbox.world.scene, body)
+        tight = max(found, key=lambda spot: spot.lack_m)
+        if tight.lack_m > 0.0:
+            message = f"there is no room to turn for the {tight.part}"
+            return Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
         return PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))
-
-    def _room_for_hands_m(self, settings: WalkingSettings, body: PlanarPose) -> float:
-        """To what is as tall as the hands, less what these stand out; the range sensor looks below it."""
-        items = self.toolbox.world.scene.objects.values()
-        tall = PlanningScene().with_objects(item for item in items if top_m(item) >= settings.hands_from_m)
-        return clearance_m(footprints(tall), body) - hands_wider_m(settings) - TURNING_HANDS_M

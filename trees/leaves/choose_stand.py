@@ -11,8 +11,7 @@ from py_trees.common import Status
 from kinematics.place_requests import PlaceRequest
 from kinematics.requests import NoPlan, PickPlan, PickRequest, PlacePlan
 from kinematics.robot_description import Hand
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.support import top_m
+from kinematics.scene import SceneObject
 from kinematics.trajectory import Stance
 from kinematics.walking.path_planning import Footprint, footprints
 from kinematics.walking.planar import PlanarPose
@@ -33,6 +32,7 @@ from trees.reachable_standing import (
 )
 from trees.standing_place import standing_place
 from trees.toolbox import Job
+from trees.walking_room import room_if_it_walks
 
 _MOST = 40
 """Places that are asked about."""
@@ -76,9 +76,8 @@ class ChooseStand(Leaf):
         settings = self._settings = toolbox.model.description.walking
         thing = self.thing(place)
         if settings is not None and thing is not None:
-            others = [item for item in scene.objects.values() if item.name != thing.name]
-            tall = [item for item in others if top_m(item) >= settings.hands_from_m]
-            about, above = (footprints(PlanningScene().with_objects(items)) for items in (others, tall))
+            others = scene.without_object(thing.name) if thing.name in scene.objects else scene
+            about, above = footprints(others), footprints(others, above_m=settings.hands_from_m)
             x, y = (float(value) for value in thing.world_T_object[:2, 3])
             model = toolbox.model
             eye_m = float(model.frame_pose(model.q_home, model.description.camera.frame)[2, 3])
@@ -92,8 +91,8 @@ class ChooseStand(Leaf):
     def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
         """Where one would stand without knowing better."""
         toolbox = self.toolbox
-        settings = toolbox.model.description.walking
-        return standing_place(place, toolbox.world.scene, body, toolbox.policy.support_gap_m, settings)
+        gap_m, room = toolbox.policy.support_gap_m, room_if_it_walks(toolbox)
+        return standing_place(place, toolbox.world.scene, body, gap_m, room)
 
     def thing(self, place: Place) -> SceneObject | None:
         """What is to be within reach; None when it is no object that the scene holds."""

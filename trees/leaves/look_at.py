@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from kinematics.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.gaze import gaze_joints
-from kinematics.requests import Grasp
+from kinematics.requests import MoveRequest
 from kinematics.robot_description import RobotDescription
 from trees.aim import Aim
-from trees.hand_ways import unseen_below, unseen_on_way
+from trees.failures import Failure
+from trees.hand_ways import UnseenPlaces
 from trees.policy import Gaze
 from trees.ports import ports
-from trees.steps import Step, Target
+from trees.steps import Target
 from trees.toolbox import Toolbox
 
 Array = NDArray[np.float64]
@@ -107,29 +108,16 @@ class LookAtTarget(Aim):
         return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
 
 
-class LookAtWay(Aim):
+class LookAtUnseen(Aim):
     """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
 
-    INPUT_PORTS = ports(target=Target, grasp=Grasp, reach=Step)
+    INPUT_PORTS = ports(unseen=UnseenPlaces)
     OUTPUT_PORTS = ports()
 
-    def joints(self) -> Mapping[str, float]:
-        """The head joints' goal, rad; at the target when all was seen."""
-        target, hand = self.get_input("target"), self.get_input("grasp").hand
-        places = unseen_on_way(self.toolbox, target, self.get_input("reach"), hand)
-        point = places.mean(axis=0) if len(places) else target.odom_T_object[:3, 3]
-        return joints_that_show(self.toolbox, point)
-
-
-class LookBelowWay(Aim):
-    """Look at what hands are to pass over and nobody has looked at; straight on where there is nothing."""
-
-    INPUT_PORTS = ports(reach=Step)
-    OUTPUT_PORTS = ports()
+    def goal(self) -> MoveRequest | Failure | None:
+        """None where all was looked at."""
+        return super().goal() if len(self.get_input("unseen").points) else None
 
     def joints(self) -> Mapping[str, float]:
-        """The head joints' goal, rad."""
-        places = unseen_below(self.toolbox, self.get_input("reach").trajectory)
-        if not len(places):
-            return joints_of(self.toolbox.policy.search_gazes[0], self.toolbox.model.description)
-        return joints_that_show(self.toolbox, places.mean(axis=0))
+        """The goal of the joints that aim the camera, rad: at the middle of those places."""
+        return joints_that_show(self.toolbox, self.get_input("unseen").points.mean(axis=0))

@@ -49,7 +49,6 @@ class Lower(MotionLeaf):
         self._placement: Placement = self.get_input("placement")
         self._strong = 0
         self._touched_s: float | None = None
-        self._started_here = False
 
     def start(self) -> MotionHandle | Failure:
         """Start, unless the world model has changed since the check."""

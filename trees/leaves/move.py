@@ -6,10 +6,10 @@ import math
 
 from py_trees.common import Status
 
-from kinematics.walking.corridor import free_way_m, stopping_distance_m
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import Steering, StretchSteering, VelocitySteering
+from kinematics.walking.stopping import stopping_distance_m
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
@@ -18,6 +18,7 @@ from trees.own_load import without_held
 from trees.ports import ports
 from trees.tasks import MoveTask
 from trees.walking_leaf import WalkingLeaf
+from trees.walking_room import walking_room
 
 _LOOK_EVERY_S = 0.1
 
@@ -131,7 +132,8 @@ class Move(WalkingLeaf):
             if points is None:
                 return Failure.execution("the range sensor has fallen silent") if self._seen else None
             self._looked_s, self._seen = self.elapsed_s, True
-            self._free_m = free_way_m(without_held(self.toolbox, points), settings, task.linear_m_s)
+            room = walking_room(self.toolbox, settings)
+            self._free_m = room.free_way_m(without_held(self.toolbox, points), task.linear_m_s)
         needed_m = stopping_distance_m(settings, task.linear_m_s)
         if self._free_m > needed_m:
             return None

@@ -15,6 +15,7 @@ from trees.odometry import feet_pose
 from trees.ports import optional, ports
 from trees.reachable_standing import Stand
 from trees.standing_place import standing_place, stands_inside
+from trees.walking_room import room_if_it_walks
 
 
 class SquaredUp(Leaf):
@@ -40,8 +41,8 @@ class SquaredUp(Leaf):
         if stand is not None and stand.name == place.name:
             goal = stand.body(place)
         else:
-            settings = toolbox.model.description.walking
-            goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m, settings)
+            room = room_if_it_walks(toolbox)
+            goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m, room)
         left = body.to(goal)
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)

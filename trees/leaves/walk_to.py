@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
-from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
+from kinematics.walking.path_planning import Footprint, blocked, plan_path
 from kinematics.walking.planar import PlanarPose
+from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
 from trees.contract import Contract
@@ -21,16 +22,17 @@ from trees.own_load import without_held
 from trees.ports import optional, ports
 from trees.reachable_standing import Stand
 from trees.seen_points import SeenPoints, apart_from
-from trees.standing_place import hands_wider_m, standing_place, turn_room_m
+from trees.standing_place import standing_place
 from trees.walking_leaf import WalkingLeaf
+from trees.walking_room import room_if_it_walks, walking_room
 
 Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
-_TURNING_HANDS_M = 0.08
-"""Fingers that are 0.77 m aside and 0.31 m ahead go around in a circle of 0.83 m, and the body sways."""
 _BACK_M_S = 0.25
+_BEYOND_M = 0.1
+"""A step back goes so much farther than turning needs."""
 _CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.62, 0.47))
 """Of the path, the first ones that leave a way: from what is as tall as the hands are, which takes more room
 by itself, and from what is lower. Below the hands nothing of TALOS is farther from its middle than 0.32 m."""
@@ -84,8 +86,8 @@ class WalkTo(WalkingLeaf):
         stand: Stand | None = self.optional("stand")
         if stand is not None and stand.name == self._place.name:
             return stand.body(self._place)
-        settings = toolbox.model.description.walking
-        return standing_place(self._place, toolbox.world.scene, body, toolbox.policy.support_gap_m, settings)
+        gap_m, room = toolbox.policy.support_gap_m, room_if_it_walks(toolbox)
+        return standing_place(self._place, toolbox.world.scene, body, gap_m, room)
 
     def step(self) -> Status | Failure:
         """Choose the goal, walk, and measure."""
@@ -130,38 +132,39 @@ class WalkTo(WalkingLeaf):
             return None
         if math.hypot(left.x_m, left.y_m) < 0.3 and abs(left.yaw_rad) < 0.3:
             return PathSteering(settings, (body, self._goal))
-        obstacles = self._obstacles(settings)
+        scene, room = toolbox.world.scene, walking_room(toolbox, settings)
+        obstacles = room.footprints(scene)
         self._look(obstacles)
-        turning = self._obstacles(settings, _TURNING_HANDS_M)
-        near_m, room_m = clearance_m(turning, body), turn_room_m(settings)
-        if near_m < room_m and not self._backing:
-            back = body @ PlanarPose(-(room_m - near_m + 0.1))
-            if clearance_m(turning, back) > near_m:
+        lack_m = room.tightest(scene, body, at_ease=True).lack_m
+        if lack_m > 0.0 and not self._backing:
+            back = body @ PlanarPose(-(lack_m + _BEYOND_M))
+            if room.tightest(scene, back, at_ease=True).lack_m < lack_m:
                 self._backing = True
                 return StretchSteering(settings, body, -_BACK_M_S, body.distance_m(back))
         self._backing = False
-        return self._way(settings, body, obstacles)
+        return self._way(settings, room, body, obstacles)
 
     def _way(
-        self, settings: WalkingSettings, body: PlanarPose, obstacles: tuple[Footprint, ...]
+        self,
+        settings: WalkingSettings,
+        room: WalkingRoom,
+        body: PlanarPose,
+        obstacles: tuple[Footprint, ...],
     ) -> Steering | Failure:
         before = self._goal @ PlanarPose(-self._straight_m)
         points = self._seen.beside(obstacles)
-        for room_m, low_m in _CLEARANCES_M:
-            more_m = room_m - low_m
-            around = self._obstacles(settings, more_m) if more_m > 0.0 else obstacles
-            path = plan_path(body, before, around, low_m, points, hands_wider_m(settings) + more_m)
+        for high_m, low_m in _CLEARANCES_M:
+            more_m = high_m - low_m
+            around = room.footprints(self.toolbox.world.scene, more_m) if more_m > 0.0 else obstacles
+            path = plan_path(body, before, around, low_m, points, room.widest_m + more_m)
             if path is not None:
                 break
         else:
             return Failure.infeasible(
                 "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1][1]
             )
-        self._path, self._clearance_m = path, room_m
+        self._path, self._clearance_m = path, high_m
         return PathSteering(settings, (*path, self._goal))
-
-    def _obstacles(self, settings: WalkingSettings, more_m: float = 0.0) -> tuple[Footprint, ...]:
-        return footprints(self.toolbox.world.scene, settings.hands_from_m, hands_wider_m(settings) + more_m)
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""
@@ -176,14 +179,14 @@ class WalkTo(WalkingLeaf):
         due = self.elapsed_s - self._scanned_s >= _SCAN_EVERY_S
         if self._handle is None or toolbox.walking is None or not self._path or not due:
             return None
-        obstacles = self._obstacles(settings)
+        room = walking_room(toolbox, settings)
+        obstacles = room.footprints(toolbox.world.scene)
         new = self._look(obstacles)
         if self._seen.silent:
             return Failure.execution(_SILENT)
-        room_m = self._clearance_m + hands_wider_m(settings) - _IN_THE_WAY_M
-        if not blocked(self._path, new, room_m):
+        if not blocked(self._path, new, self._clearance_m + room.widest_m - _IN_THE_WAY_M):
             return None
-        steering = self._way(settings, body_pose(toolbox), obstacles)
+        steering = self._way(settings, room, body_pose(toolbox), obstacles)
         if isinstance(steering, Failure):
             return steering
         self.measured(new_points=len(new))

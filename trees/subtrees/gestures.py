@@ -9,8 +9,9 @@ from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
 from trees.failures import Failure, FailureKind
 from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.find_unseen import FindUnseen
 from trees.leaves.go_home import GoHome
-from trees.leaves.look_at import LookBelowWay
+from trees.leaves.look_at import LookAtUnseen
 from trees.leaves.look_at_place import LookAtPlace
 from trees.leaves.plan_pointing import PlanPointing
 from trees.leaves.raise_hand import RaiseHand
@@ -22,7 +23,10 @@ from trees.leaves.wait import Hold
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
-from trees.unless_seen import UnlessSeenBelow
+from trees.unless_seen import UnlessSeen
+
+_LOOKS_ON_WAY = 2
+"""For what was found at the first one, the arm may go elsewhere."""
 
 
 def wave(toolbox: Toolbox) -> Behaviour:
@@ -41,8 +45,7 @@ def point_at(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
         search_place("find it", toolbox, everywhere(toolbox)),
         PlanPointing("plan pointing", toolbox),
-        _look_below_the_way(toolbox),
-        _look_below_the_way(toolbox),  # for what was found there, the arm may go elsewhere
+        _look_below_the_way(toolbox, _LOOKS_ON_WAY),
         CheckTrajectory("check pointing", toolbox, {"step": "reach", "checked": "checked_reach"}),
         StreamMotion("stretch arm", toolbox, {"checked": "checked_reach"}),
         VerifyPointing("see where it points", toolbox),
@@ -52,14 +55,25 @@ def point_at(toolbox: Toolbox) -> Behaviour:
     return tidily("point at", children, toolbox)
 
 
-def _look_below_the_way(toolbox: Toolbox) -> Behaviour:
-    """Near a table an arm that points passes over things that the search for one of them did not show."""
-    children: list[Behaviour] = [
-        BestEffort(LookBelowWay("look", toolbox)),
+def _look_below_the_way(toolbox: Toolbox, looks: int) -> Behaviour:
+    """Near a table an arm that points passes over things that the search for one of them did not show.
+
+    Args:
+        toolbox: What leaves may call.
+        looks: So many, one after the other, at the most.
+    """
+    steps: list[Behaviour] = [
+        BestEffort(LookAtUnseen("look", toolbox)),
         Survey("survey", toolbox, {"sightings_now": "sightings"}, keeping=True),
         PlanPointing("plan again", toolbox),
     ]
-    return UnlessSeenBelow(Sequence("look below the way", memory=True, children=children), toolbox)
+    if looks > 1:
+        steps.append(_look_below_the_way(toolbox, looks - 1))
+    children: list[Behaviour] = [
+        FindUnseen("find what is unseen", toolbox),
+        UnlessSeen(Sequence("look below the way", memory=True, children=steps)),
+    ]
+    return Sequence("its way is seen", memory=True, children=children)
 
 
 def look_at(toolbox: Toolbox) -> Behaviour:

@@ -32,7 +32,6 @@ class HealthMonitor:
         self._joints = JointHealth(model.description, period_s)
         self._resistance = ArmResistance(model, period_s)
         self._body = BodyHealth(model, period_s)
-        self._period_s = period_s
         self._counts: dict[tuple[Ailment, str], int] = {}
         self._seen_s: dict[tuple[Ailment, str], float] = {}
 

@@ -81,7 +81,6 @@ class Walk:
         self._wrench: Array | None = None
         self._most = settings.effort_share * model.effort
         self._read: tuple[Array, Array] | None = None
-        self._sensed = False
         self._sample: PatternSample | None = None
         self._motion: MotionSample | None = None
         self._phase = Phase.REST
@@ -105,7 +104,7 @@ class Walk:
             readings.accelerometer,
             readings.foot_wrench,
         )
-        self._sensed, self._wrench = True, readings.foot_wrench
+        self._wrench = readings.foot_wrench
         return estimator.tilt_rad
 
     def next(self) -> tuple[MotionSample, Array]:

@@ -8,10 +8,8 @@ import pytest
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
-from kinematics.walking.corridor import free_way_m, stopping_distance_m
 from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose
-from robots.description import load_description
 
 
 def scene(*items):
@@ -59,16 +57,6 @@ def test_no_way_is_no_way():
     assert plan_path(PlanarPose(), PlanarPose(4.0, 0.0), footprints(scene(*walls)), 0.4) is None
 
 
-def test_what_is_beside_the_corridor_is_not_in_the_way():
-    settings = load_description("talos").walking
-    beside, ahead = np.array([[0.6, 0.8, 0.5]]), np.array([[0.6, 0.1, 0.5]])
-
-    assert free_way_m(beside, settings, 0.3) == np.inf
-    assert free_way_m(ahead, settings, 0.3) == pytest.approx(0.6 - settings.front_m)
-    assert free_way_m(ahead, settings, -0.3) == np.inf
-    assert stopping_distance_m(settings, 0.5) > stopping_distance_m(settings, 0.1) > 0.0
-
-
 def test_a_way_keeps_its_distance_from_points_that_belong_to_nothing_known():
     points = np.array([(2.0, y) for y in np.arange(-0.5, 0.51, 0.05)])
 
@@ -90,16 +78,7 @@ def test_a_path_is_blocked_by_what_is_near_to_any_part_of_it():
 def test_what_is_as_high_as_the_hands_takes_more_room():
     low, tall = box("table", 2.0, 0.0, (0.6, 1.2, 0.9)), box("shelf", -2.0, 0.0, (0.6, 1.2, 1.2))
 
-    table, shelf = footprints(scene(low, tall), tall_from_m=1.0, wider_m=0.2)
+    table, shelf = footprints(scene(low, tall), [(1.0, 0.2)])
 
     assert clearance_m((table,), PlanarPose()) == pytest.approx(1.7)
     assert clearance_m((shelf,), PlanarPose()) == pytest.approx(1.5)
-
-
-@pytest.mark.requirement("S2")
-@pytest.mark.parametrize(("height_m", "free"), [(0.6, True), (1.3, False)])
-def test_a_post_beside_the_way_is_in_the_way_of_the_hands_alone(height_m, free):
-    settings = load_description("talos").walking
-    post = np.array([(1.0, 0.7, height_m)])
-
-    assert bool(np.isinf(free_way_m(post, settings, 0.3))) is free

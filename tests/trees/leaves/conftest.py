@@ -67,3 +67,18 @@ def planned(knowing):
 @pytest.fixture
 def right_grasp():
     return Grasp("right", "side", np.eye(4), 0.1, 0.06)
+
+
+@pytest.fixture
+def hold_level(stage):
+    """Puts a solid into the left hand, its own axes along the world's."""
+
+    def hold(shape):
+        toolbox = stage.toolbox
+        frame = toolbox.model.description.tcp_frames["left"]
+        tcp_T_object = poses.inverse(toolbox.model.frame_pose(toolbox.sensing.state().q, frame))
+        tcp_T_object[:3, 3] = 0.0
+        scene = toolbox.world.scene.with_objects([SceneObject("blue box", shape, np.eye(4))])
+        toolbox.world.update(scene.with_attached("blue box", frame, tcp_T_object, ()))
+
+    return hold

@@ -5,7 +5,8 @@ from py_trees.common import Status
 from kinematics.requests import MoveRequest, NoPlan
 from kinematics.trajectory import Finding, FindingKind, Unsafe
 from trees.failures import FailureKind
-from trees.leaves.look_at import LookAt, LookAtTarget, joints_that_show
+from trees.hand_ways import UnseenPlaces
+from trees.leaves.look_at import LookAt, LookAtTarget, LookAtUnseen, joints_that_show
 from trees.policy import Gaze
 from trees.sight import off_axis_rad
 
@@ -178,3 +179,22 @@ def test_a_halt_while_moving_leaves_the_robot_holding(stage):
     leaf.stop(Status.INVALID)
 
     assert not stage.fake.motion.moving
+
+
+def test_the_eyes_go_to_the_middle_of_what_was_not_seen(stage):
+    places = np.array([(1.4, -0.3, 0.93), (1.6, -0.1, 0.93)])
+
+    assert stage.run(LookAtUnseen("look", stage.toolbox), unseen=UnseenPlaces(places)) is Status.SUCCESS
+
+    model = stage.toolbox.model
+    eye = model.frame_pose(stage.fake.sensing.state().q, model.description.camera.frame)
+    assert np.abs(off_axis_rad(eye, places.mean(axis=0))).max() < 0.05
+
+
+def test_where_everything_was_seen_the_eyes_stay(stage):
+    started = len(stage.fake.motion.started)
+
+    unseen = UnseenPlaces(np.zeros((0, 3)))
+
+    assert stage.run(LookAtUnseen("look", stage.toolbox), unseen=unseen) is Status.SUCCESS
+    assert len(stage.fake.motion.started) == started

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from py_trees.common import Status
 
+from kinematics.shapes import Box
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.failures import FailureKind
 from trees.leaves.move import Move
@@ -85,6 +86,18 @@ def test_nothing_moves_towards_an_obstacle_nearer_than_the_stopping_distance(mov
     assert leaf.status is Status.FAILURE
     assert "obstacle" in leaf.failure.message
     assert walking.handle is None
+
+
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize(("length_m", "status"), [(0.06, Status.RUNNING), (0.30, Status.FAILURE)])
+@pytest.mark.parametrize("shelf_m", [(0.7, 0.82, 1.25), (0.74, 0.0, 1.25)])
+def test_what_is_held_does_not_brush_by_a_shelf(move, hold_level, length_m, status, shelf_m):
+    hold_level(Box((length_m, length_m, 0.10)))
+    leaf, _ = move(MoveTask("go", 0.3, 0.0, 1.0), Ranges(shelf_m))
+
+    leaf.tick_once()
+
+    assert leaf.status is status
 
 
 @pytest.mark.requirement("S2")

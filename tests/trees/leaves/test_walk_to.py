@@ -76,3 +76,10 @@ def test_a_gap_for_which_arms_are_too_wide_is_not_walked_through(between, left_m
     status, _ = between(left_m, 1.6, gap_m=1.2)
 
     assert status is Status.FAILURE
+
+
+@pytest.mark.parametrize(("length_m", "status"), [(0.06, Status.RUNNING), (0.30, Status.FAILURE)])
+def test_a_gap_that_hands_fit_through_is_too_narrow_for_what_they_hold(between, hold_level, length_m, status):
+    hold_level(Box((length_m, length_m, 0.10)))
+
+    assert between(1.6, 1.6, gap_m=1.75)[0] is status

@@ -10,7 +10,8 @@ import math
 from dataclasses import dataclass
 
 from robots.scene_description import Furniture, MovingPart, PerceptionModel, RobotStart, SceneDescription
-from robots.scene_file import dump, read_scene
+from robots.scene_file import read_scene
+from robots.scene_writer import dump
 from tools.evaluate.scenes import episode_rng
 
 FURNITURE = "piece"

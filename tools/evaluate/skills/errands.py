@@ -13,7 +13,8 @@ from executive.task_result import TaskResult
 from kinematics import poses
 from robots.articulated import moving_part
 from robots.scene_description import RobotStart, SceneDescription
-from robots.scene_file import dump, load_scene, read_scene
+from robots.scene_file import load_scene, read_scene
+from robots.scene_writer import dump
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.handing_over import TakingJudge
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict

@@ -16,8 +16,9 @@ from robots.articulated import ARTICULATED_KINDS, GAP_M, PANEL_M
 from robots.errors import SceneError
 from robots.furniture import floor_pose
 from robots.scene_description import Furniture, MovingPart, Person, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import dump, read_scene
+from robots.scene_file import read_scene
 from robots.scene_solids import planning_scene
+from robots.scene_writer import dump
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked, feet_of
@@ -189,14 +190,14 @@ def _piece(kind: str, before: PlanarPose, rng: np.random.Generator) -> Furniture
 
 def _passable(scene: SceneDescription, start: PlanarPose, goal: PlanarPose, people_aimed_at: int) -> bool:
     """Whether there is room at both ends, and a way between them."""
-    everything = footprints(planning_scene(scene), _TALL_M, _HANDS_M)
+    everything = footprints(planning_scene(scene), [(_TALL_M, _HANDS_M)])
     if clearance_m(everything, start) < FREE_AT_START_M:
         return False
     aim_count = 1 - people_aimed_at
     rest = SceneDescription(
         scene.name, furniture=scene.furniture[aim_count:], people=scene.people[people_aimed_at:]
     )
-    if clearance_m(footprints(planning_scene(rest), _TALL_M, _HANDS_M), goal) < FREE_AT_GOAL_M:
+    if clearance_m(footprints(planning_scene(rest), [(_TALL_M, _HANDS_M)]), goal) < FREE_AT_GOAL_M:
         return False
     before = goal @ PlanarPose(-0.5)
     return plan_path(start, before, everything, WAY_M) is not None

@@ -18,7 +18,8 @@ from robots.scene_description import (
     SceneDescription,
     SceneItem,
 )
-from robots.scene_file import dump, read_scene
+from robots.scene_file import read_scene
+from robots.scene_writer import dump
 
 START_OFFSET_M = 0.03
 START_YAW_RAD = math.radians(5.0)

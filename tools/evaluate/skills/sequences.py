@@ -81,7 +81,7 @@ class SequenceJudge:
     """
 
     def __init__(self, assembly: Assembly, trial: Trial, rng: np.random.Generator) -> None:
-        self._assembly, self._trial, self._rng = assembly, trial, rng
+        self._assembly, self._rng = assembly, rng
         aims = trial.aim.split(", ")
         self._trials = [Trial(trial.scene, (task,), aim) for task, aim in zip(trial.tasks, aims, strict=True)]
         self._judges: list[SkillJudge | None] = [

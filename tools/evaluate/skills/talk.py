@@ -46,8 +46,6 @@ class WaitJudge:
         self._truth, self._task = assembly.world.truth, trial.tasks[-1]
         self._start = self._truth.joint_positions()
         self._moved = 0.0
-        self._began_s: float | None = None
-        self._settled = False
 
     def on_event(self, event: object) -> None:
         """Nothing to learn from events."""
