@@ -41,6 +41,8 @@ _SPARE_M = 0.06
 _APPROACH_M = 0.45
 """The last stretch is walked straight ahead, with the arms of the home posture."""
 _STEP_M = 0.08
+_ELSEWHERE_M = 0.1
+"""Farther apart are not two sightings of the same edge, but two sides of a table."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,23 +53,39 @@ class Stand:
         name: The thing's, in the planning scene.
         x_m, y_m: From the thing to the middle between the feet, along the axes of the odometry frame.
         yaw_rad: Heading, in the odometry frame.
+        usual_T_stand: From where one usually stands for the thing; that is known better from nearby, too.
     """
 
     name: str
     x_m: float
     y_m: float
     yaw_rad: float
+    usual_T_stand: PlanarPose | None = None
 
     @classmethod
-    def beside(cls, place: Place, body: PlanarPose) -> Stand:
+    def beside(cls, place: Place, body: PlanarPose, usual: PlanarPose | None = None) -> Stand:
         """A pose of the body as a stand for a place."""
         x, y = (float(value) for value in place.odom_T_place[:2, 3])
-        return cls(place.name, body.x_m - x, body.y_m - y, body.yaw_rad)
+        apart = None if usual is None else usual.to(body)
+        return cls(place.name, body.x_m - x, body.y_m - y, body.yaw_rad, apart)
 
     def body(self, place: Place) -> PlanarPose:
         """The pose of the body, in the odometry frame, for the place as it is seen now."""
         x, y = (float(value) for value in place.odom_T_place[:2, 3])
         return PlanarPose(x + self.x_m, y + self.y_m, self.yaw_rad)
+
+    def seen_again(self, place: Place, usual: PlanarPose) -> PlanarPose:
+        """The same where what the thing stands on was found to be a little elsewhere, too.
+
+        Args:
+            place: As it is seen now.
+            usual: Where one usually stands for it, as that is seen now.
+        """
+        body = self.body(place)
+        if self.usual_T_stand is None:
+            return body
+        beside = usual @ self.usual_T_stand
+        return beside if beside.distance_m(body) < _ELSEWHERE_M else body
 
 
 def places_about(

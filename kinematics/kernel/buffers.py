@@ -26,6 +26,7 @@ class Buffers:
     def __init__(self, hulls: Array) -> None:
         self._hulls = hulls
         self._spare: list[tuple[Array, Indices]] = []
+        self._most = _KEPT  # asked for when the interpreter has given up its modules, too
 
     def take(self, floats: int, ints: int) -> tuple[Array, Indices]:
         """Memory for as many numbers at least; behind the hulls it holds anything."""
@@ -39,7 +40,7 @@ class Buffers:
 
     def give_back(self, floats: Array, ints: Indices) -> None:
         """Nobody uses it any longer."""
-        if len(self._spare) < _KEPT:
+        if len(self._spare) < self._most:
             self._spare.append((floats, ints))
 
 

@@ -134,6 +134,9 @@ class BodyTrack:
             profile = StopProfile.along_path(
                 self._model, self._stance, sampler, self._elapsed_s, self._period_s
             )
+            if profile is not None and profile.is_late(self._period_s):
+                # where the path turns less, a moment later, it brakes sooner
+                profile = self._stop_later(sampler) or profile
             if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
                 self._sampler, self._playing_out = sampler, True
                 return
@@ -143,9 +146,13 @@ class BodyTrack:
 
     def _stop_beside(self, sampler: TrajectorySampler) -> StopProfile | None:
         """Stop where a path cannot be braked along: with the feet in place, or along it a moment later."""
-        model, stance, period_s = self._model, self._stance, self._period_s
-        standing = StopProfile.standing(model, stance, self.now, period_s)
-        return standing or StopProfile.soon_along_path(model, stance, sampler, self._elapsed_s, period_s)
+        standing = StopProfile.standing(self._model, self._stance, self.now, self._period_s)
+        return standing or self._stop_later(sampler)
+
+    def _stop_later(self, sampler: TrajectorySampler) -> StopProfile | None:
+        return StopProfile.soon_along_path(
+            self._model, self._stance, sampler, self._elapsed_s, self._period_s
+        )
 
     def brake_what_was_placed(self) -> None:
         """Bring joints to rest that ``place`` has moved."""

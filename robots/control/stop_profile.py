@@ -37,6 +37,10 @@ class StopProfile:
         """How many periods it takes."""
         return len(self._rows.q)
 
+    def is_late(self, period_s: float) -> bool:
+        """Whether it takes longer than a stop may: 0.5 s, less what the body sways on."""
+        return len(self) * period_s > _LATEST_S
+
     def at(self, period: int) -> MotionSample:
         """Row of one period, counted from 0."""
         rows = self._rows

@@ -97,3 +97,24 @@ def test_the_feet_are_moved_with_the_body(model):
     assert left.distance_m(right) == pytest.approx(apart[0].distance_m(apart[1]))
     assert here.to(moved_middle := PlanarPose.between(left, right)).distance_m(PlanarPose()) > 0.5
     assert moved_middle.yaw_rad == pytest.approx(PlanarPose.between(*apart).yaw_rad + 0.5)
+
+
+def cup_at(x_m, y_m):
+    return Place("red cup", "object", Cylinder(0.03, 0.1), poses.translation(x_m, y_m, 0.9), 1.0)
+
+
+def test_a_stand_holds_to_the_edge_that_is_seen_again_and_not_to_the_thing_alone():
+    # From afar the table's edge was seen 2 cm nearer than it is.
+    stand = Stand.beside(cup_at(2.0, 0.0), PlanarPose(1.4, 0.3), PlanarPose(1.4, 0.0))
+
+    there = stand.seen_again(cup_at(2.0, 0.01), PlanarPose(1.42, 0.01))
+
+    assert (there.x_m, there.y_m, there.yaw_rad) == pytest.approx((1.42, 0.31, 0.0))
+
+
+def test_another_side_of_the_table_is_not_the_same_edge_seen_again():
+    stand = Stand.beside(cup_at(2.0, 0.0), PlanarPose(1.4, 0.3), PlanarPose(1.4, 0.0))
+
+    there = stand.seen_again(cup_at(2.0, 0.01), PlanarPose(2.0, 0.6, -1.57))
+
+    assert (there.x_m, there.y_m) == pytest.approx((1.4, 0.31))

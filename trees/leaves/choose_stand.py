@@ -94,6 +94,10 @@ class ChooseStand(Leaf):
         gap_m, room = toolbox.policy.support_gap_m, room_if_it_walks(toolbox)
         return standing_place(place, toolbox.world.scene, body, gap_m, room)
 
+    def usual_again(self) -> PlanarPose | None:
+        """The usual place, where it is the one that ``SquaredUp`` finds again from nearby."""
+        return self._usual
+
     def thing(self, place: Place) -> SceneObject | None:
         """What is to be within reach; None when it is no object that the scene holds."""
         return self.toolbox.world.scene.objects.get(place.name) if place.category == "object" else None
@@ -179,7 +183,7 @@ class ChooseStand(Leaf):
         self._job = self.toolbox.planning.submit(self.request(body, stance))
 
     def _choose(self, body: PlanarPose, words: str) -> Status:
-        self._set_output("stand", Stand.beside(self._place, body))
+        self._set_output("stand", Stand.beside(self._place, body, self.usual_again()))
         self.feedback_message = words
         beside = self._usual.to(body)
         self.measured(asked=self._asked, ahead_m=beside.x_m, aside_m=beside.y_m, turned_rad=beside.yaw_rad)

@@ -76,6 +76,10 @@ class ChooseStandToPut(ChooseStand):
         """Square in front of the boards."""
         return super().usual(place, body) if self._front is None else self._front @ PlanarPose(-EDGE_M)
 
+    def usual_again(self) -> PlanarPose | None:
+        """None before boards: those have a front of their own."""
+        return super().usual_again() if self._front is None else None
+
     def thing(self, _place: Place) -> SceneObject | None:
         """The object on the best spot."""
         if not self._spots:

@@ -38,11 +38,10 @@ class SquaredUp(Leaf):
         if place.category == "region":
             return self._inside(place, body)
         stand: Stand | None = self.optional("stand")
+        room = room_if_it_walks(toolbox)
+        goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m, room)
         if stand is not None and stand.name == place.name:
-            goal = stand.body(place)
-        else:
-            room = room_if_it_walks(toolbox)
-            goal = standing_place(place, toolbox.world.scene, body, policy.support_gap_m, room)
+            goal = stand.seen_again(place, goal)
         left = body.to(goal)
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kinematics.kernel import buffers
 from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import humanoid_arrays
@@ -78,3 +79,10 @@ def test_memory_that_is_too_small_is_not_handed_out():
     assert len(floats) > len(small[0])
     assert len(ints) >= 10
     assert np.array_equal(floats[: len(HULLS)], HULLS)
+
+
+def test_memory_is_taken_back_when_the_interpreter_has_given_up_its_modules(monkeypatch):
+    spare = Buffers(np.zeros(4))
+    monkeypatch.setattr(buffers, "_KEPT", None)
+
+    spare.give_back(*spare.take(8, 8))

@@ -9,6 +9,7 @@ from kinematics.free_coordinates import free_coordinates
 from kinematics.stance import stance_at
 from kinematics.timing import Pace
 from kinematics.trajectory_sampler import TrajectorySampler
+from robots.control.body_track import BodyTrack
 from robots.control.stop_profile import StopProfile
 
 PERIOD_S = 0.002
@@ -80,3 +81,38 @@ def test_joints_that_stop_each_on_its_own_end_where_a_motion_can_begin(talos, st
     require_limits_kept(talos, now, a)
     require_feet_in_place(talos, stance, q[-1])
     assert np.abs(np.diff(q[:, 7:], axis=0) - PERIOD_S * v[1:, 6:]).max() < 1e-4
+
+
+@pytest.fixture(scope="module")
+def swing(talos, stance):
+    """A raised hand goes to and fro, as fast as waving lets it."""
+    space = free_coordinates(talos, stance)
+    ends = np.repeat(space.from_q(talos.q_home)[None], 4, axis=0)
+    for joint, rad in (("arm_left_2_joint", 0.45), ("arm_left_3_joint", -0.35)):
+        ends[1::2, space.index(joint)] += rad
+        ends[2, space.index(joint)] -= rad
+    curve = RoundedPolyline(ends, space.weights, 0.06)
+    return time_in_balance(talos, space, stance, curve, Pace(0.7, 0.9))
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("t_s", [0.3, 0.36, 1.02])
+def test_a_stop_before_a_turn_of_the_path_waits_for_where_it_is_braked_sooner(talos, stance, swing, t_s):
+    # Along the path at once it would take 0.46 to 0.6 s; a stop may take half a second.
+    sampler = TrajectorySampler(swing)
+    assert StopProfile.along_path(talos, stance, sampler, t_s, PERIOD_S).is_late(PERIOD_S)
+    track = BodyTrack(talos, stance, talos.q_home, PERIOD_S)
+    track.play(swing)
+    for _ in range(round(t_s / PERIOD_S)):
+        track.propose()
+        track.commit()
+
+    track.brake(along_path=True)
+
+    way, periods = sampler.many(np.arange(t_s, t_s + 0.5, PERIOD_S)).q, 0
+    while not track.resting:
+        now = track.propose().q
+        track.commit()
+        periods += 1
+        assert np.abs(way - now).max(axis=1).min() < 2e-3
+    assert periods * PERIOD_S <= 0.45
