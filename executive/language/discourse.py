@@ -50,6 +50,7 @@ class Discourse:
         self._places: list[Nominal] = []
         self._beside_places: list[Nominal] = []
         self._walks: list[Nominal] = []
+        self._thing_walked_to: Nominal | None = None
         self._people: list[Nominal] = []
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []

@@ -158,6 +158,8 @@ class Resolver(StatedThings, Doubts):
         named, resolved = self._object_of(one)
         root = resolved.task if isinstance(resolved, ObjectOf) else len(self._commands)
         if one.action == "pick" and root in self._held and named is None and _is_only_lifted(one):
+            if self._thing_walked_to is not None:
+                raise ask("which of them does 'it' stand for?")
             return ObjectOf(root)  # "grasp it and lift it"
         if one.action in PUTS_DOWN and root in self._given:
             self._take_back(root)
@@ -171,6 +173,8 @@ class Resolver(StatedThings, Doubts):
         if self._is_done_already(action, slots):
             return ObjectOf(root)  # "come, stand next to me"
         self._note_object(named, resolved)
+        if action == "walk_to":
+            self._note_walk(one.get("to"))
         self._commands.append(_TYPES[action](text, **slots))
         self._note_hand(action, root)
         return ObjectOf(root)
@@ -267,6 +271,15 @@ class Resolver(StatedThings, Doubts):
                 self._name_place(named)
         elif isinstance(resolved, ObjectOf):
             self._again(resolved.task)
+
+    def _note_walk(self, to: Any) -> None:
+        """Remember a thing that is walked to: "it", when nothing is handled before."""
+        if not isinstance(to, Nominal) or to.sort != "thing" or to.reference:
+            return
+        self._thing_walked_to = to
+        handled = any(not isinstance(self._commands[one.task], tasks.WalkToTask) for one in self._entities)
+        if to.is_single and to.count == 1 and not handled:
+            self._entities.append(Entity(len(self._commands), self._clause, to))
 
     def _note_hand(self, action: str, root: int) -> None:
         """Remember what is in the hand and what was given away."""

@@ -3,6 +3,7 @@
 import pytest
 
 from executive.command_parser import parse
+from trees.tasks import ObjectOf
 
 
 def tasks_of(sentence):
@@ -323,3 +324,26 @@ class TestBringing:
     )
     def test_what_somebody_was_given_is_not_put_anywhere(self, sentence):
         assert parse(sentence).question is not None
+
+
+class TestWhatIsWalkedTo:
+    @pytest.mark.parametrize("rest", ["pick it up", "take it", "wave to Ana, then grab it"])
+    def test_a_thing_that_is_walked_to_is_it(self, rest):
+        walk, *_, pick = parse(f"walk to the red cup and {rest}").commands
+
+        assert walk.to.color == "red"
+        assert pick.object == ObjectOf(0)
+
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "walk to the red cup and the blue cup and pick it up",
+            "walk to the cup, then to the bottle, and pick it up",
+            "take the bottle, walk to the cup and pick it up",
+        ],
+    )
+    def test_of_two_things_that_may_be_it_one_is_asked_about(self, sentence):
+        assert parse(sentence).question is not None
+
+    def test_what_is_held_stays_it_beside_what_is_walked_to(self):
+        assert parse("pick up the cup, go to the bowl and put it down").commands[-1].object == ObjectOf(0)
