@@ -32,7 +32,7 @@ from trees.tasks import (
 
 SPEAKER = "me"
 
-Bringing = HandOverTask | PlaceTask | PutInTask
+Bringing = PickTask | HandOverTask | PlaceTask | PutInTask
 """What moves an object, and picks it up first when no hand holds it."""
 
 
@@ -157,9 +157,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
 def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
     """What brings an object into a hand that may be anywhere in some rooms; nothing for several at once."""
     command = commands[index]
-    if not isinstance(command, PickTask | HandOverTask | PlaceTask | PutInTask) or command.count != 1:
-        return
-    if not isinstance(command, PickTask) and known.in_hand(command):
+    if not isinstance(command, Bringing) or command.count != 1 or known.in_hand(command):
         return
     thing, source = command.object, command.source
     if not isinstance(thing, ObjectDescription):

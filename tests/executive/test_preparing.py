@@ -174,6 +174,7 @@ def test_what_a_hand_holds_is_brought_and_not_fetched():
     held = replace(FLAT, in_hand=lambda _task: True)
 
     assert walked("give Ana the cup", held) == [("walk_to", "Ana"), ("hand_over", "Ana")]
+    assert walked("pick up the cup", held) == [("pick", "")]
 
 
 def test_who_puts_something_beside_another_thing_walks_to_that_other_thing():
