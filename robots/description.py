@@ -30,7 +30,7 @@ from kinematics.robot_description import (
     SensorNoise,
     SoleDescription,
 )
-from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.settings import TuckedArms, WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.outside import ROBOTS, outside_folders
 from robots.reachability_file import REACHABILITY, read_reachability
@@ -173,12 +173,18 @@ def _require_consistent(description: RobotDescription, links: list[str]) -> None
     for what, link in named.items():
         if link is not None and link not in links:
             raise DescriptionError(f"{what}: the URDF has no link {link!r}")
-    for joint in description.joints:
+    _check_posture("home posture", description.home, description)
+    if (walking := description.walking) is not None and walking.tucked is not None:
+        _check_posture("tucked arms", walking.tucked.joints, description)
+
+
+def _check_posture(what: str, joints: Mapping[str, float], description: RobotDescription) -> None:
+    for joint, at in joints.items():
+        if joint not in description.limits:
+            raise DescriptionError(f"{what}: the URDF has no joint {joint!r}")
         low, high = description.limits[joint].position
-        if not low <= description.home[joint] <= high:
-            raise DescriptionError(
-                f"home posture: {joint} at {description.home[joint]:g} is outside {low:g} to {high:g} rad"
-            )
+        if not low <= at <= high:
+            raise DescriptionError(f"{what}: {joint} at {at:g} is outside {low:g} to {high:g} rad")
 
 
 def _model_root(source: Table) -> Path:
@@ -331,7 +337,8 @@ def _walking(data: Table | None, joints: tuple[str, ...], members: Table) -> Wal
         return None
     by_kind = data["joint_acceleration"]
     by_joint = {joint: by_kind[kind] for joint in joints if (kind := _kind(joint, members)) in by_kind}
-    return WalkingSettings(**{**data, "joint_acceleration": by_joint})
+    tucked = TuckedArms(**data["tucked"]) if "tucked" in data else None
+    return WalkingSettings(**{**data, "joint_acceleration": by_joint, "tucked": tucked})
 
 
 def _reachability(folder: Traversable) -> ReachabilityMap | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from kinematics.walking.load import load_of
 from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
+from trees.empty_arms import arms_are_tucked
 from trees.toolbox import Toolbox
 
 
@@ -17,7 +18,7 @@ def walking_room(toolbox: Toolbox, settings: WalkingSettings) -> WalkingRoom:
     """
     held = toolbox.world.scene.attached.values()
     load = load_of(toolbox.model, toolbox.sensing.state().q, held, settings.hand_radius_m)
-    return WalkingRoom(settings, load)
+    return WalkingRoom(settings, load, arms_are_tucked(toolbox))
 
 
 def room_if_it_walks(toolbox: Toolbox) -> WalkingRoom | None:

@@ -7,6 +7,7 @@ room asks here.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +23,9 @@ Array = NDArray[np.float64]
 
 _SPARE_M = 0.02
 """Left beside the body, at the least, wherever it walks."""
+_BESIDE_HANDS_M = 0.06
+_OUTLINE_M = 0.08
+"""Between two points of an outline; the room beside the hands is more than half of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,24 +74,36 @@ class WalkingRoom:
 
     Attributes:
         widest_m: How much more room than the body the widest part takes to all sides along a path.
+        tucked: Whether the arms that hold nothing are drawn in.
+        can_tuck: Whether they are not, and can be.
     """
 
-    def __init__(self, settings: WalkingSettings, load: Load | None = None) -> None:
-        self._body_m = settings.half_width_m
-        ends = (settings.front_m, settings.back_m)
-        sides = (settings.half_width_m, settings.hands_half_width_m)
-        sway_m = settings.sway_m
-        self._layers = [
-            _Layer("legs", -math.inf, *ends, sides[0], sides[0], settings.legs_radius_m + sway_m),
-            _Layer(
-                "hands", settings.hands_from_m, *ends, sides[1], sides[1], settings.hands_radius_m + sway_m
-            ),
-        ]
+    def __init__(self, settings: WalkingSettings, load: Load | None = None, tucked: bool = False) -> None:
+        """Take the room of a robot.
+
+        Args:
+            settings: Its sizes.
+            load: What it holds, with the hands that hold it.
+            tucked: Whether the arms that hold nothing are drawn in.
+        """
+        self._body_m = body_m = settings.half_width_m
+        ends, sway_m = (settings.front_m, settings.back_m), settings.sway_m
+        sides = settings.hands_half_width_m
+        hands = _Layer("hands", settings.hands_from_m, *ends, sides, sides, settings.hands_radius_m + sway_m)
+        arms = settings.tucked
+        self.tucked, self.can_tuck = tucked, arms is not None and not tucked
+        self._seen_m = body_m + _SPARE_M
+        if tucked and arms is not None:
+            ends_m = (arms.front_m, settings.back_m)
+            hands = _Layer("hands", arms.from_m, *ends_m, body_m, body_m, arms.radius_m + sway_m)
+            self._seen_m = arms.radius_m + sway_m + _SPARE_M
+        legs = _Layer("legs", -math.inf, *ends, body_m, body_m, settings.legs_radius_m + sway_m)
+        self._layers = [legs, hands]
+        self._hands = hands
         if load is not None:
             around_m, from_m = load.radius_m, load.from_m - sway_m
             straight = (load.front_m, load.back_m, load.half_width_m)
             self._layers.append(_Layer("load", from_m, *straight, around_m, around_m + sway_m))
-        self._seen_m = self._body_m + _SPARE_M
         self.widest_m = max(layer.around_m for layer in self._layers) - self._body_m
 
     def free_way_m(self, points: Array, linear_m_s: float) -> float:
@@ -135,6 +151,30 @@ class WalkingRoom:
             spots.append(TightSpot(layer.part, clearance_m(meets, body), needed_m))
         return max(spots, key=lambda spot: spot.lack_m)
 
+    def hands_meet(self, scene: PlanningScene, way: Sequence[PlanarPose]) -> bool:
+        """Whether an empty hand comes to something where the body goes and turns.
+
+        Args:
+            scene: What is believed.
+            way: Where the body comes by, in the scene's frame, a hand's breadth apart.
+        """
+        hands = self._hands
+        around_m = math.hypot(max(hands.front_m, hands.back_m), hands.half_width_m) + _BESIDE_HANDS_M
+        middles = np.array([(body.x_m, body.y_m) for body in way])
+        beside = [
+            obstacle
+            for obstacle in footprints(scene, above_m=hands.from_m)
+            if float(obstacle.distance_m(middles).min()) <= around_m
+        ]
+        if not beside:
+            return False
+        outline = _outline(hands)
+        c, s = np.cos([body.yaw_rad for body in way]), np.sin([body.yaw_rad for body in way])
+        x = middles[:, :1] + np.outer(c, outline[:, 0]) - np.outer(s, outline[:, 1])
+        y = middles[:, 1:] + np.outer(s, outline[:, 0]) + np.outer(c, outline[:, 1])
+        points = np.column_stack([x.ravel(), y.ravel()])
+        return any(float(obstacle.distance_m(points).min()) < _BESIDE_HANDS_M for obstacle in beside)
+
     def tightest_seen(self, points: Array) -> TightSpot:
         """Where there is least room to turn right here, by what is seen and may be known to nobody.
 
@@ -147,3 +187,17 @@ class WalkingRoom:
             meets = points[:, 2] >= layer.from_m
             spots.append(TightSpot(layer.part, float(away_m[meets].min(initial=math.inf)), layer.turning_m))
         return max(spots, key=lambda spot: spot.lack_m)
+
+
+def _outline(layer: _Layer) -> Array:
+    """Points around the rectangle that a layer takes, shape (n, 2), x ahead."""
+    ahead = np.linspace(-layer.back_m, layer.front_m, _count(layer.back_m + layer.front_m))
+    aside = np.linspace(-layer.half_width_m, layer.half_width_m, _count(2.0 * layer.half_width_m))
+    ends = [np.column_stack([np.full_like(aside, x), aside]) for x in (-layer.back_m, layer.front_m)]
+    out_m = layer.half_width_m
+    sides = [np.column_stack([ahead, np.full_like(ahead, y)]) for y in (-out_m, out_m)]
+    return np.concatenate(ends + sides)
+
+
+def _count(length_m: float) -> int:
+    return math.ceil(length_m / _OUTLINE_M) + 1

@@ -7,6 +7,24 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
+class TuckedArms:
+    """Arms drawn in before the chest, where a robot walks that has no room for its hands at home.
+
+    Attributes:
+        joints: Positions of the joints of both arms, rad; those of one arm do not need those of the other.
+        from_m: From this height up the arms are.
+        front_m, half_width_m: Room that they take ahead of the base and to each side, m.
+        radius_m: Of the circle about the middle between the feet in which they turn.
+    """
+
+    joints: Mapping[str, float]
+    from_m: float
+    front_m: float
+    half_width_m: float
+    radius_m: float
+
+
+@dataclass(frozen=True, slots=True)
 class WalkingSettings:
     """Timing, reach and balance of a walk; lengths in m, times in s, angles in rad.
 
@@ -38,6 +56,7 @@ class WalkingSettings:
             not named keep the limits of other motions.
         ankle_stiffness_nm, ankle_damping_nms: Of the ankles while walking, per rad and rad/s.
         effort_share: Of a joint's effort limit that feed-forward and feedback may ask for.
+        tucked: How it draws its arms in; None for one that cannot.
     """
 
     first_shift_s: float
@@ -76,6 +95,7 @@ class WalkingSettings:
     ankle_damping_nms: float
     joint_acceleration: Mapping[str, float]
     effort_share: float
+    tucked: TuckedArms | None = None
 
     @property
     def step_s(self) -> float:

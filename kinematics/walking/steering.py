@@ -38,6 +38,24 @@ class Steering(Protocol):
         ...
 
 
+_MOST_STEPS = 500
+_BETWEEN = 4
+
+
+def foreseen(steering: Steering, body: PlanarPose) -> list[PlanarPose]:
+    """Where the body comes by if each step goes as it is told, from standing on, four places a step."""
+    places, before = [body], PlanarPose()
+    for _ in range(_MOST_STEPS):
+        step = steering.advance(body, before)
+        if step is None:
+            break
+        for k in range(1, _BETWEEN + 1):
+            share = k / _BETWEEN
+            places.append(body @ PlanarPose(share * step.x_m, share * step.y_m, share * step.yaw_rad))
+        body, before = body @ step, step
+    return places
+
+
 class Halt:
     """Go nowhere."""
 

@@ -8,6 +8,7 @@ from kinematics import poses
 from kinematics.gesture_requests import CarryRequest, GestureRequest
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
+from trees.empty_arms import are_at, home_joints
 from trees.failures import Failure
 from trees.held import HeldObject, held_object
 from trees.leaves.go_home import GoHome
@@ -53,4 +54,5 @@ class ReadyToWalk(GoHome):
         item = model.frame_pose(q, model.description.tcp_frames[held.hand]) @ held.tcp_T_object
         upright = poses.rotation_from_quaternion(q[3:7])[2, 2] >= math.cos(_UPRIGHT_RAD)
         tall = abs(float(q[2]) - float(model.home_over(toolbox.motion.stance())[2])) <= _HEIGHT_M
-        return bool(item[2, 2] >= math.cos(_LEVEL_RAD) and upright and tall)
+        level = item[2, 2] >= math.cos(_LEVEL_RAD)
+        return bool(level and upright and tall and are_at(toolbox, home_joints(toolbox)))

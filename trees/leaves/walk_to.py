@@ -12,7 +12,7 @@ from kinematics.walking.path_planning import Footprint, blocked, plan_path
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
-from kinematics.walking.steering import PathSteering, Steering, StretchSteering
+from kinematics.walking.steering import PathSteering, Steering, StretchSteering, foreseen
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
@@ -23,6 +23,7 @@ from trees.ports import optional, ports
 from trees.reachable_standing import Stand
 from trees.seen_points import SeenPoints, apart_from
 from trees.standing_place import standing_place
+from trees.toolbox import Toolbox
 from trees.walking_leaf import WalkingLeaf
 from trees.walking_room import room_if_it_walks, walking_room
 
@@ -33,9 +34,11 @@ _APPROACH_M = 0.45
 _BACK_M_S = 0.25
 _BEYOND_M = 0.1
 """A step back goes so much farther than turning needs."""
-_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.62, 0.47))
+_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.72, 0.47), (0.62, 0.47))
 """Of the path, the first ones that leave a way: from what is as tall as the hands are, which takes more room
 by itself, and from what is lower. Below the hands nothing of TALOS is farther from its middle than 0.32 m."""
+_TUCKED_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.55, 0.47))
+"""The same with the arms drawn in."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
@@ -48,7 +51,8 @@ class WalkTo(WalkingLeaf):
 
     Where the robot is too near to something to turn, it steps straight back first. What its range sensor
     sees on the way, and nobody knew of, it walks around too. Its own odometry leads; who wants to know how
-    well it arrived looks again.
+    well it arrived looks again. Where it is to go only if its hands have room on all the way, and they have
+    not, it says so before it sets out.
     """
 
     INPUT_PORTS = ports(place=Place, stand=optional(Stand))
@@ -62,6 +66,17 @@ class WalkTo(WalkingLeaf):
         on_failure="the robot stops within two steps and stands",
         on_cancel="the robot stops within two steps and stands",
     )
+
+    def __init__(self, name: str, toolbox: Toolbox, if_hands_fit: bool = False) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            if_hands_fit: Do not go where a hand comes to something, if the arms can be drawn in.
+        """
+        super().__init__(name, toolbox)
+        self._if_hands_fit = if_hands_fit
 
     def begin(self) -> None:
         """Nothing has moved yet."""
@@ -151,20 +166,23 @@ class WalkTo(WalkingLeaf):
         body: PlanarPose,
         obstacles: tuple[Footprint, ...],
     ) -> Steering | Failure:
-        before = self._goal @ PlanarPose(-self._straight_m)
+        before, scene = self._goal @ PlanarPose(-self._straight_m), self.toolbox.world.scene
         points = self._seen.beside(obstacles)
-        for high_m, low_m in _CLEARANCES_M:
+        clearances = _TUCKED_CLEARANCES_M if room.tucked else _CLEARANCES_M
+        why = Failure.infeasible("no way leads there around what is known", clearance_m=clearances[-1][1])
+        for high_m, low_m in clearances:
             more_m = high_m - low_m
-            around = room.footprints(self.toolbox.world.scene, more_m) if more_m > 0.0 else obstacles
+            around = room.footprints(scene, more_m) if more_m > 0.0 else obstacles
             path = plan_path(body, before, around, low_m, points, room.widest_m + more_m)
-            if path is not None:
-                break
-        else:
-            return Failure.infeasible(
-                "no way leads there around what is known", clearance_m=_CLEARANCES_M[-1][1]
-            )
-        self._path, self._clearance_m = path, high_m
-        return PathSteering(settings, (*path, self._goal))
+            if path is None:
+                continue
+            steering = PathSteering(settings, (*path, self._goal))
+            if self._if_hands_fit and room.can_tuck and room.hands_meet(scene, foreseen(steering, body)):
+                why = Failure.infeasible("the hands have no room on the way there", clearance_m=high_m)
+                continue
+            self._path, self._clearance_m = path, high_m
+            return steering
+        return why
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""

@@ -12,6 +12,7 @@ from trees.leaves.stands_there_already import StandsThereAlready
 from trees.leaves.walk_to_handle import WalkToHandle
 from trees.retry import Retry
 from trees.subtrees.walk_to import another_walk_is_useless
+from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
 _WALKS = 3
@@ -24,18 +25,19 @@ def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
         toolbox: What leaves may call.
         look_again: Sees the handle anew; reads "task", writes "handle".
     """
-    walk = Sequence(
+    walk = WalkToHandle("walk", toolbox, if_hands_fit=True)
+    attempt = Sequence(
         "walk there",
         memory=True,
         children=[
             ReadyToWalk("stand upright", toolbox),
-            WalkToHandle("walk", toolbox),
+            with_room(toolbox, walk, WalkToHandle("walk", toolbox)),
             look_again,
             StandsAtHandle("stand well", toolbox),
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
-    walks = Retry("walks", walk, again, _WALKS, another_walk_is_useless)
+    walks = Retry("walks", attempt, again, _WALKS, another_walk_is_useless)
     return Alternatives(
         "come to it", [StandsThereAlready("stand well already", toolbox), walks], hopeless=defect
     )

@@ -20,6 +20,7 @@ from trees.retry import Retry
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
+from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
 _VIEWPOINTS: tuple[Viewpoint, ...] = ("around", "back", "around", "around", "ahead", "around", "ahead")
@@ -45,7 +46,7 @@ def walks(toolbox: Toolbox, choose: Behaviour) -> Behaviour:
         children=[
             choose,
             ReadyToWalk("stand upright", toolbox),
-            WalkTo("walk", toolbox),
+            with_room(toolbox, WalkTo("walk", toolbox, if_hands_fit=True), WalkTo("walk", toolbox)),
             Alternatives(
                 "find again",
                 [
@@ -77,13 +78,22 @@ def find_place(toolbox: Toolbox) -> Behaviour:
                 memory=True,
                 children=[
                     ReadyToWalk("stand upright", toolbox),
-                    ChangeViewpoint(_NAMES[way], toolbox, way),
+                    change_viewpoint(toolbox, way),
                     search_place("look around", toolbox, _level_first(far)),
                 ],
             )
         )
     ways.append(RecallPlace("recall anything", toolbox, anything=True))
     return Alternatives("find it", ways, looking_elsewhere_is_useless, back_only_without_room)
+
+
+def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
+    """Go on, step back, or turn, with the arms drawn in where they have no room to turn."""
+
+    def leaf() -> Behaviour:
+        return ChangeViewpoint(_NAMES[way], toolbox, way)
+
+    return with_room(toolbox, leaf(), leaf()) if way == "around" else leaf()
 
 
 def back_only_without_room(way: Behaviour, failure: Failure | None) -> bool:

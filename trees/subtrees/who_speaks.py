@@ -9,12 +9,12 @@ from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
 from trees.failures import Failure
 from trees.leaves.asks_for_speaker import AsksForSpeaker
-from trees.leaves.change_viewpoint import ChangeViewpoint
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_for_people import LookForPeople
 from trees.leaves.note_who_speaks import NoteWhoSpeaks
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.subtrees.walk_to import change_viewpoint
 from trees.toolbox import Toolbox
 
 _TURNS = 2
@@ -27,7 +27,7 @@ def who_speaks(toolbox: Toolbox) -> Behaviour:
     for k in range(1, _TURNS + 1):
         turn: list[Behaviour] = [
             ReadyToWalk("stand upright", toolbox),
-            ChangeViewpoint("turn around", toolbox, "around"),
+            change_viewpoint(toolbox, "around"),
         ]
         ways.append(_view(f"turned {k}", toolbox, turn))
     ways.append(NoteWhoSpeaks("the nearest one", toolbox, anybody=True))

@@ -11,6 +11,7 @@ from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 from robots.control.motion_handle import MotionHandle
 from trees.destination import Place
+from trees.leaves.draw_arms_in import DrawArmsIn
 from trees.leaves.walk_to import WalkTo
 
 _ACROSS_M = 1.5
@@ -34,7 +35,7 @@ class FeetThatSetOut:
 def between(stage):
     """Walks through a gap between two walls of given heights, too long to go around."""
 
-    def run(left_m, right_m, gap_m=1.4):
+    def run(left_m, right_m, gap_m=1.4, if_hands_fit=False):
         walls = [
             SceneObject(
                 name,
@@ -48,7 +49,7 @@ def between(stage):
         stage.told.update(stage.told.scene.with_objects(walls))
         feet = FeetThatSetOut()
         toolbox = dataclasses.replace(stage.toolbox, walking=feet, ranging=None)
-        leaf = WalkTo("walk", toolbox)
+        leaf = WalkTo("walk", toolbox, if_hands_fit)
         aim = Box((0.4, 0.4, 0.9))
         place = Place("table", "furniture", aim, poses.translation(3.2, 0.0, 0.45), 0.9)
         stage.ready(leaf, place=place)
@@ -83,3 +84,15 @@ def test_a_gap_that_hands_fit_through_is_too_narrow_for_what_they_hold(between, 
     hold_level(Box((length_m, length_m, 0.10)))
 
     assert between(1.6, 1.6, gap_m=1.75)[0] is status
+
+
+def test_a_gap_that_hands_do_not_fit_through_is_walked_through_with_arms_drawn_in(stage, between):
+    assert stage.run(DrawArmsIn("draw the arms in", stage.toolbox)) is Status.SUCCESS
+
+    assert between(1.6, 1.6, gap_m=1.2)[0] is Status.RUNNING
+    assert between(1.6, 1.6, gap_m=1.0)[0] is Status.FAILURE
+
+
+@pytest.mark.parametrize(("gap_m", "status"), [(1.5, Status.RUNNING), (1.3, Status.FAILURE)])
+def test_hands_that_would_brush_along_a_wall_say_so_before_the_robot_sets_out(between, gap_m, status):
+    assert between(0.9, 1.6, gap_m, if_hands_fit=True)[0] is status

@@ -1,0 +1,53 @@
+"""Draw empty arms in before the chest, to walk where hands at home have no room."""
+
+from __future__ import annotations
+
+from kinematics.requests import MoveRequest
+from trees.contract import Contract
+from trees.empty_arms import are_at, home_joints, tucked_joints
+from trees.failures import Failure
+from trees.planned_motion_leaf import PlannedMotionLeaf
+from trees.ports import ports
+from trees.toolbox import Toolbox
+
+
+class DrawArmsIn(PlannedMotionLeaf):
+    """Fold the arms that hold nothing, or bring them home again; all else stays as it is."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the robot stands",
+        postcondition="every joint of an arm that holds nothing is measured to be where it is wanted",
+        deadline_s=20.0,
+        moves="body",
+        on_success="the arms that hold nothing are drawn in, or at home again",
+    )
+
+    def __init__(self, name: str, toolbox: Toolbox, out: bool = False) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            out: Bring them home again.
+        """
+        super().__init__(name, toolbox)
+        self._out = out
+
+    def goal(self) -> MoveRequest | Failure | None:
+        """The joints of the empty arms, unless they are there already."""
+        toolbox = self.toolbox
+        joints = home_joints(toolbox) if self._out else tucked_joints(toolbox)
+        if not joints and not self._out:
+            return Failure.infeasible(f"{toolbox.model.description.name} has no arm to draw in")
+        if are_at(toolbox, joints):
+            return None
+        return MoveRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            joints=joints,
+            keep_others=True,
+            seed=int(toolbox.rng.integers(2**31)),
+        )

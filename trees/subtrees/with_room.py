@@ -1,0 +1,33 @@
+"""A walk that draws the arms in where hands at home would come to something."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.alternatives import Alternatives
+from trees.failures import Failure, FailureKind
+from trees.leaves.draw_arms_in import DrawArmsIn
+from trees.toolbox import Toolbox
+
+
+def with_room(toolbox: Toolbox, at_home: Behaviour, drawn_in: Behaviour) -> Behaviour:
+    """Walk with the hands at home if they have room, else with the arms drawn in.
+
+    Args:
+        toolbox: What leaves may call.
+        at_home: The walk; infeasible where hands have no room.
+        drawn_in: The same walk for narrower arms.
+    """
+    narrow: list[Behaviour] = [
+        DrawArmsIn("draw the arms in", toolbox),
+        drawn_in,
+        DrawArmsIn("let the arms out", toolbox, out=True),
+    ]
+    ways = [at_home, Sequence("with arms drawn in", memory=True, children=narrow)]
+    return Alternatives("with room", ways, narrower_arms_are_useless)
+
+
+def narrower_arms_are_useless(failure: Failure) -> bool:
+    """They help against want of room alone."""
+    return failure.root.kind is not FailureKind.INFEASIBLE or bool(failure.choices)
