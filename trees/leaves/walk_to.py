@@ -152,10 +152,12 @@ class WalkTo(WalkingLeaf):
         self._look(obstacles)
         lack_m = room.tightest(scene, body, at_ease=True).lack_m
         if lack_m > 0.0 and not self._backing:
-            back = body @ PlanarPose(-(lack_m + _BEYOND_M))
-            if room.tightest(scene, back, at_ease=True).lack_m < lack_m:
+            back_m = lack_m + _BEYOND_M
+            back = StretchSteering(settings, body, -_BACK_M_S, back_m)
+            roomier = room.tightest(scene, body @ PlanarPose(-back_m), at_ease=True).lack_m < lack_m
+            if roomier and not room.hands_meet(scene, foreseen(back, body)):
                 self._backing = True
-                return StretchSteering(settings, body, -_BACK_M_S, body.distance_m(back))
+                return back
         self._backing = False
         return self._way(settings, room, body, obstacles)
 

@@ -9,6 +9,7 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
+from kinematics.walking.steering import StretchSteering
 from robots.control.motion_handle import MotionHandle
 from trees.destination import Place
 from trees.leaves.draw_arms_in import DrawArmsIn
@@ -96,3 +97,21 @@ def test_a_gap_that_hands_do_not_fit_through_is_walked_through_with_arms_drawn_i
 @pytest.mark.parametrize(("gap_m", "status"), [(1.5, Status.RUNNING), (1.3, Status.FAILURE)])
 def test_hands_that_would_brush_along_a_wall_say_so_before_the_robot_sets_out(between, gap_m, status):
     assert between(0.9, 1.6, gap_m, if_hands_fit=True)[0] is status
+
+
+@pytest.mark.parametrize(("high_m", "back"), [(0.9, True), (1.6, False)])
+def test_the_robot_steps_back_to_turn_only_where_its_hands_come_to_nothing(stage, high_m, back):
+    ahead = SceneObject("table", Box((0.4, 0.4, 0.8)), poses.translation(0.6, 0.0, 0.4), movable=False)
+    behind = SceneObject(
+        "door", Box((0.02, 0.3, high_m)), poses.translation(-0.42, 0.8, 0.5 * high_m), movable=False
+    )
+    stage.told.update(stage.told.scene.with_objects([ahead, behind]))
+    feet = FeetThatSetOut()
+    toolbox = dataclasses.replace(stage.toolbox, walking=feet, ranging=None)
+    aim = Box((0.4, 0.4, 0.9))
+    place = Place("counter", "furniture", aim, poses.translation(0.0, 3.0, 0.45), 0.9)
+    leaf = WalkTo("walk", toolbox)
+    stage.ready(leaf, place=place)
+    stage.tick(leaf)
+
+    assert isinstance(feet.asked[0], StretchSteering) is back
