@@ -32,6 +32,14 @@ _FROM_BORDER_M = 0.4
 _ROOM_M = 0.8
 _GRID_M = 0.25
 _ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
+_STEPS_M = tuple(0.1 * k for k in range(-5, 6))
+_BESIDE = sorted(
+    (PlanarPose(-back, aside) for back in _STEPS_M if back >= 0.0 for aside in _STEPS_M),
+    key=lambda beside: math.hypot(beside.x_m, beside.y_m),
+)
+_HERE_M = 0.05
+_SPARE_M, _SPARE_HERE_M = 0.08, 0.04
+"""Beside the hands of who stands before furniture, the latter where he stands so already."""
 _TIGHT_COST_RAD_M = 20.0
 """A place to stand that is too tight by 1 cm is worth going around by 11 degrees."""
 
@@ -56,13 +64,32 @@ def standing_place(
     if place.category == "region" and isinstance(place.shape, Box):
         return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
     if place.category == "furniture" and isinstance(place.shape, Box):
-        return _before(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
+        usual = _before(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
+        return usual if room is None else _where_hands_are_free(usual, body, scene, room)
     if place.category == "object":
         item = SceneObject(place.name, place.shape, place.odom_T_place)
         under = support_of(item, scene, support_gap_m)
         if under is not None and isinstance(under.shape, Box):
             return _before(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
     return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene, room)
+
+
+def _where_hands_are_free(
+    usual: PlanarPose, body: PlanarPose, scene: PlanningScene, room: WalkingRoom
+) -> PlanarPose:
+    """The usual place before furniture, or the nearest one where hands come to nothing, say to an open door.
+
+    At home or drawn in: whichever way the robot comes. One that stands well is not sent on for a centimetre.
+    """
+    rooms = room.either_way()
+    for beside in _BESIDE:
+        stand = usual @ beside
+        spare_m = _SPARE_HERE_M if stand.distance_m(body) < _HERE_M else _SPARE_M
+        if any(one.hands_meet(scene, [stand], spare_m) for one in rooms):
+            continue
+        if stand == usual or rooms[-1].tightest(scene, stand).lack_m <= 0.0:
+            return stand
+    return usual
 
 
 def _around(

@@ -86,6 +86,7 @@ class WalkingRoom:
             load: What it holds, with the hands that hold it.
             tucked: Whether the arms that hold nothing are drawn in.
         """
+        self._settings, self._load = settings, load
         self._body_m = body_m = settings.half_width_m
         ends, sway_m = (settings.front_m, settings.back_m), settings.sway_m
         sides = settings.hands_half_width_m
@@ -94,8 +95,8 @@ class WalkingRoom:
         self.tucked, self.can_tuck = tucked, arms is not None and not tucked
         self._seen_m = body_m + _SPARE_M
         if tucked and arms is not None:
-            ends_m = (arms.front_m, settings.back_m)
-            hands = _Layer("hands", arms.from_m, *ends_m, body_m, body_m, arms.radius_m + sway_m)
+            straight_m = (arms.front_m, settings.back_m, arms.half_width_m)
+            hands = _Layer("hands", arms.from_m, *straight_m, body_m, arms.radius_m + sway_m)
             self._seen_m = arms.radius_m + sway_m + _SPARE_M
         legs = _Layer("legs", -math.inf, *ends, body_m, body_m, settings.legs_radius_m + sway_m)
         self._layers = [legs, hands]
@@ -105,6 +106,10 @@ class WalkingRoom:
             straight = (load.front_m, load.back_m, load.half_width_m)
             self._layers.append(_Layer("load", from_m, *straight, around_m, around_m + sway_m))
         self.widest_m = max(layer.around_m for layer in self._layers) - self._body_m
+
+    def either_way(self) -> tuple[WalkingRoom, WalkingRoom]:
+        """The room that it takes with its empty hands at home, and with its arms drawn in."""
+        return WalkingRoom(self._settings, self._load), WalkingRoom(self._settings, self._load, tucked=True)
 
     def free_way_m(self, points: Array, linear_m_s: float) -> float:
         """How far the robot can go straight on before it meets something; infinite if nothing is in its way.
@@ -151,15 +156,18 @@ class WalkingRoom:
             spots.append(TightSpot(layer.part, clearance_m(meets, body), needed_m))
         return max(spots, key=lambda spot: spot.lack_m)
 
-    def hands_meet(self, scene: PlanningScene, way: Sequence[PlanarPose]) -> bool:
+    def hands_meet(
+        self, scene: PlanningScene, way: Sequence[PlanarPose], spare_m: float = _BESIDE_HANDS_M
+    ) -> bool:
         """Whether an empty hand comes to something where the body goes and turns.
 
         Args:
             scene: What is believed.
             way: Where the body comes by, in the scene's frame, a hand's breadth apart.
+            spare_m: Left beside the hands.
         """
         hands = self._hands
-        around_m = math.hypot(max(hands.front_m, hands.back_m), hands.half_width_m) + _BESIDE_HANDS_M
+        around_m = math.hypot(max(hands.front_m, hands.back_m), hands.half_width_m) + spare_m
         middles = np.array([(body.x_m, body.y_m) for body in way])
         beside = [
             obstacle
@@ -168,12 +176,12 @@ class WalkingRoom:
         ]
         if not beside:
             return False
-        outline = _outline(hands)
+        outline = _outline(hands, hands.turning_m - self._settings.sway_m)
         c, s = np.cos([body.yaw_rad for body in way]), np.sin([body.yaw_rad for body in way])
         x = middles[:, :1] + np.outer(c, outline[:, 0]) - np.outer(s, outline[:, 1])
         y = middles[:, 1:] + np.outer(s, outline[:, 0]) + np.outer(c, outline[:, 1])
         points = np.column_stack([x.ravel(), y.ravel()])
-        return any(float(obstacle.distance_m(points).min()) < _BESIDE_HANDS_M for obstacle in beside)
+        return any(float(obstacle.distance_m(points).min()) < spare_m for obstacle in beside)
 
     def tightest_seen(self, points: Array) -> TightSpot:
         """Where there is least room to turn right here, by what is seen and may be known to nobody.
@@ -189,14 +197,16 @@ class WalkingRoom:
         return max(spots, key=lambda spot: spot.lack_m)
 
 
-def _outline(layer: _Layer) -> Array:
-    """Points around the rectangle that a layer takes, shape (n, 2), x ahead."""
+def _outline(layer: _Layer, radius_m: float) -> Array:
+    """Points around what a layer takes, a rectangle without what is outside of a circle; (n, 2), x ahead."""
     ahead = np.linspace(-layer.back_m, layer.front_m, _count(layer.back_m + layer.front_m))
     aside = np.linspace(-layer.half_width_m, layer.half_width_m, _count(2.0 * layer.half_width_m))
     ends = [np.column_stack([np.full_like(aside, x), aside]) for x in (-layer.back_m, layer.front_m)]
     out_m = layer.half_width_m
     sides = [np.column_stack([ahead, np.full_like(ahead, y)]) for y in (-out_m, out_m)]
-    return np.concatenate(ends + sides)
+    points: Array = np.concatenate(ends + sides)
+    inside: Array = np.minimum(1.0, radius_m / np.hypot(points[:, 0], points[:, 1]))
+    return points * inside[:, None]
 
 
 def _count(length_m: float) -> int:

@@ -97,3 +97,41 @@ def test_where_somebody_else_stands_in_the_way_of_turning_hands_one_goes_around(
     assert place.distance_m(PlanarPose(3.0, 0.0)) == pytest.approx(1.1)
     assert place.distance_m(PlanarPose(2.0, 0.9)) > 0.24 + 0.83
     assert place.y_m < 0.0
+
+
+def fridge_with_door(tip_m):
+    """A tall box ahead whose open door stands out towards the robot, up to so far from its front."""
+    box = SceneObject("fridge", Box((0.6, 0.6, 1.7)), poses.translation(3.0, 0.0, 0.85), movable=False)
+    pose = poses.translation(2.7 - 0.5 * tip_m, -0.2, 0.85)
+    door = SceneObject("door", Box((tip_m, 0.04, 1.6)), pose, movable=False)
+    scene = PlanningScene().with_objects([box, door])
+    return Place("fridge", "furniture", box.shape, box.world_T_object, 1.7), scene
+
+
+@pytest.mark.requirement("S2")
+def test_before_an_open_door_one_stands_where_hands_do_not_come_to_it():
+    place, scene = fridge_with_door(0.6)
+
+    usual = standing_place(place, scene, PlanarPose(), 0.05)
+    stand = standing_place(place, scene, PlanarPose(), 0.05, ROOM)
+
+    assert any(room.hands_meet(scene, [usual], 0.08) for room in ROOM.either_way())
+    assert not any(room.hands_meet(scene, [stand], 0.08) for room in ROOM.either_way())
+    assert 0.05 < stand.distance_m(usual) < 0.5
+    assert stand.yaw_rad == pytest.approx(usual.yaw_rad)
+
+
+def test_before_a_door_that_is_nearly_shut_one_stands_as_usual():
+    place, scene = fridge_with_door(0.1)
+
+    usual = standing_place(place, scene, PlanarPose(), 0.05)
+
+    assert standing_place(place, scene, PlanarPose(), 0.05, ROOM) == usual
+
+
+def test_who_stands_well_before_a_door_is_not_sent_on_for_a_centimetre():
+    place, scene = fridge_with_door(0.6)
+    stand = standing_place(place, scene, PlanarPose(), 0.05, ROOM)
+    _, nearer = fridge_with_door(0.62)
+
+    assert standing_place(place, nearer, stand, 0.05, ROOM).distance_m(stand) < 0.01

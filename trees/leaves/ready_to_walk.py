@@ -4,15 +4,22 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+from py_trees.common import Status
+
 from kinematics import poses
 from kinematics.gesture_requests import CarryRequest, GestureRequest
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
-from trees.empty_arms import are_at, home_joints
-from trees.failures import Failure
+from trees.empty_arms import are_at, arms_are_tucked, home_joints
+from trees.failures import Failure, FailureKind
 from trees.held import HeldObject, held_object
+from trees.leaf import DONE
 from trees.leaves.go_home import GoHome
 from trees.ports import ports
+
+Array = NDArray[np.float64]
 
 _LEVEL_RAD = 0.035
 _UPRIGHT_RAD = 0.03
@@ -48,11 +55,23 @@ class ReadyToWalk(GoHome):
             seed=int(toolbox.rng.integers(2**31)),
         )
 
+    def step(self) -> Status | Failure:
+        """Arms that are drawn in, and have no room to get out, are ready as well."""
+        outcome = super().step()
+        if not isinstance(outcome, Failure) or outcome.kind is not FailureKind.INFEASIBLE:
+            return outcome
+        drawn_in = arms_are_tucked(self.toolbox) and self._stands_tall(self.toolbox.motion.reference())
+        return DONE if drawn_in else outcome
+
     def _carries(self, held: HeldObject) -> bool:
         toolbox = self.toolbox
         model, q = toolbox.model, toolbox.motion.reference()
         item = model.frame_pose(q, model.description.tcp_frames[held.hand]) @ held.tcp_T_object
+        level = bool(item[2, 2] >= math.cos(_LEVEL_RAD))
+        return level and self._stands_tall(q) and are_at(toolbox, home_joints(toolbox))
+
+    def _stands_tall(self, q: Array) -> bool:
+        toolbox = self.toolbox
         upright = poses.rotation_from_quaternion(q[3:7])[2, 2] >= math.cos(_UPRIGHT_RAD)
-        tall = abs(float(q[2]) - float(model.home_over(toolbox.motion.stance())[2])) <= _HEIGHT_M
-        level = item[2, 2] >= math.cos(_LEVEL_RAD)
-        return bool(level and upright and tall and are_at(toolbox, home_joints(toolbox)))
+        home_m = float(toolbox.model.home_over(toolbox.motion.stance())[2])
+        return bool(upright and abs(float(q[2]) - home_m) <= _HEIGHT_M)

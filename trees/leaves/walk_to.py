@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
-from kinematics.walking.path_planning import Footprint, blocked, plan_path
+from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
@@ -31,13 +31,14 @@ Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
+_STRAIGHT_SHARES = (1.0, 0.67, 0.33)
 _BACK_M_S = 0.25
 _BEYOND_M = 0.1
 """A step back goes so much farther than turning needs."""
 _CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.72, 0.47), (0.62, 0.47))
 """Of the path, the first ones that leave a way: from what is as tall as the hands are, which takes more room
 by itself, and from what is lower. Below the hands nothing of TALOS is farther from its middle than 0.32 m."""
-_TUCKED_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.55, 0.47))
+_TUCKED_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.55, 0.47), (0.52, 0.42))
 """The same with the arms drawn in."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
@@ -168,7 +169,7 @@ class WalkTo(WalkingLeaf):
         body: PlanarPose,
         obstacles: tuple[Footprint, ...],
     ) -> Steering | Failure:
-        before, scene = self._goal @ PlanarPose(-self._straight_m), self.toolbox.world.scene
+        before, scene = self._before(settings), self.toolbox.world.scene
         points = self._seen.beside(obstacles)
         clearances = _TUCKED_CLEARANCES_M if room.tucked else _CLEARANCES_M
         why = Failure.infeasible("no way leads there around what is known", clearance_m=clearances[-1][1])
@@ -179,12 +180,25 @@ class WalkTo(WalkingLeaf):
             if path is None:
                 continue
             steering = PathSteering(settings, (*path, self._goal))
-            if self._if_hands_fit and room.can_tuck and room.hands_meet(scene, foreseen(steering, body)):
+            if self._hands_are_kept_free(room, body) and room.hands_meet(scene, foreseen(steering, body)):
                 why = Failure.infeasible("the hands have no room on the way there", clearance_m=high_m)
                 continue
             self._path, self._clearance_m = path, high_m
             return steering
         return why
+
+    def _before(self, settings: WalkingSettings) -> PlanarPose:
+        """Where the straight stretch to the goal begins: as far from it as there is room for legs."""
+        about = footprints(self.toolbox.world.scene)
+        ways = (self._goal @ PlanarPose(-share * self._straight_m) for share in _STRAIGHT_SHARES)
+        legs_m = settings.legs_radius_m + settings.sway_m
+        return next((before for before in ways if clearance_m(about, before) >= legs_m), self._goal)
+
+    def _hands_are_kept_free(self, room: WalkingRoom, body: PlanarPose) -> bool:
+        """Where arms can be drawn in, or are; others have to get out of too little room."""
+        if room.tucked:
+            return not room.hands_meet(self.toolbox.world.scene, [body])
+        return self._if_hands_fit and room.can_tuck
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""

@@ -6,6 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
+from trees.best_effort import BestEffort
 from trees.failures import Failure, FailureKind
 from trees.leaves.draw_arms_in import DrawArmsIn
 from trees.toolbox import Toolbox
@@ -14,18 +15,18 @@ from trees.toolbox import Toolbox
 def with_room(toolbox: Toolbox, at_home: Behaviour, drawn_in: Behaviour) -> Behaviour:
     """Walk with the hands at home if they have room, else with the arms drawn in.
 
+    Where they have no room to get out again afterwards, they stay as they are.
+
     Args:
         toolbox: What leaves may call.
         at_home: The walk; infeasible where hands have no room.
         drawn_in: The same walk for narrower arms.
     """
-    narrow: list[Behaviour] = [
-        DrawArmsIn("draw the arms in", toolbox),
-        drawn_in,
-        DrawArmsIn("let the arms out", toolbox, out=True),
-    ]
+    narrow = [DrawArmsIn("draw the arms in", toolbox), drawn_in]
     ways = [at_home, Sequence("with arms drawn in", memory=True, children=narrow)]
-    return Alternatives("with room", ways, narrower_arms_are_useless)
+    out = BestEffort(DrawArmsIn("let the arms out", toolbox, out=True))
+    walk = Alternatives("walk", ways, narrower_arms_are_useless)
+    return Sequence("with room", memory=True, children=[walk, out])
 
 
 def narrower_arms_are_useless(failure: Failure) -> bool:

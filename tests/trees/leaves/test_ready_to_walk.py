@@ -1,0 +1,19 @@
+"""Ready to walk: at home, or with the arms drawn in where there is no room for hands at home."""
+
+import pytest
+from py_trees.common import Status
+
+from kinematics.requests import NoPlan
+from trees.leaves.draw_arms_in import DrawArmsIn
+from trees.leaves.ready_to_walk import ReadyToWalk
+
+
+@pytest.mark.parametrize(("drawn_in", "status"), [(True, Status.SUCCESS), (False, Status.FAILURE)])
+def test_only_arms_that_are_drawn_in_may_stay_where_home_is_out_of_reach(stage, drawn_in, status):
+    if drawn_in:
+        assert stage.run(DrawArmsIn("in", stage.toolbox)) is Status.SUCCESS
+    else:
+        stage.fake.motion._q[7 + stage.toolbox.model.joint_index("arm_left_4_joint")] += 0.3
+    stage.fake.planning.no_plan = NoPlan("no motion to the posture was found", {})
+
+    assert stage.run(ReadyToWalk("ready", stage.toolbox)) is status
