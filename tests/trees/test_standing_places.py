@@ -1,5 +1,6 @@
 """Where to stand: inside a room with space around, and where a handle's way is within reach."""
 
+import itertools
 import math
 
 import numpy as np
@@ -130,8 +131,16 @@ def test_before_a_door_that_is_nearly_shut_one_stands_as_usual():
 
 
 def test_who_stands_well_before_a_door_is_not_sent_on_for_a_centimetre():
-    place, scene = fridge_with_door(0.6)
-    stand = standing_place(place, scene, PlanarPose(), 0.05, ROOM)
-    _, nearer = fridge_with_door(0.62)
+    def stand(tip_m, body):
+        place, scene = fridge_with_door(tip_m)
+        return standing_place(place, scene, body, 0.05, ROOM)
 
-    assert standing_place(place, nearer, stand, 0.05, ROOM).distance_m(stand) < 0.01
+    tips_m = [0.50 + 0.01 * k for k in range(20)]
+    moved = [
+        (a, b) for a, b in itertools.pairwise(tips_m) if stand(a, PlanarPose()) != stand(b, PlanarPose())
+    ]
+
+    assert moved
+    for before_m, after_m in moved:
+        here = stand(before_m, PlanarPose())
+        assert stand(after_m, here) == here
