@@ -82,14 +82,20 @@ def _where_hands_are_free(
     At home or drawn in: whichever way the robot comes. One that stands well is not sent on for a centimetre.
     """
     rooms = room.either_way()
-    for beside in _BESIDE:
-        stand = usual @ beside
-        spare_m = _SPARE_HERE_M if stand.distance_m(body) < _HERE_M else _SPARE_M
-        if any(one.hands_meet(scene, [stand], spare_m) for one in rooms):
-            continue
-        if stand == usual or rooms[-1].tightest(scene, stand).lack_m <= 0.0:
-            return stand
-    return usual
+
+    def free(stand: PlanarPose, spare_m: float) -> bool:
+        return not any(one.hands_meet(scene, [stand], spare_m) for one in rooms)
+
+    if free(usual, _SPARE_M):
+        return usual
+    stands = [usual @ beside for beside in _BESIDE]
+    here = min(stands, key=body.distance_m)
+    if here.distance_m(body) < _HERE_M and free(here, _SPARE_HERE_M):
+        return here
+    with_room = (
+        one for one in stands if free(one, _SPARE_M) and rooms[-1].tightest(scene, one).lack_m <= 0.0
+    )
+    return next(with_room, usual)
 
 
 def _around(
