@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -31,6 +32,7 @@ Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
+_BESIDE_HANDS_M, _BESIDE_TUCKED_M = (0.06,), (0.06, 0.03, 0.0)
 _STRAIGHT_SHARES = (1.0, 0.67, 0.33)
 _BACK_M_S = 0.25
 _BEYOND_M = 0.1
@@ -169,23 +171,41 @@ class WalkTo(WalkingLeaf):
         body: PlanarPose,
         obstacles: tuple[Footprint, ...],
     ) -> Steering | Failure:
-        before, scene = self._before(settings), self.toolbox.world.scene
-        points = self._seen.beside(obstacles)
+        scene = self.toolbox.world.scene
         clearances = _TUCKED_CLEARANCES_M if room.tucked else _CLEARANCES_M
-        why = Failure.infeasible("no way leads there around what is known", clearance_m=clearances[-1][1])
-        for high_m, low_m in clearances:
-            more_m = high_m - low_m
-            around = room.footprints(scene, more_m) if more_m > 0.0 else obstacles
-            path = plan_path(body, before, around, low_m, points, room.widest_m + more_m)
-            if path is None:
-                continue
-            steering = PathSteering(settings, (*path, self._goal))
-            if self._hands_are_kept_free(room, body) and room.hands_meet(scene, foreseen(steering, body)):
-                why = Failure.infeasible("the hands have no room on the way there", clearance_m=high_m)
-                continue
-            self._path, self._clearance_m = path, high_m
-            return steering
-        return why
+
+        @functools.cache
+        def path_with(clearance: tuple[float, float]) -> tuple[PlanarPose, ...] | None:
+            return self._path_with(settings, room, body, obstacles, clearance)
+
+        for spare_m in self._spares_m(room, body):
+            for clearance in clearances:
+                path = path_with(clearance)
+                if path is None:
+                    continue
+                steering = PathSteering(settings, (*path, self._goal))
+                if spare_m is None or not room.hands_meet(scene, foreseen(steering, body), spare_m):
+                    self._path, self._clearance_m = path, clearance[0]
+                    return steering
+        barred = any(path_with(clearance) for clearance in clearances)
+        why = (
+            "the hands have no room on the way there" if barred else "no way leads there around what is known"
+        )
+        return Failure.infeasible(why, clearance_m=clearances[-1][1])
+
+    def _path_with(
+        self,
+        settings: WalkingSettings,
+        room: WalkingRoom,
+        body: PlanarPose,
+        obstacles: tuple[Footprint, ...],
+        clearance: tuple[float, float],
+    ) -> tuple[PlanarPose, ...] | None:
+        high_m, low_m = clearance
+        more_m = high_m - low_m
+        around = room.footprints(self.toolbox.world.scene, more_m) if more_m > 0.0 else obstacles
+        points = self._seen.beside(obstacles)
+        return plan_path(body, self._before(settings), around, low_m, points, room.widest_m + more_m)
 
     def _before(self, settings: WalkingSettings) -> PlanarPose:
         """Where the straight stretch to the goal begins: as far from it as there is room for legs."""
@@ -194,11 +214,12 @@ class WalkTo(WalkingLeaf):
         legs_m = settings.legs_radius_m + settings.sway_m
         return next((before for before in ways if clearance_m(about, before) >= legs_m), self._goal)
 
-    def _hands_are_kept_free(self, room: WalkingRoom, body: PlanarPose) -> bool:
-        """Where arms can be drawn in, or are; others have to get out of too little room."""
+    def _spares_m(self, room: WalkingRoom, body: PlanarPose) -> tuple[float | None, ...]:
+        """What to leave beside the hands, the more the better; None where they have to get by as they can."""
         if room.tucked:
-            return not room.hands_meet(self.toolbox.world.scene, [body])
-        return self._if_hands_fit and room.can_tuck
+            crowded = room.hands_meet(self.toolbox.world.scene, [body], _BESIDE_TUCKED_M[-1])
+            return (None,) if crowded else _BESIDE_TUCKED_M
+        return _BESIDE_HANDS_M if self._if_hands_fit and room.can_tuck else (None,)
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""

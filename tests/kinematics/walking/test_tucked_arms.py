@@ -114,7 +114,7 @@ def test_a_walk_that_is_foreseen_ends_where_it_is_to_end():
 
 
 def test_drawn_in_arms_turn_nearer_to_what_is_seen():
-    seen = np.array([(0.0, 0.58, 1.2)])
+    seen = np.array([(0.0, 0.64, 1.2)])
 
     assert HOME.tightest_seen(seen).lack_m > 0.0
     assert TUCKED.tightest_seen(seen).lack_m < 0.0
