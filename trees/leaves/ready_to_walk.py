@@ -12,10 +12,10 @@ from kinematics import poses
 from kinematics.gesture_requests import CarryRequest, GestureRequest
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
-from trees.empty_arms import are_at, arms_are_tucked, home_joints
+from trees.empty_arms import are_at, arms_are_tucked, home_joints, tucked_joints
 from trees.failures import Failure, FailureKind
 from trees.held import HeldObject, held_object
-from trees.leaf import DONE
+from trees.leaf import DONE, RUNNING
 from trees.leaves.go_home import GoHome
 from trees.ports import ports
 
@@ -33,18 +33,25 @@ class ReadyToWalk(GoHome):
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="none",
-        postcondition="every body joint is measured to be at home, or where the held object is level",
+        postcondition="every body joint is measured to be at home, where the held object is level, or arms "
+        "are drawn in",
         deadline_s=30.0,
         moves="body",
-        on_success="the robot stands upright; what it holds is level",
+        on_success="the robot stands upright; what it holds is level; where hands have no room at home, the "
+        "arms are drawn in",
     )
+
+    def begin(self) -> None:
+        """Plan the way home first."""
+        self._barred: Failure | None = None
+        super().begin()
 
     def goal(self) -> MoveRequest | GestureRequest | None:
         """Home with empty hands; else the carrying posture, unless it is taken already."""
         toolbox = self.toolbox
         held = held_object(toolbox, None, None)
         if isinstance(held, Failure):
-            return super().goal()
+            return super().goal() if self._barred is None else self._drawn_in()
         if self._carries(held):
             return None
         return CarryRequest(
@@ -56,12 +63,28 @@ class ReadyToWalk(GoHome):
         )
 
     def step(self) -> Status | Failure:
-        """Arms that are drawn in, and have no room to get out, are ready as well."""
+        """Where hands have no room at home, arms that are drawn in are ready as well."""
         outcome = super().step()
         if not isinstance(outcome, Failure) or outcome.kind is not FailureKind.INFEASIBLE:
             return outcome
-        drawn_in = arms_are_tucked(self.toolbox) and self._stands_tall(self.toolbox.motion.reference())
-        return DONE if drawn_in else outcome
+        toolbox = self.toolbox
+        if arms_are_tucked(toolbox) and self._stands_tall(toolbox.motion.reference()):
+            return DONE
+        if self._barred is not None or toolbox.world.scene.attached or not tucked_joints(toolbox):
+            return self._barred or outcome
+        self._barred = outcome
+        super().begin()
+        return RUNNING
+
+    def _drawn_in(self) -> MoveRequest:
+        toolbox = self.toolbox
+        return MoveRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            joints=tucked_joints(toolbox),
+            seed=int(toolbox.rng.integers(2**31)),
+        )
 
     def _carries(self, held: HeldObject) -> bool:
         toolbox = self.toolbox

@@ -4,6 +4,7 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.requests import NoPlan
+from trees.empty_arms import arms_are_tucked
 from trees.leaves.draw_arms_in import DrawArmsIn
 from trees.leaves.ready_to_walk import ReadyToWalk
 
@@ -17,3 +18,14 @@ def test_only_arms_that_are_drawn_in_may_stay_where_home_is_out_of_reach(stage, 
     stage.fake.planning.no_plan = NoPlan("no motion to the posture was found", {})
 
     assert stage.run(ReadyToWalk("ready", stage.toolbox)) is status
+
+
+def test_arms_are_drawn_in_where_the_way_home_is_barred(stage):
+    planning = stage.fake.planning
+    answer = planning.answer
+    home = NoPlan("gripper_left_base_link collides with handle", {})
+    planning.answer = lambda request: home if not getattr(request, "joints", True) else answer(request)
+    stage.fake.motion._q[7 + stage.toolbox.model.joint_index("arm_left_4_joint")] += 0.3
+
+    assert stage.run(ReadyToWalk("ready", stage.toolbox)) is Status.SUCCESS
+    assert arms_are_tucked(stage.toolbox)
