@@ -31,6 +31,7 @@ class PlannedMotionLeaf(Leaf):
     _arrived_by_s: float = 0.0
     _world_version: int = 0
     _refused: Failure | None = None
+    _planned_anew: bool = False
 
     def goal(self) -> MoveRequest | RetreatRequest | GestureRequest | ViewRequest | Failure | None:
         """What to plan; None when the robot is there already, or why there is nothing to plan."""
@@ -46,7 +47,7 @@ class PlannedMotionLeaf(Leaf):
         """Submit the planning job."""
         self._job = self._checked = self._handle = None
         self._world_version = self.toolbox.world.scene.version
-        self._refused = None
+        self._refused, self._planned_anew = None, False
         goal = self.goal()
         if isinstance(goal, Failure):
             self._refused = goal
@@ -70,7 +71,7 @@ class PlannedMotionLeaf(Leaf):
         if isinstance(answer, NoPlan):
             return no_plan_failure(answer)
         if isinstance(answer, Unsafe):
-            return unsafe_failure(self.name, answer)
+            return self._once_more(answer)
         if isinstance(answer, MovePlan):
             self._job = self.toolbox.planning.submit(CheckRequest(answer.step.trajectory, answer.step.scene))
             self.feedback_message = "checking"
@@ -85,6 +86,16 @@ class PlannedMotionLeaf(Leaf):
             self._job.cancel()
         if self._handle is not None and not self._handle.finished:
             self.toolbox.motion.cancel(self._handle, reason)
+
+    def _once_more(self, answer: Unsafe) -> Status | Failure:
+        """A plan found by chance may be too near to something by a hair; another one seldom is."""
+        goal = None if self._planned_anew else self.goal()
+        if not isinstance(goal, MoveRequest):
+            return unsafe_failure(self.name, answer)
+        self._planned_anew = True
+        self._job = self.toolbox.planning.submit(goal)
+        self.feedback_message = "planning anew"
+        return RUNNING
 
     def _start(self, checked: CheckedTrajectory) -> Status | Failure:
         now = self.toolbox.world.scene.version
