@@ -67,6 +67,11 @@ class TaskTree:
         counts = [node.attempts for node in self._nodes if isinstance(node, Retry)]
         return max(counts, default=1)
 
+    @property
+    def leaf_places(self) -> frozenset[str]:
+        """Where its leaves are, as events name them; branches may bear the name of one of their leaves."""
+        return frozenset(place_of(node) for node in self._nodes if isinstance(node, Leaf))
+
     def tick(self) -> None:
         """Let every running node do a little; does nothing after the end."""
         if self.status != "running":
