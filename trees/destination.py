@@ -18,6 +18,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.believed_thing import Surroundings
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.grounding import Ambiguous, Found, Missing, ground
+from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.tasks import Destination, ObjectDescription, ObjectOf
 
@@ -98,8 +99,7 @@ def resolve(
         )
         fitting = _named(word, seen, around)
     if not fitting:
-        words = ", ".join(sorted(seen)) or "nothing"
-        return Failure.postcondition(f"no {_words(wanted)} seen", seen=words)
+        return Failure.postcondition(f"no {_words(wanted)} seen", seen=kinds_in(seen))
     if len(fitting) > 1:
         return Failure.infeasible(
             f"which {_words(wanted)}? there are {len(fitting)}",
@@ -143,7 +143,7 @@ def _grounded(
             words = [choice.words for choice in choices]
             return Failure.infeasible(message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
         case Missing(message):
-            return Failure.postcondition(message, seen=", ".join(sorted(seen)) or "nothing")
+            return Failure.postcondition(message, seen=kinds_in(seen))
         case Found(names):
             if names[0] in seen:
                 return place_from(names[0], seen[names[0]])

@@ -32,6 +32,11 @@ def listed(parts: Sequence[str]) -> str:
     return f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
+def kinds_in(names: Iterable[str]) -> str:
+    """What names of a scene stand for, each kind once: "red cup, table"; a leg is no second table."""
+    return ", ".join(sorted(set(map(kind_of, names)))) or "nothing"
+
+
 def inventory(things: Iterable[BelievedThing]) -> str:
     """What is there, from the most common on: "two red cups and one blue box"."""
     counts = Counter(thing.words for thing in things)

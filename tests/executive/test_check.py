@@ -207,7 +207,7 @@ def test_a_sentence_is_planned_and_checked_and_nothing_is_streamed(executive, mo
         "approach",
         "lift",
     ]
-    assert "seen: blue box, red cup, table" in result.stdout
+    assert "seen: blue box, red cup, table\n" in result.stdout
 
 
 @pytest.mark.requirement("S6")

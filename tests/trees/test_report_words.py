@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.shapes import Cylinder
 from trees.believed_thing import BelievedThing
-from trees.report_words import direction, whereabouts
+from trees.report_words import direction, kinds_in, whereabouts
 
 
 @pytest.mark.parametrize(
@@ -26,3 +26,8 @@ def test_what_a_thing_stands_on_is_called_without_its_number():
     )
 
     assert whereabouts(cup) == "on the table, 0.45 m ahead"
+
+
+def test_the_legs_of_a_table_are_not_told_as_more_tables():
+    assert kinds_in(["table 3", "red cup", "table", "table 2"]) == "red cup, table"
+    assert kinds_in([]) == "nothing"
