@@ -45,6 +45,15 @@ def test_several_tasks_are_told_in_order():
     assert line.endswith("; then at the home posture (10.0 s simulated, 3.9 s wall)")
 
 
+@pytest.mark.parametrize("action", ["find", "count", "describe"])
+def test_the_last_line_of_a_question_is_the_answer(action):
+    evidence = {"said": "there are two cups", "count": 2}
+
+    line = result_line(TaskResult("how many cups are there", action, "done", 1, None, evidence, TIMES))
+
+    assert line == "done: there are two cups (8.4 s simulated, 2.9 s wall)"
+
+
 @pytest.mark.requirement("S9")
 def test_the_last_line_of_a_failure_tells_the_root_cause():
     failure = Failure.infeasible("could not pick up the red cup", Failure.unsafe("hand touches table"))
