@@ -98,6 +98,8 @@ def line_for(event: Event) -> str | None:
             return f"emergency stop left by {event.person}"
         case ResetRefused():
             return f"reset refused: {event.reason}"
+        case MotionEnded(status="canceled", reason=reason) if reason:
+            return f"motion stopped: {reason}"
         case MotionEnded(reason=reason) if reason:
             return f"motion {event.motion} {event.status}: {reason}"
         case NodeChanged() | Measured() | MotionStarted() | MotionEnded():

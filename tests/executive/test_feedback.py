@@ -5,7 +5,7 @@ import pytest
 from executive.exit_codes import ExitCode
 from executive.feedback import failure_lines, line_for, quantity, result_line, result_line_of_all
 from executive.task_result import TaskResult, TaskTimes
-from robots.control.events import SetpointRefused
+from robots.control.events import MotionEnded, SetpointRefused
 from trees.events import LeafFailed, NodeChanged, NotSo
 from trees.failures import Failure
 
@@ -101,6 +101,17 @@ def test_a_refused_setpoint_names_the_limit_and_the_value():
     line = line_for(SetpointRefused(1.0, "reach", "velocity", "arm_left_1_joint", 3.2, 2.7))
 
     assert line == "refused setpoint of reach: arm_left_1_joint velocity 3.2, limit 2.7"
+
+
+@pytest.mark.parametrize(
+    ("status", "line"),
+    [
+        ("canceled", "motion stopped: the object stands"),
+        ("refused", "motion walk refused: the object stands"),
+    ],
+)
+def test_a_motion_that_was_stopped_on_purpose_is_told_as_such(status, line):
+    assert line_for(MotionEnded(1.0, "walk", "motion-1", status, "the object stands")) == line
 
 
 def test_several_that_fit_end_in_a_question_with_its_choices():
