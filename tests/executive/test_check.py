@@ -281,7 +281,7 @@ def test_the_guide_s_five_lines_work(store, tmp_path, monkeypatch, capsys):
 def test_the_guide_s_longer_example_works(capsys):
     exec(snippets()[1], {})
 
-    assert capsys.readouterr().out.startswith("CheckedTrajectory(")
+    assert capsys.readouterr().out.startswith("Safe trajectory: nearest measured distance ")
 
 
 def test_the_guide_explains_every_finding_and_every_tolerance_with_its_default():
