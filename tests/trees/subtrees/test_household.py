@@ -618,8 +618,16 @@ def test_something_that_is_nowhere_is_not_found(stage):
 
     tree = run(stage, FindTask("find the red cup", RED_CUP))
 
-    assert tree.status == "failure"
+    assert (
+        tree.failure.message == "could not find the red cup: no red cup seen, and every place was looked at"
+    )
     assert said(stage) == []
+
+
+def test_a_person_who_is_nowhere_is_not_found(stage):
+    tree = run(stage, FindTask("find Ana", person="Ana"))
+
+    assert tree.failure.message == "could not find Ana: no Ana seen"
 
 
 def test_no_plan_for_a_gesture_is_told(stage_with):
