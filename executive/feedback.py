@@ -48,11 +48,6 @@ _ASKED = ("find", "count", "describe")
 """Actions that are questions: their result is what was answered."""
 
 
-def looks_on(failure: Failure) -> bool:
-    """Whether something was found, and is only compared with what else there may be: no failure to people."""
-    return bool(failure.root.numbers.get("survey"))
-
-
 def line_for(event: Event) -> str | None:
     """What an event tells to people, or None when it is only for the log."""
     match event:
@@ -70,8 +65,6 @@ def line_for(event: Event) -> str | None:
             return f"EXECUTING: {event.where}"
         case LeafFailed(failure=failure) if failure.choices:
             return None  # the question is told
-        case LeafFailed(failure=failure) if looks_on(failure):
-            return failure.root.message
         case NotSo(failure=failure):
             return failure.root.message
         case LeafFailed():

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from executive.clarification import OpenQuestion
 from executive.events import Event, TaskAccepted
-from executive.feedback import line_for, looks_on, sentence
+from executive.feedback import line_for, sentence
 from executive.lifecycle import LifecycleChanged
 from executive.outputs.screen import ScreenState, Style, screen
 from robots.clock import WallClock
@@ -189,7 +189,7 @@ def _changes(event: Event, state: ScreenState) -> dict[str, Any]:
     match event:
         case TaskAccepted(text=text):
             return {"task": text, "failure": "", "motion": ""}
-        case LeafFailed(failure=failure) if not failure.choices and not looks_on(failure):
+        case LeafFailed(failure=failure) if not failure.choices:
             return {"failure": sentence(failure)}
         case MotionStarted(motion=motion):
             return {"motion": motion}
