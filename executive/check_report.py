@@ -53,7 +53,7 @@ class MotionVerdict:
         motion = self.trajectory
         head = f"{self.name}: {motion.duration_s:.2f} s, {len(motion.t_s)} samples"
         if isinstance(self.answer, CheckedTrajectory):
-            yield f"{head}: safe{_margins(self.answer)}"
+            yield f"{head}: safe" + (f"; {self.answer.margins}" if self.answer.margins else "")
             return
         count = len(self.findings)
         yield f"{head}: unsafe, {count} finding{'s' if count > 1 else ''}"
@@ -135,15 +135,6 @@ class CheckReport:
             "motions": [motion.to_json() for motion in self.motions],
             "failure": self.failure,
         }
-
-
-def _margins(checked: CheckedTrajectory) -> str:
-    parts = []
-    if math.isfinite(checked.min_distance_m):
-        parts.append(f"nearest measured distance {checked.min_distance_m:.4f} m")
-    if math.isfinite(checked.min_com_margin_m):
-        parts.append(f"CoM margin {checked.min_com_margin_m:.4f} m")
-    return f"; {', '.join(parts)}" if parts else ""
 
 
 def _finite(value: float) -> float | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from executive.events import (
     Event,
@@ -15,6 +15,7 @@ from executive.events import (
     TaskRefused,
 )
 from executive.lifecycle import LifecycleChanged
+from executive.meaning_words import meaning_words
 from executive.task_result import TaskResult, chain
 from robots.control.events import (
     EmergencyReset,
@@ -43,17 +44,15 @@ _UNITS = (
     ("_n", "N"),
 )
 
-
-def looks_on(failure: Failure) -> bool:
-    """Whether something was found, and is only compared with what else there may be: no failure to people."""
-    return bool(failure.root.numbers.get("survey"))
+_ASKED = ("find", "count", "describe")
+"""Actions that are questions: their result is what was answered."""
 
 
 def line_for(event: Event) -> str | None:
     """What an event tells to people, or None when it is only for the log."""
     match event:
         case TaskAccepted():
-            return f"accepted: {_meaning(event.meaning)}"
+            return f"accepted: {meaning_words(event.meaning)}"
         case TaskRefused():
             return f"refused: {event.message}"
         case QuestionAsked(choices=choices):
@@ -66,8 +65,6 @@ def line_for(event: Event) -> str | None:
             return f"EXECUTING: {event.where}"
         case LeafFailed(failure=failure) if failure.choices:
             return None  # the question is told
-        case LeafFailed(failure=failure) if looks_on(failure):
-            return failure.root.message
         case NotSo(failure=failure):
             return failure.root.message
         case LeafFailed():
@@ -94,6 +91,8 @@ def line_for(event: Event) -> str | None:
             return f"emergency stop left by {event.person}"
         case ResetRefused():
             return f"reset refused: {event.reason}"
+        case MotionEnded(status="canceled", reason=reason) if reason:
+            return f"motion stopped: {reason}"
         case MotionEnded(reason=reason) if reason:
             return f"motion {event.motion} {event.status}: {reason}"
         case NodeChanged() | Measured() | MotionStarted() | MotionEnded():
@@ -173,6 +172,8 @@ def _either(choices: Sequence[str]) -> str:
 
 def _claim(result: TaskResult) -> str:
     evidence = result.evidence
+    if result.action in _ASKED and "said" in evidence:
+        return str(evidence["said"])
     if result.action != "pick":
         return {"go_home": "at the home posture", "stop": "nothing was under way; holding"}.get(
             result.action, result.text
@@ -188,14 +189,3 @@ def _claim(result: TaskResult) -> str:
         if isinstance(value, (int, float)):
             parts.append(text.format(value * 1000.0 if text.endswith("mm") else value))
     return ", ".join(parts)
-
-
-def _meaning(meaning: Mapping[str, object]) -> str:
-    words = [str(meaning.get("action", "")).replace("_", " ")]
-    item = meaning.get("object")
-    if isinstance(item, Mapping):
-        words += [str(item[key]) for key in ("color", "kind") if key in item] if item else ["thing"]
-    for key in ("from", "hand"):
-        if key in meaning:
-            words.append(f"from the {meaning[key]}" if key == "from" else f"with the {meaning[key]} hand")
-    return " ".join(words)

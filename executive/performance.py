@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from executive.attendant import Attendant, Nobody
 from executive.config import chosen_config, leave_opengl_to_the_renderer
@@ -83,20 +83,9 @@ def perform(
     leave_opengl_to_the_renderer()
     scene = _preflight(request)
     pictures = _pictures(request)
-    header = {
-        "input": shortened(request.input),
-        "text": request.input,
-        "robot": request.robot,
-        "scene": request.scene,
-        "seed": request.seed,
-        "on_question": request.on_question,
-        "confidence": request.trust.threshold,
-        "policy": request.trust.policy,
-        **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
-    }
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     tally = _Tally()
-    with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
+    with RunLog(request.record, _header(request), scene_path, request.script, chosen_config()) as log:
 
         def sink(event: Event) -> None:
             log.add(event)
@@ -124,17 +113,40 @@ def perform(
         log.finish(report.to_json())
     if log.complaint is not None:
         display.note(log.complaint)
+    for complaint in _write_reports(request, report, results):
+        display.note(complaint)
+    return Performance(line, code, report, log.name)
+
+
+def _header(request: RunRequest) -> dict[str, Any]:
+    """What the record of a run tells of how it was asked for."""
+    return {
+        "input": shortened(request.input),
+        "text": request.input,
+        "robot": request.robot,
+        "scene": request.scene,
+        "seed": request.seed,
+        "on_question": request.on_question,
+        "confidence": request.trust.threshold,
+        "policy": request.trust.policy,
+        **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
+    }
+
+
+def _write_reports(request: RunRequest, report: Report, results: Sequence[Said]) -> list[str]:
+    """Write the reports that were asked for; complaints of those that cannot be: the result stands."""
+    complaints = []
     if request.report is not None:
         try:
             write_report(request.report, report.to_json())
-        except NotWritableError as failed:  # it was writable before the robot moved; the result stands
-            display.note(str(failed))
+        except NotWritableError as failed:
+            complaints.append(str(failed))
     if request.junit is not None:
         try:
             write_junit(request.junit, request.input, results)
         except OSError as failed:
-            display.note(f"cannot write {request.junit}: {failed.strerror or failed}")
-    return Performance(line, code, report, log.name)
+            complaints.append(f"cannot write {request.junit}: {failed.strerror or failed}")
+    return complaints
 
 
 def _preflight(request: RunRequest) -> SceneDescription:

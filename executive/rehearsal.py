@@ -25,6 +25,7 @@ from trees.build import NoSkillError
 from trees.failures import FailureKind
 from trees.policy import Gaze, TreePolicy
 from trees.rehearsal import build_rehearsal
+from trees.report_words import kinds_in
 from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Job, Planning, Toolbox
 
@@ -169,7 +170,7 @@ class _Rehearsal:
 
         session = assemble(*self._place, build=self._build, posture=posture).session
         result = session.run_task(command)
-        seen = ", ".join(sorted(self._toolbox.world.scene.objects)) or "nothing"
+        seen = kinds_in(self._toolbox.world.scene.objects)
         self.notes.append(f"  looking {gaze.name}, seen: {seen}")
         answers = [(request, job.result()) for request, job in self._listening.jobs if job.done]
         names = iter(("reach", "approach", "lift"))

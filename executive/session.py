@@ -17,7 +17,8 @@ from robots.clock import Clock, WallClock
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.leaf import from_exception
-from trees.tasks import PickTask, Task
+from trees.scene_update import kind_of
+from trees.tasks import ObjectDescription, PickTask, Task
 from trees.toolbox import Toolbox
 
 if TYPE_CHECKING:
@@ -232,7 +233,7 @@ class Session:
         attempts = tree.attempts if tree is not None else 0
         self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
         times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
-        subject = str(command.object) if isinstance(command, PickTask) else ""
+        acted_on = None if tree is None else tree.acted_on
         return TaskResult(
             command.text,
             command.action,
@@ -241,8 +242,8 @@ class Session:
             failure,
             evidence,
             times,
-            subject,
-            acted_on=None if tree is None else tree.acted_on,
+            _subject(command, acted_on),
+            acted_on=acted_on,
             others=() if tree is None else tree.others,
         )
 
@@ -350,3 +351,12 @@ class Session:
         """A spoken stop with nothing under way: the robot stands and holds already."""
         self._lockstep.tick()
         return "done", None
+
+
+def _subject(command: Command, acted_on: str | None) -> str:
+    """What a pick was about, in words: where no noun was said, the name of what it came to be."""
+    if not isinstance(command, PickTask):
+        return ""
+    wanted = command.object
+    has_noun = not isinstance(wanted, ObjectDescription) or bool(wanted.kind or wanted.name)
+    return str(wanted) if has_noun or acted_on is None else kind_of(acted_on)

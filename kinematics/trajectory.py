@@ -7,6 +7,7 @@ in Pinocchio's order. The frame is the robot's odometry frame, z up, floor at z 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
 
@@ -163,3 +164,15 @@ class CheckedTrajectory:
     def __post_init__(self) -> None:
         if self.seal is not _SEAL:
             raise InvalidMotionError("only the trajectory checker can make a CheckedTrajectory")
+
+    @property
+    def margins(self) -> str:
+        """What was measured, in words; empty where nothing was."""
+        measured = (
+            ("nearest measured distance", self.min_distance_m),
+            ("CoM margin", self.min_com_margin_m),
+        )
+        return ", ".join(f"{name} {value_m:.4f} m" for name, value_m in measured if math.isfinite(value_m))
+
+    def __str__(self) -> str:
+        return f"Safe trajectory: {self.margins}" if self.margins else "Safe trajectory"

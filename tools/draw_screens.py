@@ -20,7 +20,15 @@ PICTURES, SNAPSHOTS = ROOT / "docs" / "pictures", ROOT / "tests" / "executive" /
 RECORDED = Path(__file__).with_name("screens.json")
 """What was shown in real runs, written by ``python -m tools.record_screens``."""
 
-SIZES = ((80, 24), (160, 50))
+SMALL, WIDE = (80, 24), (160, 50)
+SIZES = (SMALL, WIDE)
+SHOWN = (
+    ("running", SMALL, False),
+    ("running", SMALL, True),
+    ("stopped", WIDE, False),
+    ("asking", SMALL, False),
+)
+"""Pictures in the guide: which screen, how large, and whether without colour."""
 
 
 def _node(said: dict[str, Any]) -> NodeSnapshot:
@@ -47,20 +55,26 @@ def main() -> None:
         for width, height in SIZES:
             text = text_of(screen(state, width, height)) + "\n"
             (SNAPSHOTS / f"{name}_{width}x{height}.txt").write_text(text, "utf-8")
-            for plain in (False, True):
-                console = Console(
-                    file=io.TextIOWrapper(io.BytesIO(), "utf-8"),
-                    record=True,
-                    width=width,
-                    height=height,
-                    force_terminal=True,
-                    color_system="truecolor",
-                )
-                console.print(Text(text.rstrip("\n")) if plain else drawing(state, console))
-                suffix = "_plain" if plain else ""
-                picture = PICTURES / f"screen_{name}_{width}x{height}{suffix}.svg"
-                picture.write_text(console.export_svg(title="executive run", unique_id=name), "utf-8")
-    print(f"wrote {len(EXAMPLES)} screens in {len(SIZES)} sizes")
+    for name, (width, height), plain in SHOWN:
+        suffix = "_plain" if plain else ""
+        picture = PICTURES / f"screen_{name}_{width}x{height}{suffix}.svg"
+        picture.write_text(_picture(name, width, height, plain), "utf-8")
+    print(f"wrote {len(EXAMPLES)} screens in {len(SIZES)} sizes, {len(SHOWN)} pictures")
+
+
+def _picture(name: str, width: int, height: int, plain: bool) -> str:
+    """One screen as SVG, in colour or without."""
+    console = Console(
+        file=io.TextIOWrapper(io.BytesIO(), "utf-8"),
+        record=True,
+        width=width,
+        height=height,
+        force_terminal=True,
+        color_system="truecolor",
+    )
+    state = EXAMPLES[name]
+    console.print(Text(text_of(screen(state, width, height))) if plain else drawing(state, console))
+    return console.export_svg(title="executive run", unique_id=name)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.believed_thing import Surroundings
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.grounding import Ambiguous, Found, Missing, ground
+from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.tasks import Destination, ObjectDescription, ObjectOf
 
@@ -98,11 +99,10 @@ def resolve(
         )
         fitting = _named(word, seen, around)
     if not fitting:
-        words = ", ".join(sorted(seen)) or "nothing"
-        return Failure.postcondition(f"no {_words(wanted)} seen", seen=words)
+        return Failure.postcondition(f"no {words_of(wanted)} seen", seen=kinds_in(seen))
     if len(fitting) > 1:
         return Failure.infeasible(
-            f"which {_words(wanted)}? there are {len(fitting)}",
+            f"which {words_of(wanted)}? there are {len(fitting)}",
             choices=CHOICES_JOINED_BY.join(sorted(fitting)),
             count=len(fitting),
         )
@@ -143,7 +143,7 @@ def _grounded(
             words = [choice.words for choice in choices]
             return Failure.infeasible(message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
         case Missing(message):
-            return Failure.postcondition(message, seen=", ".join(sorted(seen)) or "nothing")
+            return Failure.postcondition(message, seen=kinds_in(seen))
         case Found(names):
             if names[0] in seen:
                 return place_from(names[0], seen[names[0]])
@@ -174,7 +174,14 @@ def _face_m2(item: SceneObject) -> float:
     return float(size[0] * size[1])
 
 
-def _words(wanted: Destination | None) -> str:
+def called(wanted: Destination | None) -> str:
+    """What a task is aimed at, as people call it: "the kitchen", "the red cup", "Ana", "the person"."""
+    by_name = isinstance(wanted, str) and not wanted.islower()
+    return words_of(wanted) if by_name else f"the {words_of(wanted)}"
+
+
+def words_of(wanted: Destination | None) -> str:
+    """The same without an article."""
     if wanted is None or wanted in _ANYBODY:
         return "person"
     return str(wanted)

@@ -20,6 +20,7 @@ from trees.destination import furniture_named
 from trees.failures import CHOICES_JOINED_BY, Failure
 from trees.grounding import Ambiguous, Found, ground
 from trees.held import HeldObject
+from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.sight_of_tops import SightOfTops
 from trees.tasks import Destination, ObjectDescription, Relation
@@ -97,7 +98,7 @@ def _surface(
     tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if _flat(item)]
     if not tops:
         what = f"no {named}" if named is not None else "nothing to put it on"
-        return Failure.postcondition(f"{what} seen", seen=", ".join(sorted(scene.objects)) or "nothing")
+        return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects))
     return min(tops, key=lambda item: (wish(item.world_T_object[:3, 3]), item.name))
 
 

@@ -8,8 +8,14 @@ from trees.failures import Failure, FailureKind
 
 
 def no_plan_failure(answer: NoPlan) -> Failure:
-    """The planner's honest no, with its figures and how many candidates failed for which reason."""
-    return Failure(FailureKind.INFEASIBLE, answer.message, {**answer.reasons, **answer.numbers})
+    """The planner's honest no, with its figures and how many candidates failed for which reason.
+
+    The reason of the only candidate is not counted when the message tells it.
+    """
+    reasons = answer.reasons
+    if sum(reasons.values()) == 1:
+        reasons = {reason: 1 for reason in reasons if reason not in answer.message}
+    return Failure(FailureKind.INFEASIBLE, answer.message, {**reasons, **answer.numbers})
 
 
 def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:

@@ -6,6 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from trees.believed_thing import BelievedThing
+from trees.scene_update import kind_of
+
+# Nearer to the line straight ahead than this, a thing is on neither side.
+_STRAIGHT_M = 0.05
 
 _IRREGULAR = {"box": "boxes", "shelf": "shelves"}
 _NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
@@ -28,6 +32,11 @@ def listed(parts: Sequence[str]) -> str:
     return f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
+def kinds_in(names: Iterable[str]) -> str:
+    """What names of a scene stand for, each kind once: "red cup, table"; a leg is no second table."""
+    return ", ".join(sorted(set(map(kind_of, names)))) or "nothing"
+
+
 def inventory(things: Iterable[BelievedThing]) -> str:
     """What is there, from the most common on: "two red cups and one blue box"."""
     counts = Counter(thing.words for thing in things)
@@ -42,7 +51,13 @@ def _commonest(item: tuple[str, int]) -> tuple[int, str]:
 
 def whereabouts(thing: BelievedThing) -> str:
     """Where a thing is: "on the table, 0.45 m ahead, 0.20 m to the right"."""
-    x, y = float(thing.place_m[0]), float(thing.place_m[1])
-    on = f"on the {thing.support}, " if thing.support else ""
-    side = f", {abs(y):.2f} m to the {'left' if y > 0.0 else 'right'}" if abs(y) > 0.05 else ""
-    return f"{on}{x:.2f} m ahead{side}"
+    on = f"on the {kind_of(thing.support)}, " if thing.support else ""
+    return on + direction(float(thing.place_m[0]), float(thing.place_m[1]))
+
+
+def direction(ahead_m: float, left_m: float) -> str:
+    """A place on the floor, seen from the robot: "1.20 m behind me, 0.20 m to the right"."""
+    along = f"{abs(ahead_m):.2f} m {'ahead' if ahead_m >= 0.0 else 'behind me'}"
+    if abs(left_m) <= _STRAIGHT_M:
+        return along
+    return f"{along}, {abs(left_m):.2f} m to the {'left' if left_m > 0.0 else 'right'}"

@@ -10,7 +10,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
-from trees.destination import Place
+from trees.destination import Place, called
 from trees.events import LeafFailed, NodeChanged
 from trees.failure_chain import failure_of, place_of
 from trees.failures import Failure, FailureKind, Number
@@ -20,11 +20,15 @@ from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
-from trees.tasks import PickTask, Task, WalkToTask
+from trees.tasks import Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
 _STATUS = attrgetter("status")
+
+
+_VERBS = {"pick": "pick up"}
+_BEFORE_AIM = {"wave": "to ", "say": "it to "}
 
 
 class TaskTree:
@@ -66,6 +70,11 @@ class TaskTree:
         """Attempts begun; 1 for a task that is not tried again."""
         counts = [node.attempts for node in self._nodes if isinstance(node, Retry)]
         return max(counts, default=1)
+
+    @property
+    def leaf_places(self) -> frozenset[str]:
+        """Where its leaves are, as events name them; branches may bear the name of one of their leaves."""
+        return frozenset(place_of(node) for node in self._nodes if isinstance(node, Leaf))
 
     def tick(self) -> None:
         """Let every running node do a little; does nothing after the end."""
@@ -170,6 +179,11 @@ class TaskTree:
 
 
 def _verb(task: Task) -> str:
-    verb = "pick up" if isinstance(task, PickTask) else task.action.replace("_", " ")
+    """What could not be done: "pick up the red cup", "walk to the kitchen"."""
+    verb = _VERBS.get(task.action, task.action.replace("_", " "))
     thing = getattr(task, "object", None)
-    return verb if thing is None else f"{verb} the {thing}"
+    if thing is not None:
+        return f"{verb} the {thing}"
+    aims = (getattr(task, slot, None) for slot in ("to", "person"))
+    aim = next(filter(None, aims), None)
+    return verb if aim is None else f"{verb} {_BEFORE_AIM.get(task.action, '')}{called(aim)}"

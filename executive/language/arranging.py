@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from executive.language.lattice import Word
+from executive.language.phrase_parts import Parts
 from executive.language.phrases import (
     Benefit,
     Bundle,
@@ -22,7 +23,6 @@ from executive.language.phrases import (
 )
 from trees.tasks import RelationKind
 
-Parts = tuple[Any, ...]
 _PLACES: Mapping[str, RelationKind] = {"on": "on", "in": "in"}
 ME = Nominal("me", "me", determined=True)
 

@@ -8,7 +8,6 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import (
-    Parts,
     TroubleError,
     arranged,
     clause,
@@ -17,9 +16,10 @@ from executive.language.arranging import (
     trouble,
     unfit,
 )
+from executive.language.features import SUPERLATIVES
 from executive.language.going import target
 from executive.language.lattice import Word
-from executive.language.nominals import SUPERLATIVES, words
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Bundle,
     Clause,

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from executive.language.arranging import ME, Parts, TroubleError, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import ME, TroubleError, arranged, clause, guarded, trouble, unfit
 from executive.language.lists import has_company, said_again, spoken
-from executive.language.nominals import words
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Clause,
     Item,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.language.arranging import Arranged, Parts, trouble
+from executive.language.arranging import Arranged, trouble
 from executive.language.lattice import Word
+from executive.language.phrase_parts import Parts
 from executive.language.phrases import Item, Nominal
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)

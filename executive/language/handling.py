@@ -9,7 +9,6 @@ from typing import Any
 from executive.language.arranging import (
     ME,
     Arranged,
-    Parts,
     arranged,
     clause,
     found_there,
@@ -28,7 +27,7 @@ from executive.language.handled_thing import (
 )
 from executive.language.lattice import Word
 from executive.language.lists import said_again, said_twice, shared_adjective
-from executive.language.nominals import words
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Bundle,
     Clause,

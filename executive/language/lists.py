@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
+from executive.language.features import described
 from executive.language.lattice import Word
-from executive.language.nominals import described, nominal_of, words
+from executive.language.phrase_parts import Parts, nominal_of, words
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
 
-Parts = tuple[Any, ...]
 _SORTS_OF_THINGS = frozenset(
     {"thing", "fruit", "vegetable", "utensil", "tool", "toy", "drink", "snack", "container", "food"}
     | {"cutlery", "silverware", "crockery", "clothes", "jewelry", "medicine", "game", "present", "gift"}

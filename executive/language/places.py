@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
 
+from executive.language.features import ROBOT
 from executive.language.handled_thing import BIN
 from executive.language.lattice import Word
-from executive.language.nominals import ROBOT, words
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Benefit,
     Hand,
@@ -26,7 +26,6 @@ from executive.language.phrases import (
 )
 from trees.tasks import RelationKind
 
-Parts = tuple[Any, ...]
 _LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO"})
 _WITHIN: Mapping[str, RelationKind] = {"ON": "on", "IN": "in", "AT": "next_to"}
 _FLAT = frozenset(

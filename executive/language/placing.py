@@ -7,10 +7,10 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import Parts, arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import arranged, clause, guarded, trouble, unfit
 from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
-from executive.language.nominals import words
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Relative, Where, draft
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})

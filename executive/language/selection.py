@@ -8,8 +8,8 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import guarded
+from executive.language.features import described
 from executive.language.going import target
-from executive.language.nominals import described
 from executive.language.phrases import Item, Meaning, Nominal, Trouble, Where
 from executive.language.references import Resolver, UnresolvedError
 from trees.tasks import ObjectDescription

@@ -9,7 +9,9 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from executive.language import (
+    amounts,
     attention,
+    features,
     going,
     handling,
     lists,
@@ -20,12 +22,11 @@ from executive.language import (
     statements,
 )
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
 from executive.language.statements import is_statement, may_be_said, with_places
-
-Parts = tuple[Any, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,14 +63,14 @@ def _list_number(parts: Parts) -> _Numbered | None:
 
 
 def _step_number(parts: Parts) -> _Numbered | None:
-    (said,) = nominals.words(parts, "NUM", "AMOUNT", "LETTER")
+    (said,) = words(parts, "NUM", "AMOUNT", "LETTER")
     return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
 
 
 def _clause(parts: Parts) -> Clause | None:
     """A command, with what was said before it."""
     command: Clause = parts[-1]
-    if any(mark.meaning not in (",", ":") for mark in nominals.words(parts, "PAUSE")):
+    if any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")):
         return None  # "the cup. With your left hand. Wave"
     for part in parts[:-1]:
         if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
@@ -101,21 +102,21 @@ def _goes(command: Clause) -> bool:
 
 def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
     """A command with a hand before it; a mere "right," may be no more than how one begins to speak."""
-    side = nominals.words(parts, "LEFT_RIGHT")[0]
-    if not nominals.words(parts, "HAND", "DET", "USE") and side.said in ("left", "right"):
+    side = words(parts, "LEFT_RIGHT")[0]
+    if not words(parts, "HAND", "DET", "USE") and side.said in ("left", "right"):
         return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
     joined = [part for part in parts if isinstance(part, Separator)]
-    orders = any(word.said == "use" for word in nominals.words(parts, "USE"))
+    orders = any(word.said == "use" for word in words(parts, "USE"))
     if not orders and any(one.value >= Separator.THEN.value for one in joined):
         return None  # "take the cup with the right. Wave"
-    return _clause((Hand(side.meaning), *nominals.words(parts, "PAUSE"), parts[-1]))
+    return _clause((Hand(side.meaning), *words(parts, "PAUSE"), parts[-1]))
 
 
 def _fronted(parts: Parts) -> Clause | None:
     """The thing before the command that names it "it": "the red cup, pick it up"."""
     command: Clause = parts[-1]
     topic = next(part for part in parts if isinstance(part, Item))
-    if any(mark.meaning != "," for mark in nominals.words(parts, "PAUSE")[-1:]) or len(command.bundles) != 1:
+    if any(mark.meaning != "," for mark in words(parts, "PAUSE")[-1:]) or len(command.bundles) != 1:
         return None
     first, *rest = command.bundles[0]
     said = first.get("object")
@@ -176,11 +177,11 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
 
     def meaning(parts: Parts) -> Group | None:
         clauses = _clauses(parts)
-        expected = "base" if nominals.words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
+        expected = "base" if words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
         main = clauses.pop(0 if scope.endswith("last") else -1)
         if any(one.form != expected for one in clauses) or main.form != "base":
             return None
-        but_first = bool(nominals.words(parts, "BUT_FIRST"))
+        but_first = bool(words(parts, "BUT_FIRST"))
         apart = any(one in parts for one in (Separator.ASKED, Separator.STOP, Separator.THEN))
         if scope.endswith("last") and apart and not but_first:
             return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
@@ -270,6 +271,8 @@ def _separator(parts: Parts) -> Separator:
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
+        **features.MEANINGS,
+        **amounts.MEANINGS,
         **nominals.MEANINGS,
         **lists.MEANINGS,
         **places.MEANINGS,

@@ -12,10 +12,10 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import Parts, clause, guarded, trouble, unfit
+from executive.language.arranging import clause, guarded, trouble, unfit
 from executive.language.discourse import is_them
 from executive.language.lattice import TIME, Word
-from executive.language.nominals import words
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Meaning, Nominal, draft
 
 UNQUOTED = "which words shall be said? put them in quotation marks"

@@ -8,8 +8,8 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import Parts, arranged, guarded, unfit
-from executive.language.nominals import words
+from executive.language.arranging import arranged, guarded, unfit
+from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
 from executive.language.scopes import Further, Group, Separator
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import IO, TYPE_CHECKING, Any, Protocol
 
@@ -12,13 +11,12 @@ from rich.text import Text
 
 from executive.clarification import OpenQuestion
 from executive.events import Event, TaskAccepted
-from executive.feedback import line_for, looks_on, sentence
+from executive.feedback import line_for, sentence
 from executive.lifecycle import LifecycleChanged
 from executive.outputs.screen import ScreenState, Style, screen
 from robots.clock import WallClock
 from robots.control.events import EmergencyReset, EmergencyStopped, MotionEnded, MotionStarted
 from trees.events import LeafFailed, NodeChanged
-from trees.snapshot import NodeSnapshot
 
 if TYPE_CHECKING:
     from trees.build import TaskTree
@@ -86,11 +84,11 @@ class _Teller:
         """Know the leaves of a tree that is shown for the first time."""
         if tree is not self._tree:
             self._tree = tree
-            self._leaves = frozenset(_leaf_names(tree.snapshot(0.0).root))
+            self._leaves = tree.leaf_places
 
     def line(self, event: Event) -> str | None:
         """The event's line with the simulated time, or None."""
-        if isinstance(event, NodeChanged) and event.where.rpartition("/")[2] not in self._leaves:
+        if isinstance(event, NodeChanged) and event.where not in self._leaves:
             return None
         line = line_for(event)
         return None if line is None else f"[{event.t_s:7.2f} s] {line}"
@@ -121,13 +119,6 @@ class PlainDisplay:
 
     def close(self) -> None:
         """Nothing to leave."""
-
-
-def _leaf_names(node: NodeSnapshot) -> Iterator[str]:
-    if node.kind == "leaf":
-        yield node.name
-    for child in node.children:
-        yield from _leaf_names(child)
 
 
 class LiveDisplay:
@@ -198,7 +189,7 @@ def _changes(event: Event, state: ScreenState) -> dict[str, Any]:
     match event:
         case TaskAccepted(text=text):
             return {"task": text, "failure": "", "motion": ""}
-        case LeafFailed(failure=failure) if not failure.choices and not looks_on(failure):
+        case LeafFailed(failure=failure) if not failure.choices:
             return {"failure": sentence(failure)}
         case MotionStarted(motion=motion):
             return {"motion": motion}

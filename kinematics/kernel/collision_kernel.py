@@ -129,7 +129,6 @@ class CollisionKernel:
         found = scene_solids(robot, alone, scene, extra_margin_m)
         chains, self._own = found.moves.chains, found.moves.own
         self._robot, self._scene = robot, scene
-        self._margins_m = extra_margin_m, self_margin_m
         self._moving, objects = found.moves.carriers.moving, len(found.object_margin)
         self._names, self._nq = found.names, len(limits.lower)
         self.size = 6 * space.floating + len(space.columns)

@@ -156,27 +156,6 @@ def carriers_of(limb: Indices, body: Sequence[int]) -> Carriers:
     )
 
 
-def pairs_of(
-    own: OwnPairs, carriers: Carriers, object_margin: Array, judged: Indices, object_box: Array
-) -> Pairs:
-    """All pairs of a scene.
-
-    Args:
-        own: Those among what moves.
-        carriers: What carries it.
-        object_margin, judged: As in ``Pairs``.
-        object_box: ``object_low`` and ``object_high`` of ``Pairs``, shape (2, 3, objects), m.
-    """
-    return Pairs(
-        *own,
-        **carriers._asdict(),
-        object_margin=object_margin,
-        judged=judged,
-        object_low=object_box[0],
-        object_high=object_box[1],
-    )
-
-
 def _starts(counts: NDArray[np.intp]) -> Indices:
     return np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
 

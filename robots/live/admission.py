@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from kinematics.trajectory import CheckedTrajectory, Unsafe
+from robots.live.messages import write_message
 
 MAX_ADMITTED = 16
 """The oldest is forgotten; a task has three or four at a time."""
@@ -88,3 +89,17 @@ class AdmissionDesk:
             future.cancel()
         self._waiting.clear()
         self._admitted.clear()
+
+
+def verdict_message(verdict: Verdict) -> bytes:
+    """A verdict as the commander is told it."""
+    match verdict.answer:
+        case CheckedTrajectory():
+            return write_message("admitted", trajectory=verdict.trajectory)
+        case Unsafe(findings):
+            plain = [
+                [one.kind.value, one.t_s, list(one.subject), one.value, one.limit] for one in findings[:50]
+            ]
+            return write_message("unsafe", trajectory=verdict.trajectory, findings=plain)
+        case reason:
+            return write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])

@@ -7,23 +7,22 @@ anybody at any time.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.trajectory import CheckedTrajectory
 from robots.clock import Clock
 from robots.control.control_loop import ControlLoop
 from robots.control.emergency_stop import PersonsReset
 from robots.control.events import ControlEvent
 from robots.control.motion_handle import MotionStatus
 from robots.control.watchdog import Watchdog
-from robots.live.admission import AdmissionDesk, Asks, Verdict
+from robots.live.admission import AdmissionDesk, Asks, Verdict, verdict_message
+from robots.live.bulletin import Bulletin, Wanted
 from robots.live.condition import condition_json, emergency_json, health_json, moves
 from robots.live.connection import Connection
 from robots.live.errors import ProtocolError
-from robots.live.frame_message import write_frame
 from robots.live.framing import VERSION, Frame, FrameKind
 from robots.live.message_order import MAX_AGE_S, MessageOrder
 from robots.live.messages import (
@@ -49,18 +48,12 @@ from robots.live.messages import (
     write_message,
 )
 from robots.live.motion_desk import MotionDesk, motion_message
-from robots.live.scan_message import RangeScan, write_scan
 from robots.live.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
 
 IDLE_SILENCE_S = 3.0
 """A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""
-_PROGRESS_EVERY = 25
-"""Polls between two reports of a motion's progress."""
-
-_SCAN_EVERY = 50
-"""Polls between two range scans."""
 
 
 class ControlServer:
@@ -93,27 +86,24 @@ class ControlServer:
             health: Further facts for the status.
             ranging: Range scans for the commander.
         """
-        self._loop, self._clock, self._detector = loop, clock, detector
+        self._loop, self._clock = loop, clock
         self._about, self._health = dict(about), health
-        self._ranging = ranging
         self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
         self._commander: Connection | None = None
         self._listeners: list[Connection] = []
         self._motions = MotionDesk(loop)
-        self._events: list[ControlEvent] = []
+        self._bulletin = Bulletin(loop, clock, detector, ranging, self._motions)
         self._order = MessageOrder(clock, self._tell_lost)
         self._world_version = 0
         self._busy = self._looking = self._scanning = False
-        self._frame, self._polls = -1, 0
         self._heard_s = clock.now_s()
-        self._told_emergency, self._told_health = emergency_json(self._loop), health_json(self._loop)
         self.ending = False
 
     def note(self, event: ControlEvent) -> None:
         """Take an event of the control loop, to be told with the next poll."""
-        self._events.append(event)
+        self._bulletin.note(event)
 
     @property
     def under_way(self) -> bool:
@@ -122,7 +112,6 @@ class ControlServer:
 
     def poll(self) -> None:
         """Read, obey, watch, tell."""
-        self._polls += 1
         self._server.poll()
         self._admission.poll()
         silence_s = self._watchdog.silence_s(self._commander is not None and self.under_way)
@@ -132,11 +121,8 @@ class ControlServer:
             self._let_go(reason)
         elif self._commander is not None and self._clock.now_s() - self._heard_s > IDLE_SILENCE_S:
             self._let_go(f"no heartbeat for {IDLE_SILENCE_S:g} s")
-        self._tell_condition()
-        self._tell_events()
-        self._tell_motions()
-        self._show_frame()
-        self._show_scan()
+        wanted = Wanted(pictures=self._looking, scans=self._scanning)
+        self._bulletin.tell(self._commander, self._listeners, wanted)
 
     def silent_commander(self) -> tuple[int | None, float]:
         """Process of the commander and the control time since it spoke; None when nobody has to speak."""
@@ -340,60 +326,8 @@ class ControlServer:
             self._commander.send(_refused(number, "it was lost on its way"))
 
     def _tell_verdict(self, verdict: Verdict) -> None:
-        if self._commander is None:
-            return
-        match verdict.answer:
-            case CheckedTrajectory():
-                told = write_message("admitted", trajectory=verdict.trajectory)
-            case Unsafe(findings):
-                plain = [
-                    [one.kind.value, one.t_s, list(one.subject), one.value, one.limit]
-                    for one in findings[:50]
-                ]
-                told = write_message("unsafe", trajectory=verdict.trajectory, findings=plain)
-            case reason:
-                told = write_message("rejected", trajectory=verdict.trajectory, reason=reason[:2000])
-        self._commander.send(told)
-
-    def _tell_condition(self) -> None:
-        engaged, health = emergency_json(self._loop), health_json(self._loop)
-        told = [] if engaged == self._told_emergency else [write_message("emergency", **engaged)]
-        told += [] if health == self._told_health else [write_message("health", **health)]
-        self._told_emergency, self._told_health = engaged, health
-        for message in told:
-            for listener in self._listeners:
-                listener.send(message)
-
-    def _tell_events(self) -> None:
-        events, self._events = self._events, []
-        for event in events:
-            told = write_message("event", event=type(event).__name__, **dataclasses.asdict(event))
-            for listener in self._listeners:
-                listener.send(told)
-
-    def _tell_motions(self) -> None:
-        for message in self._motions.told(self._polls % _PROGRESS_EVERY == 0):
-            if self._commander is not None:
-                self._commander.send(message)
-
-    def _show_frame(self) -> None:
-        """Send a new frame, if it is wanted and the one before has left; a late one is of no use."""
-        if not self._looking or self._commander is None or not self._commander.idle:
-            return
-        frame = self._detector.latest()
-        if frame is not None and frame.sequence != self._frame:
-            self._frame = frame.sequence
-            self._commander.send(write_frame(frame))
-
-    def _show_scan(self) -> None:
-        """The same with what the range sensor sees."""
-        if not self._scanning or self._ranging is None or self._polls % _SCAN_EVERY != 0:
-            return
-        if self._commander is None or not self._commander.idle:
-            return
-        points_m = self._ranging.scan()
-        if points_m is not None:
-            self._commander.send(write_scan(RangeScan(self._clock.now_s(), points_m)))
+        if self._commander is not None:
+            self._commander.send(verdict_message(verdict))
 
 
 def _refused(number: int, reason: str) -> bytes:

@@ -12,7 +12,7 @@ from kinematics.robot_description import RobotDescription
 from robots import articulated, furniture
 from robots.errors import DescriptionError, SceneError
 from robots.scene_description import SceneDescription
-from robots.simulated.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec, sole_name
+from robots.simulated.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec
 from robots.simulated.furniture_model import FurnitureForces
 from robots.simulated.geom_roles import Role
 from robots.simulated.scene_model import FLOOR, add_scene, joint_name
@@ -57,7 +57,6 @@ class Physics:
         self.object_qpos = {item.name: self._qpos_address(joint_name(item.name)) for item in scene.objects}
         self.object_qvel = {item.name: self._dof_address(joint_name(item.name)) for item in scene.objects}
         self.sole_body = [self.body_id(sole.frame) for sole in description.soles]
-        self.sole_geom = [self.geom_id(sole_name(sole)) for sole in description.soles]
         self.joint_qpos = np.array([self._qpos_address(name) for name in description.actuated])
         self.joint_qvel = np.array([self._dof_address(name) for name in description.actuated])
         self.furniture = FurnitureForces(self.model, self.data, scene)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robots.articulated import HANDLE
+from robots.scene_description import Furniture
 from robots.simulated.geom_roles import DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.world import SimulatedWorld
 
@@ -74,6 +75,16 @@ def _aims(world: SimulatedWorld) -> Iterator[Array]:
     for solid in truth.solids():
         if solid.category == "person" or solid.kind == HANDLE:
             yield solid.world_T_object[:3, 3]
+    for piece in world.physics.scene.furniture:
+        if piece.opens is not None:
+            yield _front(piece)
+
+
+def _front(piece: Furniture) -> Array:
+    """The middle of the side that opens: an open door's handle may be hidden by what it was opened for."""
+    (x, y), (depth, _, height) = piece.position_m, piece.size_m
+    inwards = np.array([math.cos(piece.yaw_rad), math.sin(piece.yaw_rad)])
+    return np.array([*(np.array([x, y]) - 0.5 * depth * inwards), 0.5 * height])
 
 
 def _reaches(world: SimulatedWorld, eye: Array, aim: Array) -> bool:

@@ -176,7 +176,7 @@ class Renderer:
 
     def _busy_hand(self) -> Hand:
         truth = self._world.truth
-        touched = {contact.pad for name in truth.objects() for contact in truth.pad_contacts(name)}
+        touched = {contact.pad for name in truth.objects() for contact in truth.contacts.of_pads(name)}
         grippers = self._world.physics.description.grippers
         for hand in HANDS:
             if touched & set(grippers[hand].pad_links):

@@ -18,7 +18,7 @@ class TakingPeople:
 
     def see_offer(self) -> None:
         """The robot holds something out: whoever is nearest to it takes it."""
-        held = sorted(self._truth.in_pads_only())
+        held = sorted(self._truth.contacts.in_pads_only())
         if not held or not self._people:
             return
         person, thing = min(

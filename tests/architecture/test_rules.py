@@ -23,7 +23,7 @@ HEAVY = {
     "rich": ("executive", "tools"),
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
-TRUTH = ("robots.simulated.truth", "robots.perception.truth_view")
+TRUTH = ("robots.simulated.truth", "robots.simulated.true_contacts", "robots.perception.truth_view")
 TRUTH_USERS = (
     "robots.perception.stub", "robots.perception.sight", "robots.simulated", "robots.fake",
     "executive.assembly", "tools",

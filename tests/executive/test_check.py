@@ -207,7 +207,7 @@ def test_a_sentence_is_planned_and_checked_and_nothing_is_streamed(executive, mo
         "approach",
         "lift",
     ]
-    assert "seen: blue box, red cup, table" in result.stdout
+    assert "seen: blue box, red cup, table\n" in result.stdout
 
 
 @pytest.mark.requirement("S6")
@@ -281,7 +281,7 @@ def test_the_guide_s_five_lines_work(store, tmp_path, monkeypatch, capsys):
 def test_the_guide_s_longer_example_works(capsys):
     exec(snippets()[1], {})
 
-    assert capsys.readouterr().out.startswith("CheckedTrajectory(")
+    assert capsys.readouterr().out.startswith("Safe trajectory: nearest measured distance ")
 
 
 def test_the_guide_explains_every_finding_and_every_tolerance_with_its_default():

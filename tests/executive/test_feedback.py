@@ -5,7 +5,7 @@ import pytest
 from executive.exit_codes import ExitCode
 from executive.feedback import failure_lines, line_for, quantity, result_line, result_line_of_all
 from executive.task_result import TaskResult, TaskTimes
-from robots.control.events import SetpointRefused
+from robots.control.events import MotionEnded, SetpointRefused
 from trees.events import LeafFailed, NodeChanged, NotSo
 from trees.failures import Failure
 
@@ -43,6 +43,15 @@ def test_several_tasks_are_told_in_order():
     line = result_line_of_all([PICKED, home])
 
     assert line.endswith("; then at the home posture (10.0 s simulated, 3.9 s wall)")
+
+
+@pytest.mark.parametrize("action", ["find", "count", "describe"])
+def test_the_last_line_of_a_question_is_the_answer(action):
+    evidence = {"said": "there are two cups", "count": 2}
+
+    line = result_line(TaskResult("how many cups are there", action, "done", 1, None, evidence, TIMES))
+
+    assert line == "done: there are two cups (8.4 s simulated, 2.9 s wall)"
 
 
 @pytest.mark.requirement("S9")
@@ -92,6 +101,17 @@ def test_a_refused_setpoint_names_the_limit_and_the_value():
     line = line_for(SetpointRefused(1.0, "reach", "velocity", "arm_left_1_joint", 3.2, 2.7))
 
     assert line == "refused setpoint of reach: arm_left_1_joint velocity 3.2, limit 2.7"
+
+
+@pytest.mark.parametrize(
+    ("status", "line"),
+    [
+        ("canceled", "motion stopped: the object stands"),
+        ("refused", "motion walk refused: the object stands"),
+    ],
+)
+def test_a_motion_that_was_stopped_on_purpose_is_told_as_such(status, line):
+    assert line_for(MotionEnded(1.0, "walk", "motion-1", status, "the object stands")) == line
 
 
 def test_several_that_fit_end_in_a_question_with_its_choices():

@@ -15,7 +15,7 @@ from robots.interface import RobotState
 from robots.sensed_state import SensedState
 from trees.failures import Failure, FailureKind
 from trees.pauses import Pauses
-from trees.tasks import GoHomeTask
+from trees.tasks import GoHomeTask, ObjectDescription, PickTask, Relation
 
 HOME = GoHomeTask("go home")
 
@@ -85,6 +85,21 @@ def test_a_task_that_succeeds_is_done_with_its_evidence(stage):
     assert result.outcome == "done"
     assert result.evidence == {"opening_m": 0.06}
     assert result.times.simulated_s == pytest.approx(4 * 0.02)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "subject"),
+    [
+        (ObjectDescription(), "blue box"),
+        (ObjectDescription("cup", "red"), "red cup"),
+        (ObjectDescription(relation=Relation("left_of", "table")), "blue box"),
+    ],
+)
+def test_a_thing_that_was_not_named_is_called_what_it_came_to_be(stage, wanted, subject):
+    tree = Tree(ticks=5)
+    tree.acted_on = "blue box 2"
+
+    assert stage(tree).session.run_task(PickTask("pick it up", wanted)).subject == subject
 
 
 def test_the_tree_ticks_every_20_ms_after_the_robot_has_settled(stage):

@@ -1,10 +1,13 @@
 import dataclasses
+import re
 
 import numpy as np
 import pytest
 
 from kinematics.errors import InvalidMotionError
+from kinematics.scene import PlanningScene
 from kinematics.trajectory import CheckedTrajectory, Trajectory
+from kinematics.trajectory_check import TrajectoryChecker
 
 
 def still(talos, stance, t=(0.0, 1.0)):
@@ -33,3 +36,11 @@ def test_shapes_must_agree_and_values_be_finite(talos, stance):
 def test_nobody_but_the_checker_can_make_a_checked_trajectory(talos, stance):
     with pytest.raises(InvalidMotionError, match="only the trajectory checker"):
         CheckedTrajectory(still(talos, stance), 0, 0.1, 0.1, seal=object())
+
+
+def test_a_checked_trajectory_is_printed_as_its_margins_not_as_its_samples(talos, stance):
+    checked = TrajectoryChecker(talos).check(still(talos, stance), PlanningScene())
+
+    assert re.fullmatch(
+        r"Safe trajectory: nearest measured distance 0\.\d{4} m, CoM margin 0\.\d{4} m", str(checked)
+    )

@@ -12,7 +12,7 @@ def test_the_robot_walks_to_the_kitchen_and_touches_nothing():
     scene = load_scene("flat")
     assembly = assemble("talos", scene, 1)
     truth, touched = assembly.world.truth, []
-    assembly.session.watch_periods(lambda: touched.extend(truth.contacts_with_furniture()))
+    assembly.session.watch_periods(lambda: touched.extend(truth.contacts.robot_with_furniture()))
 
     (result,) = assembly.session.submit("walk to the kitchen").result()
 

@@ -51,7 +51,7 @@ class Watched:
         return np.array([self.truth.world_T_link(sole)[:2, 3] for sole in self.soles])
 
     def _look(self):
-        force = self.truth.furniture_force_on_robot()
+        force = self.truth.contacts.furniture_force_on_robot()
         self.peak_n = max(self.peak_n, float(np.linalg.norm(force)))
         for due in [due for due in self.when if due[0]()]:
             self.when.remove(due)

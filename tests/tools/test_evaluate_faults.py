@@ -23,7 +23,7 @@ class ScriptedWorld:
 
     def __init__(self, scene):
         self.scene, self.time_s, self.done, self.waiting = scene, 0.0, [], []
-        self.tilt = 0.0
+        self.tilt, self.contacts = 0.0, self
 
     def world_T_object(self, name):
         return next(item.world_T_object for item in self.scene.objects if item.name == name)
@@ -34,7 +34,7 @@ class ScriptedWorld:
     def objects(self):
         return tuple(item.name for item in self.scene.objects)
 
-    def pad_contacts(self, name):
+    def of_pads(self, name):
         return (SimpleNamespace(normal_n=20.0), SimpleNamespace(normal_n=20.0))
 
     def tilt_rad(self, name):

@@ -18,6 +18,7 @@ class ScriptedTruth:
         self.present, self.height, self.in_hand = True, 0.0, (0.02, 0.0, 0.0)
         self.touching, self.margin, self.down, self.friction = (), 0.05, False, 0.6
         self.objects_touched = ()
+        self.contacts = self
 
     def objects(self):
         return (CUP,) if self.present else ()
@@ -28,16 +29,16 @@ class ScriptedTruth:
     def tcp_T_object(self, hand, name):
         return poses.translation(*self.in_hand) if hand == "right" else poses.translation(0.9, 0.0, 0.0)
 
-    def pad_contacts(self, name):
+    def of_pads(self, name):
         return (SimpleNamespace(friction=self.friction),)
 
     def robot_touches_something(self):
         return bool(self.touching or self.objects_touched)
 
-    def contacts_with_furniture(self):
+    def robot_with_furniture(self):
         return self.touching
 
-    def touched_objects(self):
+    def robot_with_objects(self):
         return self.objects_touched
 
     def com_margin_m(self):

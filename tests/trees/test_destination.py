@@ -10,7 +10,8 @@ from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Cylinder
 from robots.perception.object_estimate import ObjectEstimate
 from trees.believed_thing import surroundings
-from trees.destination import resolve
+from trees.destination import called, resolve
+from trees.tasks import ObjectDescription
 
 BODY = Cylinder(0.24, 1.75)
 PEOPLE = {"Ana": (1.5, 0.0), "Ben": (0.0, 4.0)}
@@ -39,3 +40,16 @@ def test_me_is_who_is_nearest_to_where_the_robot_stands_now(at, who):
     seen, around = look(poses.transform(np.eye(3), (*at, 1.0)))
 
     assert resolve("me", seen, around).name == who
+
+
+@pytest.mark.parametrize(
+    ("wanted", "words"),
+    [
+        ("kitchen", "the kitchen"),
+        ("Ana", "Ana"),
+        ("me", "the person"),
+        (ObjectDescription("cup", "red"), "the red cup"),
+    ],
+)
+def test_what_is_aimed_at_has_an_article_unless_it_has_a_name(wanted, words):
+    assert called(wanted) == words

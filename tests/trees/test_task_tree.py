@@ -85,6 +85,13 @@ def test_a_snapshot_shows_every_node_with_its_status_and_message(stage, probe_le
     ]
 
 
+def test_only_leaves_have_a_leaf_place_whatever_the_branches_are_called(stage, probe_leaf):
+    branch = Sequence("look", memory=True, children=[probe_leaf("look", stage.toolbox, DONE)])
+    tree = TaskTree(TASK, Sequence("pick", memory=True, children=[branch]), stage.toolbox)
+
+    assert tree.leaf_places == {"pick/look/look"}
+
+
 def test_a_snapshot_of_a_pick_names_all_kinds_of_nodes(stage):
     tree = stage.play(stage.pick(), ticks=3)
     kinds = set()

@@ -5,9 +5,11 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -26,6 +28,7 @@ from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.hostile import run_hostile
 from tools.evaluate.kill import run_kill
 from tools.evaluate.load import run_load
+from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import run_question_episode
@@ -41,22 +44,28 @@ from tools.evaluate.stopping.courses import COURSES_BY_NAME
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.workers import Run, run_all
 
-SUITES = (
-    "pick",
-    "question",
-    "replay",
-    "stop",
-    "cancel",
-    "fault",
-    "kill",
-    "connection",
-    "load",
-    "fuzz",
-    "hostile",
-    "soak",
-    *OPENING_SUITES,
-    *SKILL_SUITES,
-    *DISTURBED_SUITES,
+_SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
+    {
+        "the main job": ("pick", "question", "replay"),
+        "stops and faults": ("stop", "cancel", "fault"),
+        "live mode": ("kill", "connection", "load", "fuzz"),
+        "untrusted text": ("hostile",),
+        "hours on end": ("soak",),
+        "doors and drawers": OPENING_SUITES,
+        "skills and walks": tuple(SKILL_SUITES),
+        "disturbed walks": tuple(DISTURBED_SUITES),
+    }
+)
+SUITES = tuple(suite for suites in _SUITES_BY_SUBJECT.values() for suite in suites)
+
+_FAULTS_BY_SUITE: Mapping[str, Sequence[str]] = MappingProxyType(
+    {
+        "pick": tuple(FAULTS),
+        "open, close": tuple(OPENING_FAULTS),
+        ", ".join(sorted(FAULTED_SUITES)): tuple(SKILL_FAULTS),
+        "fault (always one of them)": tuple(BODY_FAULTS),
+        "connection": tuple(CONNECTION_FAULTS),
+    }
 )
 
 _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_episode}
@@ -139,12 +148,19 @@ def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console, run: Run)
 
 
 def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m tools.evaluate", description="Random episodes, judged.")
-    parser.add_argument("suite", choices=SUITES)
-    parser.add_argument("--episodes", type=_positive, default=200)
+    lists = _listed("suites", _SUITES_BY_SUBJECT), _listed("faults of each suite", _FAULTS_BY_SUITE)
+    parser = argparse.ArgumentParser(
+        prog="python -m tools.evaluate",
+        description="Random episodes, judged by the simulator's truth.",
+        epilog="\n\n".join(lists) + "\n",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("suite", choices=SUITES, metavar="SUITE", help="one of those below")
+    parser.add_argument("--episodes", type=_positive, default=200, help="how many (200)")
     parser.add_argument("--seed", type=int, default=0, help="seed of the first episode; the others follow")
     parser.add_argument("--jobs", type=_positive, default=2, help="processes")
-    parser.add_argument("--fault", choices=sorted({*FAULTS, *BODY_FAULTS, *SKILL_FAULTS, *CONNECTION_FAULTS}))
+    faults = sorted({fault for some in _FAULTS_BY_SUITE.values() for fault in some})
+    parser.add_argument("--fault", choices=faults, metavar="NAME", help="what goes wrong on purpose")
     parser.add_argument("--scene", help="a scene's name or file that the random ones are made from")
     parser.add_argument(
         "--course", choices=sorted(COURSES_BY_NAME), help="of suites stop and cancel: this one alone"
@@ -156,11 +172,24 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
         default=1.0,
         help="of suites kill, connection and load: simulated seconds in a second, for slow machines",
     )
-    parser.add_argument("--json", type=Path, metavar="FILE")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument(
-        "--failed", type=Path, default=Path("runs/evaluate"), metavar="DIR", help="for failed scenes"
+        "--failed",
+        type=Path,
+        default=Path("runs/evaluate"),
+        metavar="DIR",
+        help="keep the scenes of failed episodes here",
     )
     return parser.parse_args(arguments)
+
+
+def _listed(heading: str, names: Mapping[str, Sequence[str]]) -> str:
+    """Names for the help, a paragraph for each subject."""
+    paragraphs = (
+        textwrap.fill(f"{subject}: {', '.join(some)}", 78, initial_indent="  ", subsequent_indent="    ")
+        for subject, some in names.items()
+    )
+    return "\n".join([f"{heading}:", *paragraphs])
 
 
 def _positive(text: str) -> int:

@@ -83,7 +83,7 @@ def slip_in(bench: FaultBench, state: FaultState, phases: Sequence[str]) -> None
     mass_kg = next(item.mass_kg for item in bench.scene.objects if item.name == bench.target)
 
     def act() -> None:
-        normal_n = sum(contact.normal_n for contact in bench.truth.pad_contacts(bench.target))
+        normal_n = sum(contact.normal_n for contact in bench.truth.contacts.of_pads(bench.target))
         needed = mass_kg * _GRAVITY_M_S2 / max(normal_n, 1.0)
         bench.injector.set_pad_friction(bench.target, max(share * needed, _LEAST_FRICTION))
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, Hand
-from robots.simulated.truth import PadContact, TrueContact
+from robots.simulated.true_contacts import PadContact, TrueContact
 
 LIFTED_M = 0.10
 HELD_S = 2.0
@@ -20,6 +20,26 @@ _IN_HAND_M = 0.01
 _NEAR_HAND_M = 0.12
 # Falling, balance and slip change slowly: looked at every 10 ms. Contacts are looked at each period.
 _EVERY = 5
+
+
+class Contacts(Protocol):
+    """What a judge asks about contacts."""
+
+    def of_pads(self, name: str) -> tuple[PadContact, ...]:
+        """Contact points of the finger pads with an object."""
+        ...
+
+    def robot_touches_something(self) -> bool:
+        """Whether the robot touches anything but the floor."""
+        ...
+
+    def robot_with_furniture(self) -> tuple[TrueContact, ...]:
+        """What of the robot touches furniture."""
+        ...
+
+    def robot_with_objects(self) -> tuple[TrueContact, ...]:
+        """What of the robot touches objects."""
+        ...
 
 
 class Truth(Protocol):
@@ -37,20 +57,9 @@ class Truth(Protocol):
         """Pose of an object in a hand."""
         ...
 
-    def pad_contacts(self, name: str) -> tuple[PadContact, ...]:
-        """Contact points of the finger pads with an object."""
-        ...
-
-    def robot_touches_something(self) -> bool:
-        """Whether the robot touches anything but the floor."""
-        ...
-
-    def contacts_with_furniture(self) -> tuple[TrueContact, ...]:
-        """What of the robot touches furniture."""
-        ...
-
-    def touched_objects(self) -> tuple[TrueContact, ...]:
-        """What of the robot touches objects."""
+    @property
+    def contacts(self) -> Contacts:
+        """What touches what."""
         ...
 
     def com_margin_m(self) -> float:
@@ -90,7 +99,7 @@ class Judge:
 
     def on_period(self) -> None:
         """Look at the world."""
-        if self._truth.robot_touches_something():
+        if self._truth.contacts.robot_touches_something():
             self._note_contacts()
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
@@ -99,9 +108,9 @@ class Judge:
         self._periods += 1
 
     def _note_contacts(self) -> None:
-        for contact in self._truth.contacts_with_furniture():
+        for contact in self._truth.contacts.robot_with_furniture():
             self.furniture_contacts.add(f"{contact.first} and {contact.second}")
-        for contact in self._truth.touched_objects():
+        for contact in self._truth.contacts.robot_with_objects():
             if contact.second != self._target:
                 self.others_touched.add(f"{contact.first} and {contact.second}")
 
@@ -129,7 +138,7 @@ class Judge:
             hand, start = self._reference
             moved = float(np.linalg.norm(self._truth.tcp_T_object(hand, self._target)[:3, 3] - start))
             self.slip_m = max(self.slip_m or 0.0, moved)
-            contacts = self._truth.pad_contacts(self._target)
+            contacts = self._truth.contacts.of_pads(self._target)
             frictions = [contact.friction for contact in contacts]
             if frictions:
                 self.friction = min(frictions) if self.friction is None else min(self.friction, *frictions)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 import json
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from rich.console import Console
@@ -47,6 +48,13 @@ _BIASED_RAD_S = 0.03
 _SLIPPED_RAD = 0.05
 _LOW = 0.1
 _SLIPS = "arm_left_3_joint"
+_COUNTERPARTS = (
+    (TaskAccepted.__name__, TaskEnded.__name__),
+    (EmergencyStopped.__name__, EmergencyReset.__name__),
+    (MotionPaused.__name__, f"{InputTaken.__name__} pause"),
+    (f"{InputTaken.__name__} pause", f"{InputTaken.__name__} resume"),
+)
+"""Events of which there have to be as many of the one as of the other."""
 
 
 @dataclass(slots=True)
@@ -106,91 +114,122 @@ class _World:
         act()
 
 
+@dataclass(slots=True)
+class _Tally:
+    """What has happened so far.
+
+    Attributes:
+        told: Events by their kind; inputs by what was put in.
+        outcomes: Commands by how they ended.
+        memory: Simulated time, s, and memory of the process, MB, after each command.
+        fell: Worlds in which the robot lies.
+        stuck_resets: Resets that a resting robot refused.
+        hangs: Commands that took too long.
+        unusable: Undisturbed ways home that failed.
+        passed_s: Simulated time.
+    """
+
+    told: Counter[str] = field(default_factory=Counter)
+    outcomes: Counter[str] = field(default_factory=Counter)
+    memory: list[tuple[float, float]] = field(default_factory=list)
+    fell: int = 0
+    stuck_resets: int = 0
+    hangs: int = 0
+    unusable: int = 0
+    passed_s: float = 0.0
+
+    def take(self, event: Event) -> None:
+        """Count an event."""
+        kind = type(event).__name__
+        self.told[f"{kind} {event.what}" if isinstance(event, InputTaken) else kind] += 1
+
+    @property
+    def lost(self) -> int:
+        """Events without their counterpart."""
+        return sum(abs(self.told[a] - self.told[b]) for a, b in _COUNTERPARTS)
+
+    def bars(self, until_s: float) -> list[Bar]:
+        """What is demanded of a soak of so much simulated time."""
+        growth = _growth(self.memory, until_s)
+        counts = (
+            ("falls", self.fell),
+            ("commands that hung", self.hangs),
+            ("undisturbed ways home that failed", self.unusable),
+            ("resets that a resting robot refused", self.stuck_resets),
+            ("events without their counterpart", self.lost),
+        )
+        return [
+            Bar("memory growth", f"{growth:.1%}", f"≤ {GROWTH:.0%}", growth <= GROWTH),
+            *(Bar(name, str(count), "0", count == 0) for name, count in counts),
+        ]
+
+
 def run_soak(options: argparse.Namespace, messages: Console) -> int:
     """Run it in this process; 0 when every demand is met, 1 when not."""
     until_s = options.episodes * SECONDS_AN_EPISODE
     rng = episode_rng(options.seed, 5)
-    told: Counter[str] = Counter()
-
-    def take(event: Event) -> None:
-        kind = type(event).__name__
-        told[f"{kind} {event.what}" if isinstance(event, InputTaken) else kind] += 1
-
+    tally = _Tally()
     worlds = [
-        _world(options.robot, scene, options.seed, sentences, take)
+        _world(options.robot, scene, options.seed, sentences, tally.take)
         for scene, sentences in (
             (read_episode_scene(pick_scene(options.seed), options.seed), _AT_A_TABLE),
             (floor("soak", episode_rng(options.seed, 6)), _ON_A_FLOOR),
         )
     ]
-    outcomes: Counter[str] = Counter()
-    memory: list[tuple[float, float]] = []
-    fell, stuck_resets, hangs, unusable, passed_s = 0, 0, 0, 0, 0.0
-    while passed_s < until_s and not fell:
-        world = worlds[int(rng.integers(len(worlds)))]
-        session, clock = world.assembly.session, world.assembly.clock
-        began_s = clock.now_s()
-        sentence = world.sentences[int(rng.integers(len(world.sentences)))]
-        what = _DISTURBANCES[int(rng.integers(len(_DISTURBANCES)))]
-        world.plan(what, began_s + float(rng.uniform(0.0, _LATEST_S)))
-        (command,) = parse(sentence).commands
-        result = session.run_task(command)
-        outcome = result.outcome
-        outcomes[outcome] += 1
-        undisturbed = what in ("none", "pause")
-        unusable += int(sentence == _HOME and undisturbed and outcome != "done")
-        hangs += int(clock.now_s() - began_s > LONGEST_S)
-        session.hold(float(rng.uniform(0.2, 1.5)))
-        world.mend()
-        if world.assembly.loop.emergency is not None and session.reset("the soak") is not None:
-            stuck_resets += 1
-        fell += int(world.assembly.world.truth.fallen())
-        passed_s += clock.now_s() - began_s
-        memory.append((passed_s, _resident_mb()))
-        messages.print(
-            f"{passed_s:.0f} s: {sentence}, {what}: {outcome}, {sum(outcomes.values())} commands, "
-            f"{memory[-1][1]:.0f} MB. {result.failure.message if result.failure is not None else ''}",
-            markup=False,
-            soft_wrap=True,
-        )
-    growth = _growth(memory, until_s)
-    lost = sum(
-        abs(told[a] - told[b])
-        for a, b in (
-            (TaskAccepted.__name__, TaskEnded.__name__),
-            (EmergencyStopped.__name__, EmergencyReset.__name__),
-            (MotionPaused.__name__, f"{InputTaken.__name__} pause"),
-            (f"{InputTaken.__name__} pause", f"{InputTaken.__name__} resume"),
-        )
-    )
-    bars = [
-        Bar("memory growth", f"{growth:.1%}", f"≤ {GROWTH:.0%}", growth <= GROWTH),
-        Bar("falls", str(fell), "0", fell == 0),
-        Bar("commands that hung", str(hangs), "0", hangs == 0),
-        Bar("undisturbed ways home that failed", str(unusable), "0", unusable == 0),
-        Bar("resets that a resting robot refused", str(stuck_resets), "0", stuck_resets == 0),
-        Bar("events without their counterpart", str(lost), "0", lost == 0),
-    ]
-    document = {
-        "suite": "soak",
-        "seed": options.seed,
-        "episodes": options.episodes,
-        "simulated_s": round(passed_s, 1),
-        "falls": fell,
-        "failures": dict(outcomes),
-        "events": dict(sorted(told.items())),
-        "memory_mb": [(round(t, 1), round(mb, 1)) for t, mb in memory],
-        "bars": [asdict(bar) for bar in bars],
-    }
+    while tally.passed_s < until_s and not tally.fell:
+        messages.print(_one_command(worlds, rng, tally), markup=False, soft_wrap=True)
+    bars = tally.bars(until_s)
     if options.json is not None:
+        document = _document(options, tally, bars)
         options.json.write_text(json.dumps(document, indent=1) + "\n", "utf-8")
     console = Console()
     for bar in bars:
         console.print(f"{bar.name}: {bar.value} ({bar.limit}) {'ok' if bar.met else 'MISSED'}")
-    console.print(
-        f"{passed_s:.0f} s simulated, outcomes {dict(outcomes)}, {told[MotionResumed.__name__]} resumed"
-    )
+    resumed = tally.told[MotionResumed.__name__]
+    console.print(f"{tally.passed_s:.0f} s simulated, outcomes {dict(tally.outcomes)}, {resumed} resumed")
     return 0 if all(bar.met for bar in bars) else 1
+
+
+def _one_command(worlds: Sequence[_World], rng: np.random.Generator, tally: _Tally) -> str:
+    """Give a random command in a random world, with a random disturbance; a line about it."""
+    world = worlds[int(rng.integers(len(worlds)))]
+    session, clock = world.assembly.session, world.assembly.clock
+    began_s = clock.now_s()
+    sentence = world.sentences[int(rng.integers(len(world.sentences)))]
+    what = _DISTURBANCES[int(rng.integers(len(_DISTURBANCES)))]
+    world.plan(what, began_s + float(rng.uniform(0.0, _LATEST_S)))
+    (command,) = parse(sentence).commands
+    result = session.run_task(command)
+    tally.outcomes[result.outcome] += 1
+    undisturbed = what in ("none", "pause")
+    tally.unusable += int(sentence == _HOME and undisturbed and result.outcome != "done")
+    tally.hangs += int(clock.now_s() - began_s > LONGEST_S)
+    session.hold(float(rng.uniform(0.2, 1.5)))
+    world.mend()
+    if world.assembly.loop.emergency is not None and session.reset("the soak") is not None:
+        tally.stuck_resets += 1
+    tally.fell += int(world.assembly.world.truth.fallen())
+    tally.passed_s += clock.now_s() - began_s
+    tally.memory.append((tally.passed_s, _resident_mb()))
+    return (
+        f"{tally.passed_s:.0f} s: {sentence}, {what}: {result.outcome}, {tally.outcomes.total()} commands, "
+        f"{tally.memory[-1][1]:.0f} MB. {result.failure.message if result.failure is not None else ''}"
+    )
+
+
+def _document(options: argparse.Namespace, tally: _Tally, bars: Sequence[Bar]) -> dict[str, Any]:
+    """The soak as JSON values."""
+    return {
+        "suite": "soak",
+        "seed": options.seed,
+        "episodes": options.episodes,
+        "simulated_s": round(tally.passed_s, 1),
+        "falls": tally.fell,
+        "failures": dict(tally.outcomes),
+        "events": dict(sorted(tally.told.items())),
+        "memory_mb": [(round(t, 1), round(mb, 1)) for t, mb in tally.memory],
+        "bars": [asdict(bar) for bar in bars],
+    }
 
 
 def _world(

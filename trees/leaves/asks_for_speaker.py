@@ -16,6 +16,7 @@ SPEAKER = "me"
 class AsksForSpeaker(Leaf):
     """Succeed when the task is aimed at "me"."""
 
+    ASKS = True
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
@@ -27,5 +28,5 @@ class AsksForSpeaker(Leaf):
     def step(self) -> Status | Failure:
         """Look at the word."""
         if aim_of(self.get_input("task")) != SPEAKER:
-            return Failure.postcondition("it is about somebody or something else")
+            return Failure.postcondition("it is not about who speaks")
         return DONE

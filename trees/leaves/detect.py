@@ -41,9 +41,11 @@ class Detect(LookLeaf):
     Everything believed counts, also what is out of view now. Of a task that means several objects the
     nearest becomes the target; the names of the others are put out as well. Fails when it is not seen,
     when several fit (the failure's ``choices`` list them), and when the furniture that it stands on
-    is not known: a motion past a table that was not seen would hit it.
+    is not known: a motion past a table that was not seen would hit it. A search looks from gaze to gaze:
+    that it is not seen from one of them is an answer.
     """
 
+    ASKS = True
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(target=Target, others=tuple)
     CONTRACT = Contract(

@@ -21,8 +21,12 @@ from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 
 class DetectHandle(LookLeaf):
-    """Fuse a few frames into the world model, and find the handle of what the task names."""
+    """Fuse a few frames into the world model, and find the handle of what the task names.
 
+    A search looks from gaze to gaze: that it is not seen from one of them is an answer.
+    """
+
+    ASKS = True
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(handle=HandleTarget)
     CONTRACT = Contract(

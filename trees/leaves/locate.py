@@ -17,8 +17,12 @@ from trees.toolbox import Toolbox
 
 
 class Locate(LookAround):
-    """Look once, and find the object, piece of furniture or person that the task is aimed at."""
+    """Look once, and find the object, piece of furniture or person that the task is aimed at.
 
+    A search looks from many sides: that it is not seen from one of them is an answer.
+    """
+
+    ASKS = True
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(place=Place)
     CONTRACT = Contract(

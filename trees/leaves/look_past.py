@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kinematics.view_request import ViewRequest
 from trees.contract import Contract
+from trees.destination import aim_of, words_of
 from trees.failures import Failure
 from trees.hidden_places import hidden_places
 from trees.planned_motion_leaf import PlannedMotionLeaf
@@ -26,12 +27,13 @@ class LookPast(PlannedMotionLeaf):
     def goal(self) -> ViewRequest | Failure:
         """Towards what is left to be seen."""
         toolbox, world, task = self.toolbox, self.toolbox.world, self.get_input("task")
-        if getattr(task, "object", None) is None:
-            return Failure.postcondition("people do not hide behind what stands on a table")
+        wanted = aim_of(task)
+        if getattr(task, "object", None) is None:  # people do not hide behind what stands on a table
+            return Failure.postcondition(f"no {words_of(wanted)} seen")
         clear_m = toolbox.policy.blocked_by_hand_m
         points, worth = hidden_places(world.scene, world.glimpses, toolbox.model.description.camera, clear_m)
         if len(points) == 0:
-            return Failure.postcondition("every place was seen")
+            return Failure.postcondition(f"no {words_of(wanted)} seen, and every place was looked at")
         self.measured(unseen_places=len(points))
         return ViewRequest(
             q_start=toolbox.motion.reference(),

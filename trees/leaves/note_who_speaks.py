@@ -19,8 +19,12 @@ CONVERSING_M = 2.5
 
 
 class NoteWhoSpeaks(Leaf):
-    """Choose the nearest person; one who stands far away only when the robot has looked all around."""
+    """Choose the nearest person; one who stands far away only when the robot has looked all around.
 
+    That nobody is near yet is an answer: the robot looks farther around.
+    """
+
+    ASKS = True
     INPUT_PORTS = ports(people=optional(dict))
     OUTPUT_PORTS = ports(place=Place)
     CONTRACT = Contract(

@@ -9,7 +9,10 @@ from trees.destination import Place
 from trees.events import Said
 from trees.failures import Failure, Number
 from trees.leaf import DONE, Leaf
+from trees.odometry import feet_pose
 from trees.ports import ports
+from trees.report_words import direction
+from trees.scene_update import kind_of
 
 
 class TellFound(Leaf):
@@ -19,7 +22,8 @@ class TellFound(Leaf):
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="it was seen",
-        postcondition="its place in the odometry frame was said, with the confidence of the sighting",
+        postcondition="where it is from where the robot stands was said; its place in the odometry frame "
+        "and the confidence of the sighting are told with it",
         deadline_s=1.0,
     )
 
@@ -27,10 +31,8 @@ class TellFound(Leaf):
         """Say it."""
         place: Place = self.get_input("place")
         x, y, z = (float(value) for value in place.odom_T_place[:3, 3])
-        side = f"{abs(y):.2f} m to the {'left' if y > 0.0 else 'right'}"
-        words = f"the {place.name} is {x:.2f} m ahead, {side}"
-        if place.category == "person":
-            words = words.removeprefix("the ")
+        called = place.name if place.category == "person" else f"the {kind_of(place.name)}"
+        words = f"{called} is {direction(*feet_pose(self.toolbox).sees(x, y))}"
         self.toolbox.events(Said(self.toolbox.clock.now_s(), words))
         evidence: dict[str, Number] = {
             "found": place.name,

@@ -142,19 +142,15 @@ def test_a_second_walk_is_refused_while_one_is_under_way(executive, talos):
     assert "walks already" in second.reason
 
 
-class Scanner:
-    def scan(self):
-        return np.array([[1.5, 0.0, 0.1]])
-
-
 @pytest.mark.requirement("S5")
 def test_range_scans_come_while_they_are_asked_for_and_an_old_one_is_none(executive):
-    executive.far.server._ranging = Scanner()
+    sensor = executive.far.ranging
+    sensor.points_m, sensor.silent = np.array([[1.5, 0.0, 0.1]]), False
     assert executive.ranging.scan() is None
 
     executive.ticks(12)
     np.testing.assert_allclose(executive.ranging.scan(), [[1.5, 0.0, 0.1]])
 
-    executive.far.server._ranging = None
+    sensor.silent = True
     executive.ticks(25)
     assert executive.ranging.scan() is None

@@ -14,6 +14,7 @@ from trees.snapshot import NodeSnapshot, TreeSnapshot
 
 class Tree:
     status = "running"
+    leaf_places = frozenset({"pick/detect"})
 
     def snapshot(self, t_s):
         leaf = NodeSnapshot("detect", "leaf", self.status, "3 of 8 frames")
@@ -45,10 +46,20 @@ def test_plain_output_is_a_line_for_each_leaf_and_failure():
     play(PlainDisplay(stream))
 
     assert stream.getvalue() == (
-        "[   0.20 s] accepted: pick red cup from the table\n"
+        "[   0.20 s] accepted: pick the red cup from the table\n"
         "[   0.20 s] EXECUTING: pick/detect\n"
         "[   1.50 s] failed: nothing red in view (seen 0) [INFEASIBLE at pick/detect]\n"
     )
+
+
+def test_a_branch_that_bears_the_name_of_a_leaf_is_not_told():
+    stream = io.StringIO()
+    display = PlainDisplay(stream)
+    display.tick(Tree())
+
+    display.event(NodeChanged(0.2, "pick/look it over/detect", "running", ""))
+
+    assert stream.getvalue() == ""
 
 
 @pytest.mark.requirement("U1")

@@ -1,5 +1,6 @@
 """The screen as people see it, at two sizes, without colour and without Unicode; snapshots as plain text."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -43,8 +44,8 @@ def test_80_by_24_tells_everything_that_matters():
 
     assert "talos in tabletop, seed 7" in text
     assert "NORMAL" in text
-    assert "now     pick/reach/stream reach: 40%" in text
-    assert "failed  the red cup is not where it was (moved 67.7 mm" in text
+    assert re.search(r"now     pick/reach/stream reach: \d\d%", text)
+    assert re.search(r"failed  the red cup is not where it was \(moved [\d.]+ mm", text)
     assert "c cancel   e emergency stop   p pause" in text
 
 

@@ -13,6 +13,7 @@ from kinematics.trajectory import _SEAL, CheckedTrajectory, Trajectory
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.description import load_description
+from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
 from robots.live.connection import Connection
 from robots.live.control_server import ControlServer
@@ -128,11 +129,19 @@ class LiveRig:
         self.folder, self.model = folder, model
         self.clock, self.checker = ManualClock(), Checker()
         self.robot = Weightless(model.description, self.clock)
+        self.ranging = FakeRangeSensor()
+        self.ranging.silent = True
         self.server, self.clients = None, []
         self.loop = ControlLoop(self.robot, model, self.clock, self.note, PERIOD_S)
         about = {"robot": "talos", "scene": "none", "seed": 0, "period_s": PERIOD_S, "slot": "none"}
         self.server = ControlServer(
-            folder.control_socket, self.loop, self.clock, NoFrames(), self.checker, about
+            folder.control_socket,
+            self.loop,
+            self.clock,
+            NoFrames(),
+            self.checker,
+            about,
+            ranging=self.ranging,
         )
         self.checker.answer = swing(model, self.loop.motion.reference())
 

@@ -26,7 +26,7 @@ def test_a_removed_object_is_gone_from_sight_and_from_the_table(body):
 
     assert CUP not in body.truth.objects()
     assert CUP not in [solid.name for solid in body.truth.solids()]
-    assert body.truth.object_contacts(CUP) == ("floor",)
+    assert body.truth.contacts.of_object(CUP) == ("floor",)
 
 
 def test_what_was_removed_can_come_back(body):

@@ -8,7 +8,7 @@ GRAVITY_M_S2 = 9.81
 
 def least_friction(hold, mass_kg):
     """Friction at which the pads' normal forces just carry the weight."""
-    normal = sum(contact.normal_n for contact in hold.truth.pad_contacts(hold.cup))
+    normal = sum(contact.normal_n for contact in hold.truth.contacts.of_pads(hold.cup))
     return mass_kg * GRAVITY_M_S2 / normal
 
 
@@ -17,16 +17,17 @@ def least_friction(hold, mass_kg):
 def test_exactly_the_three_pads_of_one_hand_touch_a_held_cup(cup_in_hand, description, hand):
     hold = cup_in_hand(hand=hand)
 
-    assert hold.truth.object_contacts("cup") == tuple(sorted(description.grippers[hand].pad_links))
-    assert len(hold.truth.pad_contacts("cup")) == 6
-    assert hold.truth.contacts_with_objects() == ()
+    assert hold.truth.contacts.of_object("cup") == tuple(sorted(description.grippers[hand].pad_links))
+    assert len(hold.truth.contacts.of_pads("cup")) == 6
+    touching = {contact.first for contact in hold.truth.contacts.robot_with_objects()}
+    assert touching == set(description.grippers[hand].pad_links)
 
 
 @pytest.mark.requirement("M1")
 def test_friction_at_the_pads_carries_exactly_the_weight(cup_in_hand):
     hold = cup_in_hand(mass_kg=0.3)
 
-    friction = sum(contact.tangential for contact in hold.truth.pad_contacts("cup"))
+    friction = sum(contact.tangential for contact in hold.truth.contacts.of_pads("cup"))
 
     assert friction[2] == pytest.approx(0.3 * GRAVITY_M_S2, rel=0.01)
     assert np.linalg.norm(friction[:2]) < 0.1
@@ -47,7 +48,7 @@ def test_normals_of_pads_that_a_cup_lies_along_carry_none_of_its_weight(cup_in_h
     # With an edge of a pad under the cup they carried it, or pushed it on.
     hold = cup_in_hand(mass_kg=0.3, lying_above_m=above_m)
 
-    contacts = hold.truth.pad_contacts("cup")
+    contacts = hold.truth.contacts.of_pads("cup")
 
     assert {contact.pad for contact in contacts} == set(hold.stand.description.grippers["left"].pad_links)
     assert sum(contact.tangential for contact in contacts)[2] == pytest.approx(0.3 * GRAVITY_M_S2, rel=0.02)
@@ -71,7 +72,7 @@ def test_a_held_cup_stays_where_it_is_in_a_hand_that_swings_to_and_fro(cup_in_ha
 def test_the_contacts_have_the_friction_of_the_scene(cup_in_hand, friction):
     hold = cup_in_hand(friction=friction)
 
-    assert {contact.friction for contact in hold.truth.pad_contacts("cup")} == {friction}
+    assert {contact.friction for contact in hold.truth.contacts.of_pads("cup")} == {friction}
 
 
 @pytest.mark.requirement("M1", "M2")
@@ -85,7 +86,7 @@ def test_a_cup_drops_below_the_friction_that_theory_asks_for_and_not_above(cup_i
 
     slippery = cup_in_hand(mass_kg=mass_kg, friction=0.1)
     slippery.stand.run(1.0)
-    assert slippery.truth.object_contacts("cup") == ("floor",)
+    assert slippery.truth.contacts.of_object("cup") == ("floor",)
 
 
 def test_a_weak_squeeze_at_friction_one_tenth_lets_even_a_light_cup_drop(cup_in_hand):
@@ -94,7 +95,7 @@ def test_a_weak_squeeze_at_friction_one_tenth_lets_even_a_light_cup_drop(cup_in_
 
     hold.stand.run(1.0)
 
-    assert hold.truth.object_contacts("cup") == ("floor",)
+    assert hold.truth.contacts.of_object("cup") == ("floor",)
 
 
 @pytest.mark.requirement("M2")
@@ -105,7 +106,7 @@ def test_a_cup_that_becomes_slippery_in_the_hand_slips_out(cup_in_hand):
     hold.stand.run(0.3)
 
     assert hold.truth.lift_m("cup") < 0.9
-    assert {contact.friction for contact in hold.truth.pad_contacts("cup")} <= {0.05}
+    assert {contact.friction for contact in hold.truth.contacts.of_pads("cup")} <= {0.05}
 
 
 def test_the_gripper_reports_what_it_holds(cup_in_hand, description):

@@ -37,7 +37,7 @@ def offers(monkeypatch):
     """Lets a world believe that the robot holds the cup out."""
 
     def offer(world):
-        monkeypatch.setattr(world.truth, "in_pads_only", lambda: {"red cup": "right"})
+        monkeypatch.setattr(world.truth.contacts, "in_pads_only", lambda: {"red cup": "right"})
         world.people.see_offer()
 
     return offer
@@ -50,19 +50,19 @@ def test_who_takes_things_carries_away_what_is_offered(offers):
     offers(world)
     pass_time(world, 5.0)
 
-    assert any(name.startswith("Ana/") for name in world.truth.object_contacts("red cup"))
+    assert any(name.startswith("Ana/") for name in world.truth.contacts.of_object("red cup"))
     assert world.truth.world_T_object("red cup")[0, 3] > before[0] + 0.15
 
 
 def test_who_has_something_lays_it_aside_for_the_next_thing(monkeypatch):
     world = world_with(Person("Ana", (1.2, -0.2), math.pi, takes=True), more=(can((0.72, -0.08)),))
     for thing in ("red cup", "blue can"):
-        monkeypatch.setattr(world.truth, "in_pads_only", lambda thing=thing: {thing: "right"})
+        monkeypatch.setattr(world.truth.contacts, "in_pads_only", lambda thing=thing: {thing: "right"})
         world.people.see_offer()
         pass_time(world, 5.0 if thing == "red cup" else 12.0)
 
-    assert any(name.startswith("Ana/") for name in world.truth.object_contacts("blue can"))
-    assert not any(name.startswith("Ana/") for name in world.truth.object_contacts("red cup"))
+    assert any(name.startswith("Ana/") for name in world.truth.contacts.of_object("blue can"))
+    assert not any(name.startswith("Ana/") for name in world.truth.contacts.of_object("red cup"))
     assert world.truth.world_T_object("red cup")[0, 3] > 1.3  # behind Ana
     assert world.truth.world_T_object("red cup")[2, 3] < 0.08
 
@@ -73,7 +73,7 @@ def test_who_does_not_take_things_leaves_it_where_it_is(offers):
     offers(world)
     pass_time(world, 1.0)
 
-    assert world.truth.object_contacts("red cup") == ("table/top",)
+    assert world.truth.contacts.of_object("red cup") == ("table/top",)
 
 
 def test_nobody_reaches_out_where_nothing_is_held():
@@ -82,4 +82,4 @@ def test_nobody_reaches_out_where_nothing_is_held():
     world.people.see_offer()
     pass_time(world, 1.0)
 
-    assert world.truth.object_contacts("red cup") == ("table/top",)
+    assert world.truth.contacts.of_object("red cup") == ("table/top",)

@@ -94,7 +94,7 @@ def test_objects_stand_still_on_the_table(stand):
     for item in scene.objects:
         moved = body.truth.world_T_object(item.name)[:3, 3] - item.world_T_object[:3, 3]
         assert np.linalg.norm(moved) < 0.001, item.name
-        assert body.truth.object_contacts(item.name) == ("table/top",)
+        assert body.truth.contacts.of_object(item.name) == ("table/top",)
         assert abs(body.truth.lift_m(item.name)) < 0.001
 
 
@@ -111,26 +111,11 @@ def test_an_object_on_furniture_has_the_friction_of_the_furniture(stand):
     assert {float(physics.data.contact.friction[i, 0]) for i in rows} == {0.35}
 
 
-def test_a_hand_that_leans_on_the_table_is_reported(stand, arm_posture):
-    scene = load_scene("tabletop")
-    high = replace(scene.furniture[0], size_m=(0.6, 1.2, 1.02))
-    body = stand(replace(scene, furniture=(high,), objects=()))
-    assert body.truth.contacts_with_furniture() == ()
-
-    body.move_to(arm_posture(body.model, "right", poses.translation(0.38, -0.30, 1.03)), 2.0)
-    touching = body.truth.contacts_with_furniture()
-
-    assert touching, body.truth.world_T_tcp("right")
-    assert {contact.second for contact in touching} == {"table/top"}
-    assert all("right" in contact.first for contact in touching)
-    assert max(contact.force_n for contact in touching) > 1.0
-
-
 def test_a_person_is_there_and_stands(description):
     scene = replace(load_scene("tabletop"), people=(Person("Ana", (1.5, 0.8), 3.14),))
     world = build_world(description, scene, np.random.default_rng(0))
 
-    assert world.truth.contacts_with_people() == ()
+    assert world.truth.contacts.robot_with_people() == ()
     assert not world.truth.visible("red cup", np.array([[2.5, 1.25, 1.2]])).any()
 
 

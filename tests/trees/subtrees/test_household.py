@@ -16,7 +16,7 @@ from robots.furniture import floor_pose, solids
 from robots.perception.truth_view import TrueObject
 from robots.scene_file import load_scene
 from trees.build import build_tree
-from trees.events import Said
+from trees.events import LeafFailed, NotSo, Said
 from trees.failures import FailureKind
 from trees.tasks import (
     CountTask,
@@ -602,6 +602,17 @@ def test_something_hidden_from_here_is_looked_for_from_elsewhere(stage_with):
     assert len(asked(stage, ViewRequest)) == 1
 
 
+def test_a_search_that_finds_it_at_last_tells_of_no_failures(stage_with):
+    stage = stage_with(table(), cup(place_m=(0.52, -0.2)), BOX_BEFORE_IT)
+    stage.fake.world.hidden.add("red cup")
+    stage.when("peer", stage.fake.world.hidden.clear)
+
+    run(stage, FindTask("find the red cup", RED_CUP))
+
+    assert [event for event in stage.events if isinstance(event, LeafFailed)] == []
+    assert any(isinstance(event, NotSo) for event in stage.events)
+
+
 def test_what_is_hidden_from_everywhere_is_not_found(stage_with):
     stage = stage_with(table(), cup(place_m=(0.52, -0.2)), BOX_BEFORE_IT)
     stage.fake.world.hidden.add("red cup")
@@ -618,8 +629,16 @@ def test_something_that_is_nowhere_is_not_found(stage):
 
     tree = run(stage, FindTask("find the red cup", RED_CUP))
 
-    assert tree.status == "failure"
+    assert (
+        tree.failure.message == "could not find the red cup: no red cup seen, and every place was looked at"
+    )
     assert said(stage) == []
+
+
+def test_a_person_who_is_nowhere_is_not_found(stage):
+    tree = run(stage, FindTask("find Ana", person="Ana"))
+
+    assert tree.failure.message == "could not find Ana: no Ana seen"
 
 
 def test_no_plan_for_a_gesture_is_told(stage_with):

@@ -47,9 +47,9 @@ class OpeningJudge:
 
     def on_period(self) -> None:
         """Look at the world."""
-        force_n = float(np.linalg.norm(self._truth.furniture_force_on_robot()))
+        force_n = float(np.linalg.norm(self._truth.contacts.furniture_force_on_robot()))
         self.peak_force_n = max(self.peak_force_n, force_n)
-        for contact in self._truth.contacts_with_furniture():
+        for contact in self._truth.contacts.robot_with_furniture():
             if contact.first in self._pushing and contact.second.endswith("/door"):
                 continue
             self.touched.add(f"{contact.first} and {contact.second}")

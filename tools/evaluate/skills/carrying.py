@@ -51,7 +51,7 @@ class CarryJudge:
         if self._periods % 5:
             return
         self._tilt_rad = max(self._tilt_rad, self._truth.tilt_rad(CUP))
-        self._dropped = self._dropped or CUP not in self._truth.in_pads_only()
+        self._dropped = self._dropped or CUP not in self._truth.contacts.in_pads_only()
 
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
         """Carried all the way, and level."""

@@ -116,7 +116,7 @@ class CupJudge(_ErrandJudge):
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
         """Lifted, and touched by finger pads alone."""
         lift_m = self._truth.lift_m(self._aim)
-        done = lift_m >= LIFTED_M and self._aim in self._truth.in_pads_only()
+        done = lift_m >= LIFTED_M and self._aim in self._truth.contacts.in_pads_only()
         numbers = {"lift_m": lift_m, "walked_m": self._way.length_m}
         return Verdict(done, numbers, "" if done else f"lifted by {100 * lift_m:.0f} cm")
 

@@ -46,7 +46,7 @@ class TakingJudge:
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
         """Carried away and not dropped."""
         place = self._truth.world_T_object(self._trial.aim)[:3, 3]
-        touching = self._truth.object_contacts(self._trial.aim)
+        touching = self._truth.contacts.of_object(self._trial.aim)
         faults = {
             f"the person got to {self._person.stage}": self._person.stage != "pulling",
             f"carried {self._person.carried_m:.2f} m": self._person.carried_m < CARRIED_M,

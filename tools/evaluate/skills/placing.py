@@ -64,7 +64,7 @@ class PlaceJudge:
         if isinstance(item.shape, Box):
             turned = abs(poses.yaw_of(planned[:3, :3].T @ pose[:3, :3]))
         tilt, lift_m = self._truth.tilt_rad(name), self._truth.lift_m(name)
-        touching = self._truth.object_contacts(name)
+        touching = self._truth.contacts.of_object(name)
         pads = {link for gripper in self._gripped.values() for link in gripper.touch_links}
         moved = self._others.moved()
         faults = {

@@ -52,7 +52,7 @@ class PutInJudge:
             inside = float(np.linalg.norm(local[:2])) <= shape.radius_m
         pushed_m = float(np.linalg.norm((now - self._stood)[:3, 3]))
         moved = self._others.moved()
-        held = any("gripper" in link for link in truth.object_contacts(self._trial.aim))
+        held = any("gripper" in link for link in truth.contacts.of_object(self._trial.aim))
         faults = {
             "beside it": not inside,
             "over its rim": truth.lowest_m(self._trial.aim) > float(now[2, 3]) + 0.5 * shape.height_m,

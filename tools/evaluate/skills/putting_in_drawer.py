@@ -58,7 +58,7 @@ class PutInDrawerJudge:
         below_rim = abs(y) < 0.5 * piece.size_m[1] and abs(z) < 0.5 * DRAWER_FRONT_HEIGHT_M
         faults = {
             "not in the drawer": not (behind_front and below_rim),
-            "still in the hand": any("gripper" in link for link in truth.object_contacts(name)),
+            "still in the hand": any("gripper" in link for link in truth.contacts.of_object(name)),
             f"moved: {', '.join(sorted(moved))}": bool(moved),
         }
         wrong = [words for words, so in faults.items() if so]

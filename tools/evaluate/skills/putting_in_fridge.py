@@ -67,7 +67,7 @@ class PutInFridgeJudge:
         faults = {
             "on no board of the fridge": not on,
             f"leans by {math.degrees(tilt_rad):.0f} degrees": tilt_rad > STANDS_RAD,
-            "still in the hand": any("gripper" in link for link in truth.object_contacts(name)),
+            "still in the hand": any("gripper" in link for link in truth.contacts.of_object(name)),
             f"moved: {', '.join(sorted(moved))}": bool(moved),
         }
         wrong = [words for words, so in faults.items() if so]

@@ -57,7 +57,7 @@ class PickJudge:
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
         """Lifted and touched by pads."""
         lift_m = self._truth.lift_m(self._name)
-        held = lift_m >= HELD_M and bool(self._truth.pad_contacts(self._name))
+        held = lift_m >= HELD_M and bool(self._truth.contacts.of_pads(self._name))
         return Verdict(held, {"lift_m": lift_m}, "" if held else f"{self._name} is not held")
 
 

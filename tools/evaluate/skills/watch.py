@@ -35,8 +35,11 @@ class SafetyWatch:
 
     def on_period(self) -> None:
         """Look at the world."""
-        if self._truth.robot_touches_something():
-            for contact in (*self._truth.contacts_with_furniture(), *self._truth.contacts_with_people()):
+        if self._truth.contacts.robot_touches_something():
+            for contact in (
+                *self._truth.contacts.robot_with_furniture(),
+                *self._truth.contacts.robot_with_people(),
+            ):
                 if contact.second.endswith(_HAND_PARTS):
                     continue  # a person's hand moves by itself
                 self.contacts.add(f"{contact.first} and {contact.second}")

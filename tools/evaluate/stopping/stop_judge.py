@@ -88,7 +88,7 @@ class StopJudge:
             self.rest_within_s = STAND_WITHIN_S
         self._watching_setpoints = True
         self._uncounted = self._assembly.world.robot.taken - self._loop.statistics.accepted
-        self.held = {name: str(hand) for name, hand in self._truth.in_pads_only().items()}
+        self.held = {name: str(hand) for name, hand in self._truth.contacts.in_pads_only().items()}
 
     def let_move(self) -> None:
         """From now on the robot may move again; falls and drops go on counting."""
@@ -108,7 +108,7 @@ class StopJudge:
             self.fell = self.fell or self._truth.fallen()
             for name, hand in self.held.items():
                 pads = next(links for key, links in self._pads.items() if key == hand)
-                if not set(self._truth.object_contacts(name)) <= pads:
+                if not set(self._truth.contacts.of_object(name)) <= pads:
                     self.dropped.add(name)
 
     def _look_at_speeds(self, elapsed_s: float) -> None:

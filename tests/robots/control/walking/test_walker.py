@@ -225,7 +225,9 @@ def test_a_walk_ends_when_a_hand_meets_somebody_who_stands_beside_its_way():
         if handle.finished:
             break
         floor.loop.step()
-    pressed_n = max((contact.force_n for contact in floor.world.truth.contacts_with_people()), default=0.0)
+    pressed_n = max(
+        (contact.force_n for contact in floor.world.truth.contacts.robot_with_people()), default=0.0
+    )
     took_s = floor.until_it_stands()
 
     assert handle.status is MotionStatus.REFUSED
