@@ -97,7 +97,7 @@ def brake_along(
         motion = _braked(sampler, t_s, limits, period_s * np.arange(1, periods + 1, dtype=np.float64))
         if not keeps_limits(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
             continue
-        if _keeps_jerk(np.vstack([before, here.v[6:], motion.v[:, 6:]]), jerk, period_s):
+        if keeps_jerk(np.vstack([before, here.v[6:], motion.v[:, 6:]]), jerk, period_s):
             return motion
         spare, stepping_s = (motion, time_s) if spare is None else (spare, time_s)
     return spare
@@ -155,7 +155,7 @@ def keeps_limits(a: Array, start: Array, acceleration: Array, jerk: Array, perio
     return not np.any(np.abs(change) > jerk * _JERK_ROOM)
 
 
-def _keeps_jerk(v: Array, jerk: Array, period_s: float) -> bool:
+def keeps_jerk(v: Array, jerk: Array, period_s: float) -> bool:
     """Whether speeds, one row a period, keep the jerk limits as differences of the setpoints show them.
 
     A trajectory's acceleration steps at its samples. Such a step lies between other instants here than in the

@@ -134,24 +134,24 @@ class BodyTrack:
             profile = StopProfile.along_path(
                 self._model, self._stance, sampler, self._elapsed_s, self._period_s
             )
-            if profile is not None and profile.is_late(self._period_s):
-                # where the path turns less, a moment later, it brakes sooner
-                profile = self._stop_later(sampler) or profile
             if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
                 self._sampler, self._playing_out = sampler, True
                 return
-            if profile is None:
-                profile = self._stop_beside(sampler)
+            if profile is None or profile.is_late(self._period_s):
+                profile = self._stop_promptly(sampler, profile)
         self._start(profile or StopProfile.at_once(self._model, self._stance, self.now, self._period_s))
 
-    def _stop_beside(self, sampler: TrajectorySampler) -> StopProfile | None:
-        """Stop where a path cannot be braked along: with the feet in place, or along it a moment later."""
-        standing = StopProfile.standing(self._model, self._stance, self.now, self._period_s)
-        return standing or self._stop_later(sampler)
+    def _stop_promptly(self, sampler: TrajectorySampler, late: StopProfile | None) -> StopProfile | None:
+        """Stop where an even brake along the path takes too long, or is none.
 
-    def _stop_later(self, sampler: TrajectorySampler) -> StopProfile | None:
-        return StopProfile.soon_along_path(
-            self._model, self._stance, sampler, self._elapsed_s, self._period_s
+        Without any, the feet stay in place and each arm stops on its own before the path is gone on with.
+        """
+        of = self._model, self._stance, sampler, self._elapsed_s, self._period_s
+        return (
+            StopProfile.promptly_along_path(*of)
+            or (None if late else StopProfile.standing(self._model, self._stance, self.now, self._period_s))
+            or StopProfile.soon_along_path(*of)
+            or late
         )
 
     def brake_what_was_placed(self) -> None:

@@ -11,15 +11,16 @@ import numpy as np
 
 from kinematics.braking import brake_along, brake_joints, brake_standing
 from kinematics.free_coordinates import free_coordinates
+from kinematics.prompt_brake import brake_promptly
 from kinematics.robot_model import RobotModel
 from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 
-_LATER_S = (0.04, 0.08, 0.12)
-"""A path that gathers speed as hard as it may cannot be braked along at once, but mostly so much later."""
+_LATER_S = (0.02, 0.06)
+"""Where a path turns back, or its acceleration steps, no brake can begin at once, but so much later."""
 _LATEST_S = 0.45
-"""A stop that begins later is at rest by then, or is none: half a second is what a stop may take."""
+"""Setpoints that rest by then leave the body time to come to rest within half a second."""
 _LED_BACK_S, _LED_BACK_RAD = 0.2, 0.015
 """Legs that stopped each joint on its own are led back to the stance in this time, from this far at most."""
 _STRAY_RAD = 1e-3
@@ -59,25 +60,40 @@ class StopProfile:
         return None if rows is None else cls(_resting_on_the_stance(model, stance, rows, period_s))
 
     @classmethod
+    def promptly_along_path(
+        cls,
+        model: RobotModel,
+        stance: Stance,
+        sampler: TrajectorySampler,
+        t_s: float,
+        period_s: float,
+        after_s: float = 0.0,
+    ) -> StopProfile | None:
+        """Category 1 where the path turns: go on for a while, if at all, then brake along it at its limits.
+
+        Returns:
+            None when that would not be at rest in time.
+        """
+        at_s = t_s + after_s
+        if at_s >= sampler.duration_s:
+            return None
+        rows = brake_promptly(model, stance, sampler, at_s, period_s, _LATEST_S - after_s)
+        if rows is None:
+            return None
+        periods = np.arange(1, round(after_s / period_s) + 1, dtype=np.float64)
+        if len(periods):
+            rows = _joined(sampler.many(t_s + period_s * periods), rows)
+        return cls(_resting_on_the_stance(model, stance, rows, period_s))
+
+    @classmethod
     def soon_along_path(
         cls, model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
     ) -> StopProfile | None:
-        """Category 1, from where the path itself leaves room for it: go on for a moment, then brake along it.
-
-        Returns:
-            None when that would not be at rest in time either.
-        """
-        for later_s in _LATER_S:
-            at_s = t_s + later_s
-            if at_s >= sampler.duration_s:
-                return None
-            rows = brake_along(model, stance, sampler, at_s, period_s)
-            if rows is None or later_s + len(rows.q) * period_s > _LATEST_S:
-                continue
-            periods = np.arange(1, round(later_s / period_s) + 1, dtype=np.float64)
-            first = sampler.many(t_s + period_s * periods)
-            return cls(_resting_on_the_stance(model, stance, _joined(first, rows), period_s))
-        return None
+        """Category 1 from the first moment at which the path leaves room for it; None when none is soon."""
+        tried = (
+            cls.promptly_along_path(model, stance, sampler, t_s, period_s, after_s) for after_s in _LATER_S
+        )
+        return next((profile for profile in tried if profile is not None), None)
 
     @classmethod
     def at_once(cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float) -> StopProfile:
