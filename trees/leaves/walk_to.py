@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,15 +71,22 @@ class WalkTo(WalkingLeaf):
         on_cancel="the robot stops within two steps and stands",
     )
 
-    def __init__(self, name: str, toolbox: Toolbox, if_hands_fit: bool = False) -> None:
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        if_hands_fit: bool = False,
+        wiring: Mapping[str, str] | None = None,
+    ) -> None:
         """Make the leaf.
 
         Args:
             name: Its name.
             toolbox: What it may call.
             if_hands_fit: Do not go where a hand comes to something, if the arms can be drawn in.
+            wiring: Other names of its ports.
         """
-        super().__init__(name, toolbox)
+        super().__init__(name, toolbox, wiring)
         self._if_hands_fit = if_hands_fit
 
     def begin(self) -> None:

@@ -8,6 +8,7 @@ from py_trees.composites import Sequence
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
+from trees.leaves.choose_furniture import ChooseFurniture
 from trees.leaves.choose_stand import ChooseStand
 from trees.leaves.know_place import KnowPlace
 from trees.leaves.ready_to_walk import ReadyToWalk
@@ -24,6 +25,8 @@ from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
 _VIEWPOINTS: tuple[Viewpoint, ...] = ("around", "back", "around", "around", "ahead", "around", "ahead")
+_FURNITURE_BEFORE, _FURNITURE = 5, 3
+"""Once the robot has turned around it goes to so much furniture that it saw, before it walks on at random."""
 _NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
 
 
@@ -72,6 +75,8 @@ def find_place(toolbox: Toolbox) -> Behaviour:
     ]
     ways.append(RecallPlace("recall it", toolbox))
     for k, way in enumerate(_VIEWPOINTS, start=1):
+        if k == _FURNITURE_BEFORE:
+            ways += [_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE + 1)]
         ways.append(
             Sequence(
                 f"viewpoint {k}",
@@ -85,6 +90,18 @@ def find_place(toolbox: Toolbox) -> Behaviour:
         )
     ways.append(RecallPlace("recall anything", toolbox, anything=True))
     return Alternatives("find it", ways, looking_elsewhere_is_useless, back_only_without_room)
+
+
+def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
+    there = {"place": "furniture"}
+    walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
+    looks = [
+        ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
+        ReadyToWalk("stand upright", toolbox),
+        with_room(toolbox, walk, WalkTo("walk", toolbox, wiring=there)),
+        search_place("look around", toolbox, everywhere(toolbox)),
+    ]
+    return Sequence(f"look on furniture {number}", memory=True, children=looks)
 
 
 def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:

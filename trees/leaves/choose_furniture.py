@@ -1,0 +1,68 @@
+"""Choose a piece of furniture to look at from nearby, where what is looked for may stand."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from kinematics.scene import SceneObject
+from kinematics.shapes import Box
+from kinematics.support import top_m
+from robots.articulated import ARTICULATED_KINDS
+from trees.contract import Contract
+from trees.destination import Place, aim_of
+from trees.failures import Failure
+from trees.leaf import DONE, Leaf
+from trees.odometry import feet_pose
+from trees.ports import optional, ports
+from trees.scene_update import kind_of
+from trees.standing_place import standing_place
+from trees.tasks import ObjectDescription
+
+_LEAST_SIDE_M = 0.3
+"""Legs, walls and doors are narrower; nobody puts things there."""
+_LOWEST_M, _HIGHEST_M = 0.3, 1.4
+_NEARBY_M = 0.8
+"""Who stands this near to where one looks from has looked."""
+_CONFIDENCE = 0.5
+
+
+class ChooseFurniture(Leaf):
+    """The nearest top that was not looked at from nearby; small things are not seen from afar."""
+
+    INPUT_PORTS = ports(task=object, visited_before=optional(tuple))
+    OUTPUT_PORTS = ports(furniture=Place, visited=tuple)
+    CONTRACT = Contract(
+        precondition="an object is looked for",
+        postcondition="furniture that was seen, with a top that things stand on, and noted as visited",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Look through what is known."""
+        toolbox = self.toolbox
+        aim = aim_of(self.get_input("task"))
+        if not isinstance(aim, ObjectDescription) or aim.kind == "person":
+            return Failure.postcondition("only things are looked for on furniture")
+        body, gap_m, scene = feet_pose(toolbox), toolbox.policy.support_gap_m, toolbox.world.scene
+        visited: tuple[str, ...] = self.optional("visited_before") or ()
+        found: list[tuple[float, Place]] = []
+        for item in scene.objects.values():
+            if item.name in visited or not _is_top(item):
+                continue
+            place = Place(item.name, "furniture", item.shape, item.world_T_object, _CONFIDENCE)
+            away_m = body.distance_m(standing_place(place, scene, body, gap_m))
+            if away_m > _NEARBY_M:
+                found.append((away_m, place))
+        if not found:
+            return Failure.postcondition("no furniture is left to look at from nearby")
+        place = min(found, key=lambda one: one[0])[1]
+        self._set_output("furniture", place)
+        self._set_output("visited", (*visited, place.name))
+        self.feedback_message = place.name
+        return DONE
+
+
+def _is_top(item: SceneObject) -> bool:
+    if item.movable or not isinstance(item.shape, Box) or kind_of(item.name) in ARTICULATED_KINDS:
+        return False
+    return min(item.shape.size_m[:2]) >= _LEAST_SIDE_M and _LOWEST_M <= top_m(item) <= _HIGHEST_M
