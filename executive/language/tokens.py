@@ -34,7 +34,7 @@ _LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
 _NOT = re.compile(r"(?<!\S)!(?=\w)")
 """A mark that denies what follows, as people write who program."""
 
-_WRITTEN_OUT = {
+WRITTEN_OUT = {
     "whats": "what's",
     "wheres": "where's",
     "theres": "there's",
@@ -148,4 +148,4 @@ def _pieces(plain: str) -> Iterator[Piece]:
 
 def _words(plain: str, start: int, end: int) -> Iterator[Piece]:
     for text, first, last in split_words(plain[start:end]):
-        yield Piece(_WRITTEN_OUT.get(text, text), start + first, start + last)
+        yield Piece(WRITTEN_OUT.get(text, text), start + first, start + last)
