@@ -79,12 +79,14 @@ def _where_hands_are_free(
 ) -> PlanarPose:
     """The usual place before furniture, or the nearest one where hands come to nothing, say to an open door.
 
-    At home or drawn in: whichever way the robot comes. One that stands well is not sent on for a centimetre.
+    At home or drawn in: whichever way the robot comes; drawn in, they can turn away as well. One that stands
+    well is not sent on for a centimetre.
     """
     rooms = room.either_way()
 
     def free(stand: PlanarPose, spare_m: float) -> bool:
-        return not any(one.hands_meet(scene, [stand], spare_m) for one in rooms)
+        turns = rooms[-1].hands_turn(scene, stand, spare_m - _SPARE_M)
+        return turns and not any(one.hands_meet(scene, [stand], spare_m) for one in rooms)
 
     if free(usual, _SPARE_M):
         return usual

@@ -183,6 +183,17 @@ class WalkingRoom:
         points = np.column_stack([x.ravel(), y.ravel()])
         return any(float(obstacle.distance_m(points).min()) < spare_m for obstacle in beside)
 
+    def hands_turn(self, scene: PlanningScene, body: PlanarPose, spare_m: float = 0.0) -> bool:
+        """Whether the hands have room to turn on the spot at a place.
+
+        Args:
+            scene: What is believed.
+            body: The place, in the scene's frame.
+            spare_m: Left beside them besides the sway of a walk; less than that where it is negative.
+        """
+        tall = footprints(scene, above_m=self._hands.from_m)
+        return clearance_m(tall, body) >= self._hands.turning_m + spare_m
+
     def tightest_seen(self, points: Array) -> TightSpot:
         """Where there is least room to turn right here, by what is seen and may be known to nobody.
 

@@ -118,6 +118,7 @@ def test_before_an_open_door_one_stands_where_hands_do_not_come_to_it():
 
     assert any(room.hands_meet(scene, [usual], 0.08) for room in ROOM.either_way())
     assert not any(room.hands_meet(scene, [stand], 0.08) for room in ROOM.either_way())
+    assert ROOM.either_way()[1].hands_turn(scene, stand)
     assert 0.05 < stand.distance_m(usual) < 0.5
     assert stand.yaw_rad == pytest.approx(usual.yaw_rad)
 
@@ -144,3 +145,13 @@ def test_who_stands_well_before_a_door_is_not_sent_on_for_a_centimetre():
     for before_m, after_m in moved:
         here = stand(before_m, PlanarPose())
         assert stand(after_m, here) == here
+
+
+def test_before_an_open_door_drawn_in_arms_have_room_to_turn_away():
+    place, scene = fridge_with_door(0.5)
+    _, drawn_in = ROOM.either_way()
+
+    stand = standing_place(place, scene, PlanarPose(), 0.05, ROOM)
+
+    assert not drawn_in.hands_turn(scene, standing_place(place, scene, PlanarPose(), 0.05))
+    assert drawn_in.hands_turn(scene, stand)
