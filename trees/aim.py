@@ -9,6 +9,7 @@ import numpy as np
 from kinematics.requests import MoveRequest
 from trees.contract import Contract
 from trees.failures import Failure
+from trees.move_here import move_from_here
 from trees.planned_motion_leaf import PlannedMotionLeaf
 
 
@@ -40,12 +41,4 @@ class Aim(PlannedMotionLeaf):
         pelvis_m = self.pelvis_m()
         if float(off.max()) <= toolbox.policy.gaze_tolerance_rad and not any(pelvis_m):
             return None
-        return MoveRequest(
-            q_start=reference,
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            joints=joints,
-            keep_others=True,
-            pelvis_m=pelvis_m,
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        return move_from_here(toolbox, joints, keep_others=True, pelvis_m=pelvis_m)

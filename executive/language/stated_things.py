@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.language.discourse import Discourse, ask
+from executive.language.discourse import Discourse, UnresolvedError, ask
 from executive.language.phrases import Bundle, Draft, Mention, Nominal
 
 _AT_A_PLACE = frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"})
 
 
-def _unrelated() -> Exception:
+def _unrelated() -> UnresolvedError:
     return ask("what has the statement to do with the task?")
 
 

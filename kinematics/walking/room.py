@@ -23,7 +23,8 @@ Array = NDArray[np.float64]
 
 _SPARE_M = 0.02
 """Left beside the body, at the least, wherever it walks."""
-_BESIDE_HANDS_M = 0.06
+BESIDE_HANDS_M = 0.06
+"""Left beside an empty hand on a walk, where there is a choice."""
 _OUTLINE_M = 0.08
 """Between two points of an outline; the room beside the hands is more than half of it."""
 
@@ -157,7 +158,7 @@ class WalkingRoom:
         return max(spots, key=lambda spot: spot.lack_m)
 
     def hands_meet(
-        self, scene: PlanningScene, way: Sequence[PlanarPose], spare_m: float = _BESIDE_HANDS_M
+        self, scene: PlanningScene, way: Sequence[PlanarPose], spare_m: float = BESIDE_HANDS_M
     ) -> bool:
         """Whether an empty hand comes to something where the body goes and turns.
 

@@ -3,34 +3,20 @@
 import numpy as np
 import pytest
 
-from kinematics.balanced_timing import time_in_balance
 from kinematics.braking import brake_along
-from kinematics.curves import RoundedPolyline
-from kinematics.free_coordinates import free_coordinates
 from kinematics.prompt_brake import brake_promptly
 from kinematics.timing import Pace
 from kinematics.trajectory_sampler import TrajectorySampler
+from tests.kinematics.swings import swing
 
 PERIOD_S = 0.002
 LATEST_S = 0.45
 BEFORE_A_TURN_S = (0.3, 0.36, 0.94, 1.02)
 
 
-def swing(talos, stance, pace):
-    """A raised hand goes to and fro."""
-    space = free_coordinates(talos, stance)
-    ends = np.repeat(space.from_q(talos.q_home)[None], 4, axis=0)
-    for joint, rad in (("arm_left_2_joint", 0.45), ("arm_left_3_joint", -0.35)):
-        ends[1::2, space.index(joint)] += rad
-        ends[2, space.index(joint)] -= rad
-    curve = RoundedPolyline(ends, space.weights, 0.06)
-    return TrajectorySampler(time_in_balance(talos, space, stance, curve, pace))
-
-
 @pytest.fixture(scope="module")
 def sampler(talos, stance):
-    """As fast as waving lets it."""
-    return swing(talos, stance, Pace(0.7, 0.9))
+    return TrajectorySampler(swing(talos, stance))
 
 
 @pytest.mark.requirement("S4")
@@ -81,7 +67,14 @@ def test_a_brake_that_would_be_too_late_is_none(talos, stance, sampler):
 
 
 def test_a_robot_that_a_hard_brake_would_tip_is_braked_more_gently(talos, stance, monkeypatch):
-    of = talos, stance, swing(talos, stance, Pace(0.4, 0.5)), BEFORE_A_TURN_S[0], PERIOD_S, LATEST_S
+    of = (
+        talos,
+        stance,
+        TrajectorySampler(swing(talos, stance, Pace(0.4, 0.5))),
+        BEFORE_A_TURN_S[0],
+        PERIOD_S,
+        LATEST_S,
+    )
     hard = brake_promptly(*of)
     upright = iter((False, True))
     monkeypatch.setattr("kinematics.prompt_brake.stays_upright", lambda *_of: next(upright))

@@ -40,7 +40,7 @@ class ChangeViewpoint(WalkingLeaf):
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
-        precondition="the robot stands upright with its hands at home, and there is room",
+        precondition="the robot stands upright with its hands at home or drawn in, and there is room",
         postcondition="the robot stands elsewhere, or faces elsewhere",
         deadline_s=40.0,
         moves="body",

@@ -6,6 +6,7 @@ from kinematics.requests import MoveRequest
 from trees.contract import Contract
 from trees.empty_arms import are_at, home_joints, tucked_joints
 from trees.failures import Failure
+from trees.move_here import move_from_here
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 from trees.toolbox import Toolbox
@@ -43,11 +44,4 @@ class DrawArmsIn(PlannedMotionLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} has no arm to draw in")
         if are_at(toolbox, joints):
             return None
-        return MoveRequest(
-            q_start=toolbox.motion.reference(),
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            joints=joints,
-            keep_others=True,
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        return move_from_here(toolbox, joints, keep_others=True)

@@ -6,6 +6,7 @@ from kinematics.gesture_requests import GestureRequest
 from kinematics.requests import MoveRequest
 from trees.arrival import largest_error
 from trees.contract import Contract
+from trees.move_here import move_from_here
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 
@@ -32,9 +33,4 @@ class GoHome(PlannedMotionLeaf):
         reference = toolbox.motion.reference()
         if largest_error(toolbox.model, reference, toolbox.model.q_home)[1] <= _HOME_RAD:
             return None
-        return MoveRequest(
-            q_start=reference,
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        return move_from_here(toolbox)

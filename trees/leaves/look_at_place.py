@@ -14,6 +14,7 @@ from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.leaves.look_at import turning_joint
+from trees.move_here import move_from_here
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 
@@ -40,15 +41,7 @@ class LookAtPlace(PlannedMotionLeaf):
         if gaze is None:
             return Failure.infeasible(f"no posture looks at the {place.name} from here")
         x, y, z = (float(value) for value in pelvis_offset(reference, gaze.pelvis_m))
-        return MoveRequest(
-            q_start=reference,
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            joints=gaze.joints,
-            keep_others=True,
-            pelvis_m=(x, y, z),
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        return move_from_here(toolbox, gaze.joints, keep_others=True, pelvis_m=(x, y, z))
 
     def step(self) -> Status | Failure:
         """Move, then measure how far from the picture's centre it is."""

@@ -17,6 +17,7 @@ from trees.failures import Failure, FailureKind
 from trees.held import HeldObject, held_object
 from trees.leaf import DONE, RUNNING
 from trees.leaves.go_home import GoHome
+from trees.move_here import move_from_here
 from trees.ports import ports
 
 Array = NDArray[np.float64]
@@ -78,13 +79,7 @@ class ReadyToWalk(GoHome):
 
     def _drawn_in(self) -> MoveRequest:
         toolbox = self.toolbox
-        return MoveRequest(
-            q_start=toolbox.motion.reference(),
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            joints=tucked_joints(toolbox),
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        return move_from_here(toolbox, tucked_joints(toolbox))
 
     def _carries(self, held: HeldObject) -> bool:
         toolbox = self.toolbox

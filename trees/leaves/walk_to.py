@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Mapping
 
@@ -10,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
-from kinematics.walking.path_planning import Footprint, blocked, clearance_m, footprints, plan_path
+from kinematics.walking.path_planning import Footprint, blocked
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering, foreseen
+from kinematics.walking.ways import NoWay, WayFinder
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
@@ -33,21 +33,18 @@ Array = NDArray[np.float64]
 
 _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
-_BESIDE_HANDS_M, _BESIDE_TUCKED_M = (0.06,), (0.06, 0.03, 0.0)
-_STRAIGHT_SHARES = (1.0, 0.67, 0.33)
 _BACK_M_S = 0.25
 _BEYOND_M = 0.1
 """A step back goes so much farther than turning needs."""
-_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.72, 0.47), (0.62, 0.47))
-"""Of the path, the first ones that leave a way: from what is as tall as the hands are, which takes more room
-by itself, and from what is lower. Below the hands nothing of TALOS is farther from its middle than 0.32 m."""
-_TUCKED_CLEARANCES_M = ((0.72, 0.72), (0.62, 0.62), (0.55, 0.47), (0.52, 0.42))
-"""The same with the arms drawn in."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
 _SCAN_WITHIN_S = 1.0
 _SILENT = "the range sensor says nothing"
+_NO_WAY = {
+    True: "the hands have no room on the way there",
+    False: "no way leads there around what is known",
+}
 
 
 class WalkTo(WalkingLeaf):
@@ -62,7 +59,7 @@ class WalkTo(WalkingLeaf):
     INPUT_PORTS = ports(place=Place, stand=optional(Stand))
     OUTPUT_PORTS = ports(goal=PlanarPose)
     CONTRACT = Contract(
-        precondition="the place was seen, and the robot stands upright with its hands at home",
+        precondition="the place was seen, and the robot stands upright with its hands at home or drawn in",
         postcondition="the robot stands; by odometry within the policy's tolerance of its goal",
         deadline_s=120.0,
         moves="body",
@@ -179,55 +176,13 @@ class WalkTo(WalkingLeaf):
         body: PlanarPose,
         obstacles: tuple[Footprint, ...],
     ) -> Steering | Failure:
-        scene = self.toolbox.world.scene
-        clearances = _TUCKED_CLEARANCES_M if room.tucked else _CLEARANCES_M
-
-        @functools.cache
-        def path_with(clearance: tuple[float, float]) -> tuple[PlanarPose, ...] | None:
-            return self._path_with(settings, room, body, obstacles, clearance)
-
-        for spare_m in self._spares_m(room, body):
-            for clearance in clearances:
-                path = path_with(clearance)
-                if path is None:
-                    continue
-                steering = PathSteering(settings, (*path, self._goal))
-                if spare_m is None or not room.hands_meet(scene, foreseen(steering, body), spare_m):
-                    self._path, self._clearance_m = path, clearance[0]
-                    return steering
-        barred = any(path_with(clearance) for clearance in clearances)
-        why = (
-            "the hands have no room on the way there" if barred else "no way leads there around what is known"
-        )
-        return Failure.infeasible(why, clearance_m=clearances[-1][1])
-
-    def _path_with(
-        self,
-        settings: WalkingSettings,
-        room: WalkingRoom,
-        body: PlanarPose,
-        obstacles: tuple[Footprint, ...],
-        clearance: tuple[float, float],
-    ) -> tuple[PlanarPose, ...] | None:
-        high_m, low_m = clearance
-        more_m = high_m - low_m
-        around = room.footprints(self.toolbox.world.scene, more_m) if more_m > 0.0 else obstacles
-        points = self._seen.beside(obstacles)
-        return plan_path(body, self._before(settings), around, low_m, points, room.widest_m + more_m)
-
-    def _before(self, settings: WalkingSettings) -> PlanarPose:
-        """Where the straight stretch to the goal begins: as far from it as there is room for legs."""
-        about = footprints(self.toolbox.world.scene)
-        ways = (self._goal @ PlanarPose(-share * self._straight_m) for share in _STRAIGHT_SHARES)
-        legs_m = settings.legs_radius_m + settings.sway_m
-        return next((before for before in ways if clearance_m(about, before) >= legs_m), self._goal)
-
-    def _spares_m(self, room: WalkingRoom, body: PlanarPose) -> tuple[float | None, ...]:
-        """What to leave beside the hands, the more the better; None where they have to get by as they can."""
-        if room.tucked:
-            crowded = room.hands_meet(self.toolbox.world.scene, [body], _BESIDE_TUCKED_M[-1])
-            return (None,) if crowded else _BESIDE_TUCKED_M
-        return _BESIDE_HANDS_M if self._if_hands_fit and room.can_tuck else (None,)
+        scene, points = self.toolbox.world.scene, self._seen.beside(obstacles)
+        finder = WayFinder(settings, room, scene, points, self._straight_m, self._if_hands_fit)
+        way = finder.find(body, self._goal)
+        if isinstance(way, NoWay):
+            return Failure.infeasible(_NO_WAY[way.for_hands], clearance_m=way.clearance_m)
+        self._path, self._clearance_m = way.path, way.clearance_m
+        return way.steering
 
     def _look(self, obstacles: tuple[Footprint, ...]) -> Array:
         """Scan; gives what is new and belongs to nothing known, shape (n, 2)."""

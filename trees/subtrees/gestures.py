@@ -6,27 +6,25 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
-from trees.best_effort import BestEffort
 from trees.failures import Failure, FailureKind
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.find_unseen import FindUnseen
 from trees.leaves.go_home import GoHome
-from trees.leaves.look_at import LookAtUnseen
 from trees.leaves.look_at_place import LookAtPlace
 from trees.leaves.plan_pointing import PlanPointing
 from trees.leaves.raise_hand import RaiseHand
 from trees.leaves.stream_motion import StreamMotion
-from trees.leaves.survey import Survey
 from trees.leaves.swing_hand import SwingHand
 from trees.leaves.verify_pointing import VerifyPointing
 from trees.leaves.wait import Hold
 from trees.subtrees.search_place import everywhere, search_place
+from trees.subtrees.seen_way import seen_way
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
-from trees.unless_seen import UnlessSeen
 
 _LOOKS_ON_WAY = 2
-"""For what was found at the first one, the arm may go elsewhere."""
+"""Near a table an arm that points passes over things that the search for one of them did not show; for what
+the first look found it may go elsewhere."""
 
 
 def wave(toolbox: Toolbox) -> Behaviour:
@@ -45,7 +43,13 @@ def point_at(toolbox: Toolbox) -> Behaviour:
     children: list[Behaviour] = [
         search_place("find it", toolbox, everywhere(toolbox)),
         PlanPointing("plan pointing", toolbox),
-        _look_below_the_way(toolbox, _LOOKS_ON_WAY),
+        seen_way(
+            "look below the way",
+            toolbox,
+            FindUnseen,
+            lambda: PlanPointing("plan again", toolbox),
+            _LOOKS_ON_WAY,
+        ),
         CheckTrajectory("check pointing", toolbox, {"step": "reach", "checked": "checked_reach"}),
         StreamMotion("stretch arm", toolbox, {"checked": "checked_reach"}),
         VerifyPointing("see where it points", toolbox),
@@ -53,27 +57,6 @@ def point_at(toolbox: Toolbox) -> Behaviour:
         GoHome("lower arm", toolbox),
     ]
     return tidily("point at", children, toolbox)
-
-
-def _look_below_the_way(toolbox: Toolbox, looks: int) -> Behaviour:
-    """Near a table an arm that points passes over things that the search for one of them did not show.
-
-    Args:
-        toolbox: What leaves may call.
-        looks: So many, one after the other, at the most.
-    """
-    steps: list[Behaviour] = [
-        BestEffort(LookAtUnseen("look", toolbox)),
-        Survey("survey", toolbox, {"sightings_now": "sightings"}, keeping=True),
-        PlanPointing("plan again", toolbox),
-    ]
-    if looks > 1:
-        steps.append(_look_below_the_way(toolbox, looks - 1))
-    children: list[Behaviour] = [
-        FindUnseen("find what is unseen", toolbox),
-        UnlessSeen(Sequence("look below the way", memory=True, children=steps)),
-    ]
-    return Sequence("its way is seen", memory=True, children=children)
 
 
 def look_at(toolbox: Toolbox) -> Behaviour:

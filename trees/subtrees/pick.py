@@ -18,21 +18,20 @@ from trees.leaves.confirm_target import ConfirmTarget
 from trees.leaves.find_unseen import FindUnseenOnWay
 from trees.leaves.go_home import GoHome
 from trees.leaves.hand_for_it import HandForIt
-from trees.leaves.look_at import LookAtTarget, LookAtUnseen
+from trees.leaves.look_at import LookAtTarget
 from trees.leaves.open_gripper import OpenGripper
 from trees.leaves.plan_pick import PlanPick
 from trees.leaves.put_back import PutBack
 from trees.leaves.release import Release
 from trees.leaves.stream_motion import StreamMotion
-from trees.leaves.survey import Survey
 from trees.leaves.verify_hold import VerifyHold
 from trees.leaves.verify_lift import VerifyLift
 from trees.retry import Retry
 from trees.subtrees.recover import recover
 from trees.subtrees.search import search_from_home_too
+from trees.subtrees.seen_way import seen_way
 from trees.toolbox import Toolbox
 from trees.unless_held import UnlessHeld
-from trees.unless_seen import UnlessSeen
 
 _LOOKS_ON_WAY = 3
 """One for the first plan, one for the other hand, and one for what was found on its way."""
@@ -82,7 +81,13 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         _sequence(
             "plan",
             PlanPick("plan pick", toolbox),
-            _look_where_the_hand_goes(toolbox, _LOOKS_ON_WAY),
+            seen_way(
+                "look where the hand goes",
+                toolbox,
+                FindUnseenOnWay,
+                lambda: PlanPick("plan again", toolbox),
+                _LOOKS_ON_WAY,
+            ),
             CheckTrajectory("check reach", toolbox, {"step": "reach", "checked": "checked_reach"}),
             CheckTrajectory("check approach", toolbox, {"step": "approach", "checked": "checked_approach"}),
             CheckTrajectory("check lift", toolbox, {"step": "lift", "checked": "checked_lift"}),
@@ -110,27 +115,6 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     )
     attempt.transparent = True
     return attempt
-
-
-def _look_where_the_hand_goes(toolbox: Toolbox, looks: int) -> Behaviour:
-    """What is found beside the target changes the plan, and a new way may be unseen in its turn.
-
-    Args:
-        toolbox: What leaves may call.
-        looks: So many, one after the other, at the most.
-    """
-    steps: list[Behaviour] = [
-        BestEffort(LookAtUnseen("look", toolbox)),
-        Survey("survey", toolbox, {"sightings_now": "sightings"}, keeping=True),
-        PlanPick("plan again", toolbox),
-    ]
-    if looks > 1:
-        steps.append(_look_where_the_hand_goes(toolbox, looks - 1))
-    return _sequence(
-        "its way is seen",
-        FindUnseenOnWay("find what is unseen", toolbox),
-        UnlessSeen(_sequence("look where the hand goes", *steps)),
-    )
 
 
 def _give_up(toolbox: Toolbox) -> Behaviour:

@@ -11,8 +11,11 @@ from kinematics.timing import Pace
 from kinematics.trajectory_sampler import TrajectorySampler
 from robots.control.body_track import BodyTrack
 from robots.control.stop_profile import StopProfile
+from tests.kinematics.swings import swing
 
 PERIOD_S = 0.002
+BEHIND_RAD = 1e-6
+"""By so much at least a motion that is braked is behind where it would have been after 20 ms."""
 GATHERING_S = 0.43
 """Here the motion below gathers speed as hard as it may."""
 
@@ -83,16 +86,9 @@ def test_joints_that_stop_each_on_its_own_end_where_a_motion_can_begin(talos, st
     assert np.abs(np.diff(q[:, 7:], axis=0) - PERIOD_S * v[1:, 6:]).max() < 1e-4
 
 
-@pytest.fixture(scope="module")
-def swing(talos, stance):
-    """A raised hand goes to and fro, as fast as waving lets it."""
-    space = free_coordinates(talos, stance)
-    ends = np.repeat(space.from_q(talos.q_home)[None], 4, axis=0)
-    for joint, rad in (("arm_left_2_joint", 0.45), ("arm_left_3_joint", -0.35)):
-        ends[1::2, space.index(joint)] += rad
-        ends[2, space.index(joint)] -= rad
-    curve = RoundedPolyline(ends, space.weights, 0.06)
-    return time_in_balance(talos, space, stance, curve, Pace(0.7, 0.9))
+@pytest.fixture(scope="module", name="swing")
+def swing_fixture(talos, stance):
+    return swing(talos, stance)
 
 
 def braked(talos, stance, swing, t_s):
@@ -122,6 +118,7 @@ def test_a_stop_before_a_turn_of_the_path_is_soon_and_keeps_to_the_path(talos, s
     way = sampler.many(np.arange(t_s, t_s + 0.5, PERIOD_S)).q
     assert max(np.abs(way - q).max(axis=1).min() for q in rows) < 2e-3
     assert len(rows) * PERIOD_S <= 0.45
+    assert np.abs(rows[9] - sampler.at(t_s + 10 * PERIOD_S).q).max() > BEHIND_RAD
 
 
 @pytest.mark.requirement("S4")

@@ -1,0 +1,116 @@
+"""The way of a walk to its goal: as far from what stands about as there is room, the hands considered."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.scene import PlanningScene
+from kinematics.walking.path_planning import clearance_m, footprints, plan_path
+from kinematics.walking.planar import PlanarPose
+from kinematics.walking.room import BESIDE_HANDS_M, WalkingRoom
+from kinematics.walking.settings import WalkingSettings
+from kinematics.walking.steering import PathSteering, foreseen
+
+Array = NDArray[np.float64]
+Clearance = tuple[float, float]
+"""Of the path from what is as tall as the hands, which takes more room by itself, and from lower ones, m."""
+
+_CLEARANCES_M: tuple[Clearance, ...] = ((0.72, 0.72), (0.62, 0.62), (0.72, 0.47), (0.62, 0.47))
+"""The first one that leaves a way is kept. Below the hands TALOS is nowhere wider than 0.32 m each way."""
+_TUCKED_CLEARANCES_M: tuple[Clearance, ...] = ((0.72, 0.72), (0.62, 0.62), (0.55, 0.47), (0.52, 0.42))
+"""The same with the arms drawn in."""
+_BESIDE_TUCKED_M = (BESIDE_HANDS_M, 0.03, 0.0)
+_STRAIGHT_SHARES = (1.0, 0.67, 0.33)
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A way to a goal.
+
+    Attributes:
+        path: Its corners before the goal.
+        steering: What walks it, to the goal.
+        clearance_m: How far it stays from what is as tall as the hands, besides what that takes by itself.
+    """
+
+    path: tuple[PlanarPose, ...]
+    steering: PathSteering
+    clearance_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class NoWay:
+    """There is none.
+
+    Attributes:
+        for_hands: Whether there is one for the body, and it is the hands that have no room on it.
+        clearance_m: The least that was tried.
+    """
+
+    for_hands: bool
+    clearance_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class WayFinder:
+    """Finds ways among what is believed and what was seen.
+
+    Attributes:
+        settings: The sizes of a robot that walks.
+        room: What it takes with what it holds.
+        scene: What is believed.
+        points: What was seen, and belongs to nothing in the scene, shape (n, 2).
+        straight_m: How long the last stretch is straight ahead, where there is room for that.
+        if_hands_fit: Find none where a hand comes to something, if the arms can be drawn in.
+    """
+
+    settings: WalkingSettings
+    room: WalkingRoom
+    scene: PlanningScene
+    points: Array
+    straight_m: float
+    if_hands_fit: bool = False
+
+    def find(self, body: PlanarPose, goal: PlanarPose) -> Way | NoWay:
+        """The way that leaves the most beside the hands, and of those the farthest from things.
+
+        Args:
+            body: Where the robot is, in the scene's frame.
+            goal: Where it is to stand.
+        """
+        clearances = _TUCKED_CLEARANCES_M if self.room.tucked else _CLEARANCES_M
+        way_with = functools.cache(functools.partial(self._way, body, goal))
+        for spare_m in self._spares_m(body):
+            for clearance in clearances:
+                way = way_with(clearance)
+                if way is not None and self._hands_pass(way, body, spare_m):
+                    return way
+        return NoWay(any(way_with(clearance) for clearance in clearances), clearances[-1][1])
+
+    def _way(self, body: PlanarPose, goal: PlanarPose, clearance: Clearance) -> Way | None:
+        high_m, low_m = clearance
+        more_m = high_m - low_m
+        around, widest_m = self.room.footprints(self.scene, more_m), self.room.widest_m + more_m
+        path = plan_path(body, self._before(goal), around, low_m, self.points, widest_m)
+        return None if path is None else Way(path, PathSteering(self.settings, (*path, goal)), high_m)
+
+    def _before(self, goal: PlanarPose) -> PlanarPose:
+        """Where the straight stretch to the goal begins: as far from it as there is room for legs."""
+        about = footprints(self.scene)
+        ways = (goal @ PlanarPose(-share * self.straight_m) for share in _STRAIGHT_SHARES)
+        legs_m = self.settings.legs_radius_m + self.settings.sway_m
+        return next((before for before in ways if clearance_m(about, before) >= legs_m), goal)
+
+    def _spares_m(self, body: PlanarPose) -> tuple[float | None, ...]:
+        """What to leave beside the hands, the more the better; None where they have to get by as they can."""
+        if self.room.tucked:
+            crowded = self.room.hands_meet(self.scene, [body], _BESIDE_TUCKED_M[-1])
+            return (None,) if crowded else _BESIDE_TUCKED_M
+        return (BESIDE_HANDS_M,) if self.if_hands_fit and self.room.can_tuck else (None,)
+
+    def _hands_pass(self, way: Way, body: PlanarPose, spare_m: float | None) -> bool:
+        return spare_m is None or not self.room.hands_meet(self.scene, foreseen(way.steering, body), spare_m)

@@ -1,0 +1,22 @@
+"""A fast motion to and fro, which a brake finds hard before each of its turns."""
+
+import numpy as np
+
+from kinematics.balanced_timing import time_in_balance
+from kinematics.curves import RoundedPolyline
+from kinematics.free_coordinates import free_coordinates
+from kinematics.timing import Pace
+
+WAVING = Pace(0.7, 0.9)
+"""As fast as waving may be."""
+
+
+def swing(talos, stance, pace=WAVING):
+    """A raised hand goes to and fro: a trajectory."""
+    space = free_coordinates(talos, stance)
+    ends = np.repeat(space.from_q(talos.q_home)[None], 4, axis=0)
+    for joint, rad in (("arm_left_2_joint", 0.45), ("arm_left_3_joint", -0.35)):
+        ends[1::2, space.index(joint)] += rad
+        ends[2, space.index(joint)] -= rad
+    curve = RoundedPolyline(ends, space.weights, 0.06)
+    return time_in_balance(talos, space, stance, curve, pace)
