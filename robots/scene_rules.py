@@ -242,20 +242,20 @@ def _mannequin(person: Person) -> _Solid:
     return _Solid(f"person {person.name!r}", Cylinder(PERSON_RADIUS_M, PERSON_HEIGHT_M), pose)
 
 
-def _extent(shape: Shape, world_T_solid: Transform) -> float:
-    """Half of a solid's height in the world."""
-    z = world_T_solid[2, :3]
-    match shape:
+def _extents(solid: _Solid) -> NDArray[np.float64]:
+    """Half of what a solid takes along each axis of the world, shape (3,)."""
+    axes = solid.world_T_solid[:3, :3]
+    match solid.shape:
         case Box(size_m=size):
-            return float(0.5 * np.abs(z) @ np.asarray(size))
+            return np.asarray(0.5 * np.abs(axes) @ np.asarray(size))
         case Cylinder(radius_m=radius, height_m=height):
-            return float(0.5 * height * abs(z[2]) + radius * math.hypot(z[0], z[1]))
+            return np.asarray(0.5 * height * np.abs(axes[:, 2]) + radius * np.hypot(axes[:, 0], axes[:, 1]))
         case Ball(radius_m=radius):
-            return radius
+            return np.full(3, radius)
 
 
 def _lowest(solid: _Solid) -> float:
-    return float(solid.world_T_solid[2, 3]) - _extent(solid.shape, solid.world_T_solid)
+    return float(solid.world_T_solid[2, 3] - _extents(solid)[2])
 
 
 def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
@@ -263,7 +263,7 @@ def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
     low = _lowest(solid)
     gap = low
     for other in others:
-        top = float(other.world_T_solid[2, 3]) + _extent(other.shape, other.world_T_solid)
+        top = float(other.world_T_solid[2, 3] + _extents(other)[2])
         if top <= low + TOUCH_TOLERANCE_M and _above(solid.world_T_solid[:3, 3], other):
             gap = min(gap, low - top)
     return gap
@@ -283,20 +283,10 @@ def _above(point: NDArray[np.float64], solid: _Solid) -> bool:
 
 def _overlap(a: _Solid, b: _Solid) -> bool:
     """Tell whether two solids share room deeper than the tolerance."""
-    reach = _radius(a.shape) + _radius(b.shape)
-    if float(np.linalg.norm(a.world_T_solid[:3, 3] - b.world_T_solid[:3, 3])) > reach:
+    apart = np.abs(a.world_T_solid[:3, 3] - b.world_T_solid[:3, 3])
+    if np.any(apart > _extents(a) + _extents(b)):
         return False
     return _some_point_inside(a, b) or _some_point_inside(b, a)
-
-
-def _radius(shape: Shape) -> float:
-    match shape:
-        case Box(size_m=size):
-            return 0.5 * math.sqrt(sum(value * value for value in size))
-        case Cylinder(radius_m=radius, height_m=height):
-            return math.hypot(radius, 0.5 * height)
-        case Ball(radius_m=radius):
-            return radius
 
 
 def _some_point_inside(probe: _Solid, target: _Solid) -> bool:
