@@ -17,7 +17,8 @@ class Role(IntEnum):
     """Finger hulls. They fill the concave fingers, so that they would hold an object without friction;
     they touch furniture, persons and the robot, never objects."""
     PAD = 4
-    """Finger pads: the only part of the robot that grasps."""
+    """Finger pads: the only part of the robot that grasps. They fill the gap between two fingers of one side,
+    so the robot itself does not touch them: into that gap its thigh goes as far as the hulls let it."""
     FURNITURE = 5
     OBJECT = 6
     PERSON = 7
@@ -25,14 +26,14 @@ class Role(IntEnum):
     """Of a door or drawer: like an object, held by pads alone, but part of furniture."""
 
 
-_BODY_BIT, _FINGER_BIT, _WORLD_BIT, _OBJECT_BIT = 1, 2, 4, 8
+_BODY_BIT, _FINGER_BIT, _WORLD_BIT, _OBJECT_BIT, _PAD_BIT = 1, 2, 4, 8, 16
 
 CONTYPE: dict[Role, int] = {
     Role.NONE: 0,
     Role.FLOOR: _WORLD_BIT,
     Role.BODY: _BODY_BIT,
     Role.FINGER: _FINGER_BIT,
-    Role.PAD: _BODY_BIT,
+    Role.PAD: _PAD_BIT,
     Role.FURNITURE: _WORLD_BIT,
     Role.OBJECT: _OBJECT_BIT,
     Role.PERSON: _WORLD_BIT,
@@ -40,14 +41,14 @@ CONTYPE: dict[Role, int] = {
 }
 CONAFFINITY: dict[Role, int] = {
     Role.NONE: 0,
-    Role.FLOOR: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
+    Role.FLOOR: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT | _PAD_BIT,
     Role.BODY: _BODY_BIT | _FINGER_BIT,
     Role.FINGER: _FINGER_BIT,
-    Role.PAD: _BODY_BIT | _FINGER_BIT,
-    Role.FURNITURE: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
-    Role.OBJECT: _BODY_BIT | _OBJECT_BIT,
-    Role.PERSON: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT,
-    Role.HANDLE: _BODY_BIT | _OBJECT_BIT,
+    Role.PAD: _PAD_BIT,
+    Role.FURNITURE: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT | _PAD_BIT,
+    Role.OBJECT: _BODY_BIT | _OBJECT_BIT | _PAD_BIT,
+    Role.PERSON: _BODY_BIT | _FINGER_BIT | _OBJECT_BIT | _PAD_BIT,
+    Role.HANDLE: _BODY_BIT | _OBJECT_BIT | _PAD_BIT,
 }
 
 DRAWN_GROUP = 2

@@ -47,6 +47,16 @@ def test_finger_hulls_never_touch_objects_but_do_touch_furniture(physics):
     assert all(may_touch(physics, finger, table) for finger in fingers)
 
 
+def test_pads_which_fill_the_gap_between_two_fingers_never_touch_the_robot_itself(physics):
+    pads = np.flatnonzero(physics.geom_role == Role.PAD)
+    own = np.flatnonzero(np.isin(physics.geom_role, (Role.BODY, Role.FINGER)))
+
+    assert not any(may_touch(physics, pad, part) for pad in pads for part in own)
+    for role in (Role.FLOOR, Role.FURNITURE, Role.OBJECT):
+        for thing in np.flatnonzero(physics.geom_role == role):
+            assert all(may_touch(physics, pad, thing) for pad in pads)
+
+
 def test_every_other_link_with_a_shape_touches_objects_and_furniture(physics):
     cup, table = physics.geom_id("red cup"), physics.geom_id("table/top")
     body = np.flatnonzero(physics.geom_role == Role.BODY)
