@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
@@ -9,6 +11,7 @@ from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.leaves.choose_furniture import ChooseFurniture
+from trees.leaves.choose_outlook import ChooseOutlook
 from trees.leaves.choose_stand import ChooseStand
 from trees.leaves.know_place import KnowPlace
 from trees.leaves.ready_to_walk import ReadyToWalk
@@ -25,8 +28,9 @@ from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
 _VIEWPOINTS: tuple[Viewpoint, ...] = ("around", "back", "around", "around", "ahead", "around", "ahead")
-_FURNITURE_BEFORE, _FURNITURE = 5, 3
-"""Once the robot has turned around it goes to so much furniture that it saw, before it walks on at random."""
+_SEEN_BEFORE, _FURNITURE, _OUTLOOKS = 5, 3, 2
+"""Once the robot has turned around it goes to so much furniture that it saw, and beside so many tall things
+that hide what is behind them, before it walks on at random."""
 _NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
 
 
@@ -75,8 +79,9 @@ def find_place(toolbox: Toolbox) -> Behaviour:
     ]
     ways.append(RecallPlace("recall it", toolbox))
     for k, way in enumerate(_VIEWPOINTS, start=1):
-        if k == _FURNITURE_BEFORE:
+        if k == _SEEN_BEFORE:
             ways += [_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE + 1)]
+            ways += [_look_behind(toolbox, one) for one in range(1, _OUTLOOKS + 1)]
         ways.append(
             Sequence(
                 f"viewpoint {k}",
@@ -93,15 +98,30 @@ def find_place(toolbox: Toolbox) -> Behaviour:
 
 
 def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
-    there = {"place": "furniture"}
-    walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
     looks = [
         ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
-        ReadyToWalk("stand upright", toolbox),
-        with_room(toolbox, walk, WalkTo("walk", toolbox, wiring=there)),
+        *_going(toolbox, {"place": "furniture"}),
         search_place("look around", toolbox, everywhere(toolbox)),
     ]
     return Sequence(f"look on furniture {number}", memory=True, children=looks)
+
+
+def _look_behind(toolbox: Toolbox, number: int) -> Behaviour:
+    looks = [
+        ChooseOutlook("choose outlook", toolbox, {"hiding_before": "hiding"}),
+        *_going(toolbox, {"place": "hides", "stand": "outlook"}),
+        search_place("look around", toolbox, toolbox.policy.level_gazes),
+    ]
+    return Sequence(f"look behind {number}", memory=True, children=looks)
+
+
+def _going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
+    """Stand upright, and walk where some names of the walk's ports say."""
+    walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
+    return (
+        ReadyToWalk("stand upright", toolbox),
+        with_room(toolbox, walk, WalkTo("walk", toolbox, wiring=there)),
+    )
 
 
 def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
