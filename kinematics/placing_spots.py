@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,22 +15,39 @@ from kinematics.shapes import Box, Shape
 
 Array = NDArray[np.float64]
 
-# Left between an object's foot and the edge of the top, and between it and its neighbours: a perception
-# error of each, and a finger beside it.
-EDGE_M = 0.03
-GAP_M = 0.05
 # Neighbours farther than this are no hindrance to a hand.
 ROOM_M = 0.12
 ROOM_COST = 1.0
 GRID_M = 0.03
 # Two spots nearer than this are one choice.
 APART_M = 0.05
-# Beside something: the gaps that are tried, and the directions off the named one. Within 45 degrees it is
-# more in the named direction than in any other, and 5 are left for what perception errs.
-BESIDE_GAPS_M = (0.06, 0.09, 0.13, 0.17)
-BESIDE_TURNS_RAD = tuple(math.radians(a) for a in (0.0, 15.0, -15.0, 30.0, -30.0, 40.0, -40.0))
 MOST = 12
 _ON_TOP_M = 0.04
+
+
+@dataclass(frozen=True, slots=True)
+class _Room:
+    """What is left around an object's foot; less is tried where with more nothing is free.
+
+    Attributes:
+        edge_m: To the edge of the top.
+        gap_m: To its neighbours: a perception error of each, and a finger beside it.
+        beside_m: To what it goes beside, all that are tried.
+        off_rad: How far off the named direction is tried. Within 45 degrees it is more in that direction than
+            in any other.
+    """
+
+    edge_m: float
+    gap_m: float
+    beside_m: tuple[float, ...]
+    off_rad: float
+
+
+EDGE_M, GAP_M = 0.03, 0.05
+_ENOUGH = _Room(EDGE_M, GAP_M, (0.06, 0.09, 0.13, 0.17), math.radians(40.0))
+_TIGHT = _Room(0.01, 0.04, (0.045, 0.06, 0.09), math.radians(45.0))
+"""So near to an edge things stand as well, be they 1 cm beside where they were meant to be."""
+_TURN_RAD = math.radians(15.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,14 +86,14 @@ def spots_on(
         wish: Cost of a place, shape (3,).
         known: Whether all that stands about a place, shape (3,), is in the scene.
     """
-    if not isinstance(top.shape, Box):
-        return []
-    half = 0.5 * np.array(top.shape.size_m[:2]) - radius_m - EDGE_M
-    if np.any(half < 0.0):
-        return []
-    axes = [np.linspace(-h, h, max(1, int(2.0 * h / GRID_M)) + 1) for h in half]
-    places = [_on(top, x, y) for x in axes[0] for y in axes[1]]
-    return _chosen(places, top, scene, radius_m, wish, known)
+    for room in (_ENOUGH, _TIGHT):
+        half = _half_m(top, radius_m, room)
+        if np.all(half >= 0.0):
+            axes = [np.linspace(-h, h, max(1, int(2.0 * h / GRID_M)) + 1) for h in half]
+            places = [_on(top, x, y) for x in axes[0] for y in axes[1]]
+            if free := _free(places, top, scene, radius_m, room, wish):
+                return _chosen(free, known)
+    return []
 
 
 def spots_beside(
@@ -99,18 +116,45 @@ def spots_beside(
         wish: Further cost of a place, shape (3,).
         known: As for ``spots_on``.
     """
-    if not isinstance(top.shape, Box):
-        return []
+    for room in (_ENOUGH, _TIGHT):
+        costs = _costs_beside(other, radius_m, directions_rad, room)
+        if free := _free_beside(costs, top, scene, radius_m, room, wish):
+            return _chosen(free, known)
+    return []
+
+
+def _costs_beside(
+    other: SceneObject, radius_m: float, directions_rad: Sequence[float], room: _Room
+) -> dict[tuple[float, float], float]:
+    """Places beside an object, in the world, and how far each is from what was named."""
     centre = other.world_T_object[:2, 3]
     apart_m = footprint_radius_m(other.shape) + radius_m
     costs: dict[tuple[float, float], float] = {}
     for rank, direction in enumerate(directions_rad):
-        for gap in BESIDE_GAPS_M:
-            for turn in BESIDE_TURNS_RAD:
+        for gap in room.beside_m:
+            for turn in _turns_rad(room.off_rad):
                 way = np.array([math.cos(direction + turn), math.sin(direction + turn)])
                 x, y = (float(value) for value in centre + (apart_m + gap) * way)
-                costs[x, y] = 0.5 * rank + abs(turn) + 2.0 * (gap - BESIDE_GAPS_M[0])
-    half = 0.5 * np.array(top.shape.size_m[:2]) - radius_m - EDGE_M
+                costs[x, y] = 0.5 * rank + abs(turn) + 2.0 * (gap - room.beside_m[0])
+    return costs
+
+
+def _turns_rad(off_rad: float) -> list[float]:
+    """The named direction, then others to both sides of it, up to the last ones."""
+    to_a_side = [*np.arange(_TURN_RAD, off_rad, _TURN_RAD).tolist(), off_rad]
+    return [0.0, *(side * turn for turn in to_a_side for side in (1.0, -1.0))]
+
+
+def _free_beside(
+    costs: Mapping[tuple[float, float], float],
+    top: SceneObject,
+    scene: PlanningScene,
+    radius_m: float,
+    room: _Room,
+    wish: Callable[[Array], float],
+) -> list[FreeSpot]:
+    """Those of some places that are free and on a top; the cheapest first."""
+    half = _half_m(top, radius_m, room)
     places = []
     for x, y in costs:
         local = poses.inverse(top.world_T_object) @ np.array([x, y, 0.0, 1.0])
@@ -121,7 +165,13 @@ def spots_beside(
         nearest = min(costs, key=lambda xy: math.hypot(place[0] - xy[0], place[1] - xy[1]))
         return costs[nearest] + 0.3 * wish(place)
 
-    return _chosen(places, top, scene, radius_m, cost, known)
+    return _free(places, top, scene, radius_m, room, cost)
+
+
+def _half_m(top: SceneObject, radius_m: float, room: _Room) -> Array:
+    """How far from its middle a foot may be on a top, shape (2,); negative where it has no room."""
+    size_m = top.shape.size_m[:2] if isinstance(top.shape, Box) else (0.0, 0.0)
+    return np.asarray(0.5 * np.array(size_m) - radius_m - room.edge_m)
 
 
 def _on(top: SceneObject, x: float, y: float) -> Array:
@@ -129,23 +179,29 @@ def _on(top: SceneObject, x: float, y: float) -> Array:
     return np.asarray(place[:3])
 
 
-def _chosen(
+def _free(
     places: Iterable[Array],
     top: SceneObject,
     scene: PlanningScene,
     radius_m: float,
+    room: _Room,
     wish: Callable[[Array], float],
-    known: Callable[[Array], bool],
 ) -> list[FreeSpot]:
+    """Those of some places where nothing stands, the cheapest first."""
     height = float(top.world_T_object[2, 3]) + 0.5 * top.shape.height_m
     around = [item for item in scene.objects.values() if item.name != top.name and _stands_at(item, height)]
     listed = list(places)
     free = []
     for place, gap in zip(listed, _gaps_m(listed, around, radius_m), strict=True):
-        if gap >= GAP_M:
+        if gap >= room.gap_m:
             crowded = max(0.0, 1.0 - gap / ROOM_M)
             free.append(FreeSpot(place, wish(place) + ROOM_COST * crowded * 0.2))
     free.sort(key=lambda spot: (spot.cost, *spot.place_m.tolist()))
+    return free
+
+
+def _chosen(free: Iterable[FreeSpot], known: Callable[[Array], bool]) -> list[FreeSpot]:
+    """The first ones about which everything is known, some way apart."""
     chosen: list[FreeSpot] = []
     for spot in free:
         apart = all(math.dist(spot.place_m, other.place_m) >= APART_M for other in chosen)

@@ -43,6 +43,31 @@ def test_near_the_edge_it_goes_to_one_side_and_is_still_more_in_front_than_besid
     assert all(math.radians(30.0) < turned_away_rad(cup, place) < math.radians(45.0) for place in places)
 
 
+@pytest.mark.requirement("M3")
+def test_where_there_is_too_little_room_for_comfort_it_goes_as_near_to_the_edge_as_it_stands(make):
+    cup, places = in_front_of(make, 0.14)
+
+    assert places
+    for place in places:
+        assert place[0] - RADIUS_M >= 0.32 + 0.01 - 1e-9
+        assert (
+            np.linalg.norm(place[:2] - cup.world_T_object[:2, 3]) - RADIUS_M - cup.shape.radius_m
+            >= 0.045 - 1e-9
+        )
+        assert turned_away_rad(cup, place) <= math.radians(45.0) + 1e-9
+
+
+def test_a_tight_spot_is_not_taken_as_long_as_a_better_one_may_only_be_unseen(make):
+    table, cup = make.table(), make.cup(x=0.32 + 0.172)
+    scene = PlanningScene().with_objects([table, cup])
+
+    found = spots_beside(
+        cup, table, scene, RADIUS_M, [math.pi], nowhere_in_particular, known=lambda place: place[0] < 0.38
+    )
+
+    assert found == []
+
+
 def test_at_the_very_edge_nothing_goes_in_front(make):
     _, places = in_front_of(make, 0.08)
 
