@@ -235,7 +235,7 @@ def _at(
 ) -> list[BelievedThing]:
     """Those that are where they are said to be."""
     if isinstance(source, str):
-        kept = [thing for thing in fitting if thing.support is not None and _is_called(thing.support, source)]
+        kept = [thing for thing in fitting if thing.support is not None and is_called(thing.support, source)]
         where = f"on the {source}"
     else:
         references = _references(source, around, fitting)
@@ -250,7 +250,8 @@ def _at(
     return kept
 
 
-def _is_called(furniture: str, said: str) -> bool:
+def is_called(furniture: str, said: str) -> bool:
+    """Whether a name that the scene gave furniture is what somebody calls it."""
     return said.lower() in (furniture.lower(), kind_of(furniture).lower())
 
 

@@ -80,6 +80,8 @@ class TaskTree:
         """Let every running node do a little; does nothing after the end."""
         if self.status != "running":
             return
+        if self._ticks == 0:
+            self._toolbox.world.begin_task()
         self._ticks += 1
         try:
             for _ in self.root.tick():

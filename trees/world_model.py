@@ -22,11 +22,13 @@ class WorldModel:
     Leaves replace the scene; whoever kept an older one sees by its version that it is stale.
 
     Attributes:
-        sightings: The newest estimate of each thing by its name, for those that are still believed.
+        sightings: The newest estimate of each thing that was seen in this task, by its name, for those that
+            are still believed.
         glimpses: From where it was looked at, the newest last; what no look shows is unknown.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
         put_down: What a hand of this robot let go of, by its name, until a hand takes it up again: where a
             look has shown it since, else where the hand had it.
+        taken_from: What it stood on, of each thing in a hand, by the names of both.
         at_handle: A hand that is about the handle of a door or drawer; None once it has drawn back. A task
             that was cancelled leaves it there, and the next one has to let go first.
     """
@@ -37,12 +39,17 @@ class WorldModel:
         self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
+        self.taken_from: Mapping[str, str] = {}
         self.at_handle: HandAtHandle | None = None
 
     @property
     def scene(self) -> PlanningScene:
         """The current scene."""
         return self._scene
+
+    def begin_task(self) -> None:
+        """What was seen in another task is believed, and no more."""
+        self.sightings = {}
 
     def note_sightings(self, seen: Mapping[str, ObjectEstimate]) -> None:
         """Remember what a look saw, and forget what is no longer believed."""
@@ -63,6 +70,10 @@ class WorldModel:
         """Remember that a hand let go of something; the scene has it already."""
         self.put_down = {**self.put_down, name: self._scene.objects[name]}
 
+    def note_taken(self, name: str, support: str) -> None:
+        """Remember what a thing stood on before a hand took it; the scene has it in the hand already."""
+        self.taken_from = {**self.taken_from, name: support}
+
     def update(self, scene: PlanningScene) -> None:
         """Replace the scene by a newer one.
 
@@ -79,3 +90,4 @@ class WorldModel:
             for name, item in self.put_down.items()
             if name not in scene.attached
         }
+        self.taken_from = {name: on for name, on in self.taken_from.items() if name in scene.attached}

@@ -6,6 +6,7 @@ from py_trees.common import Status
 
 from kinematics import poses
 from kinematics.requests import Grasp
+from kinematics.support import support_of
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
@@ -33,9 +34,12 @@ class Attach(Leaf):
         tcp_T_object = poses.inverse(world_T_tcp) @ target.odom_T_object
         tcp_T_object[1, 3] = 0.0  # the closing fingers have centred it along the opening
         world = self.toolbox.world
+        support = support_of(world.scene.objects[target.name], world.scene, self.toolbox.policy.support_gap_m)
         world.update(
             world.scene.with_attached(target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         )
+        if support is not None:
+            world.note_taken(target.name, support.name)
         scene = world.scene.allowing((min(pair), max(pair)) for pair in lift.scene.allowed)
         self._set_output("held_lift", Step(lift.name, lift.trajectory, scene, world.scene.version))
         return DONE

@@ -132,6 +132,7 @@ class Detect(LookLeaf):
                     choices=CHOICES_JOINED_BY.join(choice.words for choice in choices),
                     objects=CHOICES_JOINED_BY.join(choice.name for choice in choices),
                     count=len(choices),
+                    unseen=sum(choice.name not in world.sightings for choice in choices),
                 )
             case Found(names):
                 return self._target(names, seen)
@@ -172,6 +173,11 @@ class Detect(LookLeaf):
 def wants_survey(failure: Failure) -> bool:
     """Tell whether a look failed only because others are needed to compare."""
     return bool(failure.root.numbers.get("survey"))
+
+
+def is_sure(failure: Failure) -> bool:
+    """Tell whether this task has seen everything that it asks about: the rest may be gone by now."""
+    return not failure.root.numbers.get("unseen")
 
 
 def lost(failure: Failure) -> bool:

@@ -7,11 +7,12 @@ from py_trees.common import Status
 from trees.contract import Contract
 from trees.failures import Failure, Number
 from trees.free_hand import free_hands
+from trees.grounding import is_called
 from trees.held import HeldObject, fits, held_objects, lost
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.ports import ports
 from trees.steps import Target
-from trees.tasks import ObjectDescription, PickTask
+from trees.tasks import Destination, ObjectDescription, PickTask
 
 
 class HandForIt(Leaf):
@@ -19,8 +20,8 @@ class HandForIt(Leaf):
 
     It fails at once, as infeasible, when it is in the other hand than the one that was named, and when
     there is something else to be picked up and no hand is free for it. A description that compares
-    things ("the other cup"), or says where it is, means nothing that is held; one that also fits
-    something that stands about means that.
+    things ("the other cup") means nothing that is held; one that says where it is means what was taken from
+    there, as after a pick that was cancelled; one that also fits something that stands about means that.
     """
 
     INPUT_PORTS = ports(task=PickTask)
@@ -60,14 +61,20 @@ class HandForIt(Leaf):
     def _meant(self, task: PickTask) -> HeldObject | None:
         """What is held and meant, or None."""
         wanted = task.object
-        if not isinstance(wanted, ObjectDescription) or task.source is not None or task.count != 1:
+        if not isinstance(wanted, ObjectDescription) or task.count != 1:
             return None
         if wanted.ordinal is not None or wanted.relation is not None or wanted.size is not None:
             return None
-        held = held_objects(self.toolbox, wanted)
+        held = [one for one in held_objects(self.toolbox, wanted) if self._is_from(one, task.source)]
         scene = self.toolbox.world.scene
         about = [item.name for item in scene.objects.values() if item.movable and fits(item.name, wanted)]
         return held[0] if held and not about else None
+
+    def _is_from(self, held: HeldObject, source: Destination | None) -> bool:
+        """Whether it was taken from where what is meant is said to be."""
+        support = self.toolbox.world.taken_from.get(held.name)
+        named = isinstance(source, str) and support is not None and is_called(support, source)
+        return source is None or named
 
     def _told(self, held: HeldObject) -> Status:
         gripper = self.toolbox.model.description.grippers[held.hand]

@@ -10,7 +10,7 @@ from py_trees.composites import Sequence
 from kinematics.robot_description import HANDS
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure
-from trees.leaves.detect import Detect, Part, lost, wants_survey
+from trees.leaves.detect import Detect, Part, is_sure, lost, wants_survey
 from trees.leaves.go_home import GoHome
 from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
@@ -50,7 +50,7 @@ def search_from_home_too(toolbox: Toolbox) -> Alternatives:
     from_here = search("search", toolbox)
     again: list[Behaviour] = [GoHome("go home", toolbox), search("search", toolbox)]
     from_home = Sequence("look from home", memory=True, children=again)
-    ways = Alternatives("look", [from_here, from_home], looking_elsewhere_is_useless, unless_at_home)
+    ways = Alternatives("look", [from_here, from_home], looking_from_home_is_useless, unless_at_home)
     ways.transparent = True
     return ways
 
@@ -72,6 +72,11 @@ def _arms_at_home(toolbox: Toolbox) -> bool:
 def _look(gaze: Gaze, toolbox: Toolbox, part: Part) -> Behaviour:
     children: list[Behaviour] = [LookAt("look", toolbox, gaze), Detect("detect", toolbox, part=part)]
     return Sequence(f"look {gaze.name}", memory=True, children=children)
+
+
+def looking_from_home_is_useless(failure: Failure) -> bool:
+    """The same, unless arms may have hidden that one of the several is not there any more."""
+    return looking_elsewhere_is_useless(failure) and (defect(failure) or is_sure(failure))
 
 
 def looking_elsewhere_is_useless(failure: Failure) -> bool:

@@ -42,6 +42,19 @@ def test_what_was_asked_for_and_is_held_already_is_done_at_once(stage, hand):
     assert len(stage.fake.motion.started) == moved
 
 
+def test_what_is_asked_for_where_it_was_taken_from_is_what_the_hand_holds(stage):
+    tree = run(stage, PickTask("pick up the red cup on the table", RED_CUP, source="table"))
+
+    assert tree.status == "success"
+    assert tree.evidence["already_held"]
+
+
+def test_what_is_asked_for_elsewhere_is_not_what_the_hand_holds(stage):
+    tree = run(stage, PickTask("pick up the red cup on the shelf", RED_CUP, source="shelf"))
+
+    assert tree.status == "failure"
+
+
 def test_what_the_other_hand_holds_is_told_at_once_and_nothing_moves(stage):
     began_s, moved = stage.fake.clock.now_s(), len(stage.fake.motion.started)
 
