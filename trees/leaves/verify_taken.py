@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from py_trees.common import Status
 
+from kinematics.shapes import Ball
 from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
@@ -16,24 +17,28 @@ from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
+from trees.steps import Placement
 
 # Lower than this above the floor, and nobody holds it.
 _DROPPED_BELOW_M = 0.4
 # Nearer than this to the empty hand, it lies on the fingers.
 _ON_THE_HAND_M = 0.10
+# What stands upright so far beside where it was let go did not fall there.
+_CARRIED_M = 0.25
 
 
 class VerifyTaken(LookAround):
-    """What was given is seen in the air, away from the hand.
+    """What was given is seen in the air, away from the hand, or stands far from where it was let go.
 
-    Nothing hangs in the air by itself: the person has it, however far the person's arm reaches.
+    Nothing hangs in the air by itself: the person has it, however far the person's arm reaches. A person who
+    holds it just above a table, or has put it there, has taken it as well.
     """
 
-    INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place)
+    INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place, placement=Placement)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand was opened while the person pulled, and drawn back since",
-        postcondition="the object was seen where nothing but a person carries it; the gripper is empty",
+        postcondition="the object was seen where only a person carries it, or has; the gripper is empty",
         deadline_s=2.0,
     )
 
@@ -57,9 +62,15 @@ class VerifyTaken(LookAround):
             if from_hand_m < _ON_THE_HAND_M:
                 return Failure.postcondition(f"the {held.name} is still at the {held.hand} hand")
             stands_on = support_of(scene.objects[name], scene, policy.support_gap_m)
-            if stands_on is not None or height_m < _DROPPED_BELOW_M:
+            if (stands_on is not None and not self._carried(item)) or height_m < _DROPPED_BELOW_M:
                 where = "" if stands_on is None else f" onto the {stands_on.name}"
                 return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
             self.feedback_message = f"seen {height_m:.2f} m above the floor"
             return DONE
         return Failure.postcondition(f"the {held.name} was let go, and is not seen with {person}")
+
+    def _carried(self, item: ObjectEstimate) -> bool:
+        """Whether it stands where it cannot have fallen."""
+        let_go = self.get_input("placement").odom_T_object[:2, 3]
+        far = float(np.hypot(*(item.odom_T_object[:2, 3] - let_go))) >= _CARRIED_M
+        return far and not item.lying and not isinstance(item.shape, Ball)

@@ -548,6 +548,21 @@ def test_a_dropped_gift_is_not_claimed(stage_with):
     assert "the red cup was dropped onto the table" in tree.failure.message
 
 
+@pytest.mark.parametrize(("far_m", "status"), [(0.35, "success"), (0.12, "failure")])
+def test_what_was_carried_away_and_stands_there_was_taken(stage_with, far_m, status):
+    def put_aside():
+        stage.fake.world.drop("red cup")
+        stage.fake.world.move("red cup", (0.0, far_m, 0.0))
+
+    stage = stage_with(table(), cup(), ANA)
+    stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
+    stage.when("let it go", put_aside)
+
+    tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
+
+    assert tree.status == status
+
+
 def test_a_gift_that_is_nowhere_to_be_seen_is_not_claimed(stage_with):
     stage = stage_with(table(), cup(), ANA)
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
