@@ -21,8 +21,9 @@ Array = NDArray[np.float64]
 # reaches in by 4 cm at most.
 AROUND_M = 0.10
 _DIRECTIONS = 8
-# The hand comes from the robot's side.
+# The hand comes from the robot's side, its wrist so far behind and straight or slanting.
 _TOWARDS_ROBOT_M = 0.20
+_SLANTING_RAD = (0.0, 0.7, -0.7)
 # What stands on a top is seen a little above it.
 ABOVE_M = 0.05
 
@@ -66,7 +67,7 @@ def _about(place: Array, radius_m: float, top: SceneObject, odom_T_base: Transfo
     way = odom_T_base[:2, 3] - middle[:2]
     heading = math.atan2(way[1], way[0])
     around = [(radius_m + AROUND_M, 2.0 * math.pi * k / _DIRECTIONS) for k in range(_DIRECTIONS)]
-    for far_m, turn in (*around, (_TOWARDS_ROBOT_M, 0.0)):
+    for far_m, turn in (*around, *((_TOWARDS_ROBOT_M, turn) for turn in _SLANTING_RAD)):
         offset = far_m * np.array([math.cos(heading + turn), math.sin(heading + turn), 0.0])
         if is_over(top, middle + offset):
             yield middle + offset

@@ -42,6 +42,13 @@ def test_two_looks_that_each_show_one_half_make_a_place_known(camera):
     assert looked(camera, (0.5, 0.25), (0.5, -0.25))(PLACE)
 
 
+def test_a_place_is_not_known_where_the_wrist_of_a_slanting_hand_comes_over_what_was_not_seen(camera):
+    # what is about the spot is in the picture, and so is what is straight before it
+    aslant = poses.transform(poses.rotation_z(0.4) @ DOWN, (0.49, -0.16, 1.5))
+
+    assert not SightOfTops((Glimpse(aslant, ()),), camera, 0.10).about(TOP, 0.03, np.eye(4))(PLACE)
+
+
 def test_a_place_behind_a_hand_is_not_known(camera):
     assert not looked(camera, (0.5, 0.0), in_the_way=[(0.57, 0.0, 1.1)])(PLACE)
 

@@ -552,7 +552,7 @@ def test_a_dropped_gift_is_not_claimed(stage_with):
 def test_what_was_carried_away_and_stands_there_was_taken(stage_with, far_m, status):
     def put_aside():
         stage.fake.world.drop("red cup")
-        stage.fake.world.move("red cup", (0.0, far_m, 0.0))
+        stage.fake.world.move("red cup", (far_m, 0.0, 0.0))
 
     stage = stage_with(table(), cup(), ANA)
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
