@@ -25,8 +25,8 @@ _SPARE_M = 0.02
 """Left beside the body, at the least, wherever it walks."""
 BESIDE_HANDS_M = 0.06
 """Left beside an empty hand on a walk, where there is a choice."""
-_OUTLINE_M = 0.08
-"""Between two points of an outline; the room beside the hands is more than half of it."""
+_OUTLINE_M = 0.02
+"""Between two points of an outline: no edge of a door fits between them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +182,7 @@ class WalkingRoom:
         x = middles[:, :1] + np.outer(c, outline[:, 0]) - np.outer(s, outline[:, 1])
         y = middles[:, 1:] + np.outer(s, outline[:, 0]) + np.outer(c, outline[:, 1])
         points = np.column_stack([x.ravel(), y.ravel()])
-        return any(float(obstacle.distance_m(points).min()) < spare_m for obstacle in beside)
+        return any(float(obstacle.distance_m(points).min()) <= spare_m for obstacle in beside)
 
     def hands_turn(self, scene: PlanningScene, body: PlanarPose, spare_m: float = 0.0) -> bool:
         """Whether the hands have room to turn on the spot at a place.

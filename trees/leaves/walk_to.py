@@ -35,7 +35,9 @@ _APPROACH_M = 0.45
 """The last stretch to furniture is straight ahead and so long."""
 _BACK_M_S = 0.25
 _BEYOND_M = 0.1
-"""A step back goes so much farther than turning needs."""
+"""A step back goes so much farther than turning needs,"""
+_BACK_SHARES = (1.0, 0.67, 0.33)
+"""or not so far, where there is something behind as well."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
@@ -158,16 +160,26 @@ class WalkTo(WalkingLeaf):
         scene, room = toolbox.world.scene, walking_room(toolbox, settings)
         obstacles = room.footprints(scene)
         self._look(obstacles)
-        lack_m = room.tightest(scene, body, at_ease=True).lack_m
-        if lack_m > 0.0 and not self._backing:
-            back_m = lack_m + _BEYOND_M
-            back = StretchSteering(settings, body, -_BACK_M_S, back_m)
-            roomier = room.tightest(scene, body @ PlanarPose(-back_m), at_ease=True).lack_m < lack_m
-            if roomier and not room.hands_meet(scene, foreseen(back, body)):
-                self._backing = True
-                return back
-        self._backing = False
+        self._backing = not self._backing and (back := self._step_back(settings, room, body)) is not None
+        if self._backing:
+            return back
         return self._way(settings, room, body, obstacles)
+
+    def _step_back(
+        self, settings: WalkingSettings, room: WalkingRoom, body: PlanarPose
+    ) -> StretchSteering | None:
+        """Straight back to where there is most room to turn; None where there is enough, or none behind."""
+        scene = self.toolbox.world.scene
+        lack_m = room.tightest(scene, body, at_ease=True).lack_m
+        best: StretchSteering | None = None
+        least_m = lack_m
+        for share in _BACK_SHARES if lack_m > 0.0 else ():
+            back_m = share * (lack_m + _BEYOND_M)
+            back = StretchSteering(settings, body, -_BACK_M_S, back_m)
+            left_m = room.tightest(scene, body @ PlanarPose(-back_m), at_ease=True).lack_m
+            if max(left_m, 0.0) < least_m and not room.hands_meet(scene, foreseen(back, body)):
+                best, least_m = back, max(left_m, 0.0)
+        return best
 
     def _way(
         self,

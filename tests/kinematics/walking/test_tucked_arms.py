@@ -103,6 +103,14 @@ def test_only_what_a_hand_comes_by_is_in_its_way():
     assert not HOME.hands_meet(PlanningScene(), turn_by(-1.2))
 
 
+@pytest.mark.parametrize("x_m", [0.01 * k for k in range(-8, 9)])
+def test_the_edge_of_a_thin_door_does_not_slip_between_two_points_of_the_outline(x_m):
+    edge = SceneObject("door", Box((0.03, 0.5, 1.6)), poses.translation(x_m, 0.68, 0.8), movable=False)
+    scene = PlanningScene().with_objects([edge])
+
+    assert TUCKED.hands_meet(scene, [PlanarPose()], 0.0)
+
+
 def test_a_walk_that_is_foreseen_ends_where_it_is_to_end():
     goal = PlanarPose(1.5, 1.0, 2.5)
 

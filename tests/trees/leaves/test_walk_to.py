@@ -115,3 +115,19 @@ def test_the_robot_steps_back_to_turn_only_where_its_hands_come_to_nothing(stage
     stage.tick(leaf)
 
     assert isinstance(feet.asked[0], StretchSteering) is back
+
+
+def test_with_something_behind_as_well_the_robot_steps_back_to_the_middle(stage):
+    ahead = SceneObject("table", Box((0.4, 0.4, 0.8)), poses.translation(0.6, 0.0, 0.4), movable=False)
+    behind = SceneObject("chair", Box((0.4, 0.4, 0.8)), poses.translation(-0.85, 0.0, 0.4), movable=False)
+    stage.told.update(stage.told.scene.with_objects([ahead, behind]))
+    feet = FeetThatSetOut()
+    aim = Box((0.4, 0.4, 0.9))
+    place = Place("counter", "furniture", aim, poses.translation(0.0, 3.0, 0.45), 0.9)
+    leaf = WalkTo("walk", dataclasses.replace(stage.toolbox, walking=feet, ranging=None))
+    stage.ready(leaf, place=place)
+    stage.tick(leaf)
+
+    (back,) = feet.asked
+    assert isinstance(back, StretchSteering)
+    assert 0.05 < back.distance_m < 0.2
