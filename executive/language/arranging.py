@@ -207,6 +207,8 @@ def _kind(where: Where) -> RelationKind:
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     for where in said:
+        if where.left_by is not None:
+            result = replace(result, object=replace(result.object, owner=where.left_by))
         if (
             where.of.sort in ("me", "name", "you")
             and where.preposition in ("on", "in", "at")

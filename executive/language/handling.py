@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -16,6 +17,7 @@ from executive.language.arranging import (
     trouble,
     unfit,
 )
+from executive.language.genders import may_be
 from executive.language.handled_thing import (
     ASKER,
     PREVIOUS,
@@ -36,6 +38,7 @@ from executive.language.phrases import (
     Nominal,
     Pair,
     Relative,
+    Trouble,
     Where,
     draft,
 )
@@ -76,12 +79,18 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 _TAKES = frozenset({"take", "taking"})
 """Verbs of which "take it there" is to carry it."""
 
+_FETCHES = frozenset({"grab", "go grab", "grabbing"})
+"""Verbs that are "to fetch" as well, where it is said for whom."""
+
 
 def _pick(parts: Parts) -> Clause:
     taken = any(word.said in _TAKES for word in words(parts, "PICK"))
     carried = [one for one in arranged(parts) if taken and one.goal is not None and one.object.reference]
     each = [one if one in carried else found_there(one) for one in arranged(parts)]
+    fetches = any(word.said in _FETCHES for word in words(parts, "PICK"))
     for one in each:
+        if fetches and one.person is not None and one.person.sort == "me":
+            raise unfit()  # "grab it for me" is to be brought, as "get it for me" is
         if one.goal is not None or one.back:
             raise unfit()
         if one.person is not None and one.person.sort != "me":
@@ -221,6 +230,27 @@ def _pair(parts: Parts) -> Pair | None:
     return Pair(person, item)
 
 
+def _own_pair(parts: Parts) -> Pair | Trouble | None:
+    """A thing for whom it belongs to: "Ana her cup"."""
+    (owns,) = words(parts, "WHOSE")
+    made = _pair(tuple(part for part in parts if part is not owns))
+    if made is None:
+        return None
+    of = made.item.of
+    if of.determined or of.reference or of.anaphoric or of.kind is None or of.name is not None:
+        return None
+    known = made.person.sort in ("name", "person") and not made.person.reference
+    if not known or not may_be("him" if owns.meaning == "his" else owns.meaning, made.person):
+        return Trouble(f"{owns.said!r}: whose it is cannot be told", owns.said)
+    if of.kind in ("glass", "glasses"):
+        if not of.plural:
+            return None
+        of = replace(of, kind="glasses", plural=False, paired=True)  # those to see with
+    name = f"{made.person.said or made.person.kind}'s {of.kind}"
+    own = replace(of, name=name, determined=True, owner=made.person)
+    return Pair(made.person, replace(made.item, of=own))
+
+
 _PASSES = frozenset({"pass", "passing"})
 """Verbs that mean to whoever speaks, unless somebody else is named: "pass the salt"."""
 
@@ -300,5 +330,5 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {"pair": _pair, **{name: guarded(meaning) for name, meaning in _COMMANDS.items()}}
+    {"pair": _pair, "own_pair": _own_pair, **{name: guarded(meaning) for name, meaning in _COMMANDS.items()}}
 )

@@ -65,7 +65,7 @@ def _filled(parts: Parts) -> Nominal | None:
 
 
 def _door_of(parts: Parts) -> Nominal | None:
-    of, door = parts
+    (door,), (of,) = words(parts, "DOOR"), words(parts, "CONTAINER", "ROOM", "WHICH_DOOR")
     if of.word_class == "CONTAINER" and door.meaning != "door":
         return None
     if of.word_class == "CONTAINER":

@@ -165,6 +165,7 @@ class Where:
         relation: Kind of the relation, such as "left_of".
         of: The place, or what the relation is to.
         atop: Whether it was said to be on top of it.
+        left_by: Who left the thing there, who may be meant by "her" after it.
     """
 
     role: Role
@@ -172,6 +173,7 @@ class Where:
     preposition: Preposition | None = None
     relation: RelationKind | None = None
     atop: bool = False
+    left_by: Nominal | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
@@ -159,11 +159,22 @@ def _put_it(parts: Parts) -> Clause:
     return _put(with_it(parts))
 
 
+def _door_to_a_room(one: Arranged) -> Arranged:
+    """Read "the door to the kitchen" as the kitchen door: what is opened goes nowhere."""
+    door, goal = one.object, one.goal
+    if door.sort != "door" or goal is None or goal.preposition != "to" or goal.of.sort != "room":
+        return one
+    if door.name is not None or not goal.of.is_plain:
+        return one
+    return replace(one, object=replace(door, name=f"{goal.of.kind} {door.kind}"), goal=None)
+
+
 def _opened(action: str) -> Callable[[Parts], Clause]:
     def meaning(parts: Parts) -> Clause:
         bundles = []
         each = arranged(parts, has_source=False)
         for one in each:
+            one = _door_to_a_room(one)
             nominal = one.object
             if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
                 raise unfit()

@@ -82,7 +82,9 @@ def _before(lattice: Lattice, start: int) -> int:
             start -= 1
             continue
         word = _correction(lattice, start - 1)
-        if word is None or word.end != start or start < 2 or not is_mark(lattice, start - 2):
+        if word is None or word.end != start:
             break
+        if word.meaning != DENIES and (start < 2 or not is_mark(lattice, start - 2)):
+            break  # "go there and wait, I mean ..." waits
         start -= 1
     return start

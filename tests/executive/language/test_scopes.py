@@ -64,8 +64,6 @@ def test_what_may_lean_on_something_else_is_asked_about(sentence):
 @pytest.mark.parametrize(
     "sentence",
     [
-        "pick up the cup with the left hand and the bottle with the right. Bring me the plate.",
-        "pick up the bottle with the right, wave to Ana",
         "give the bowl to Ana, no, give me the cup",
         "put the spoon in the drawer, forget that, put the red cup down",
         "fetch a blanket for Ana, I mean grab the red cup",
