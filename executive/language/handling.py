@@ -20,7 +20,9 @@ from executive.language.arranging import (
 from executive.language.genders import may_be
 from executive.language.handled_thing import (
     ASKER,
+    BIN,
     PREVIOUS,
+    TRASH,
     count_of,
     has_clear_place,
     only_for,
@@ -64,6 +66,8 @@ _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
 
 def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
     nominal = thing(one, doing)
+    if one.source is not None and one.source.said == TRASH:
+        raise trouble("is it in the bin, or shall it go there?", asks=True)
     if fetched:
         has_clear_place(one)
     return draft(
@@ -91,14 +95,29 @@ def _pick(parts: Parts) -> Clause:
     for one in each:
         if fetches and one.person is not None and one.person.sort == "me":
             raise unfit()  # "grab it for me" is to be brought, as "get it for me" is
-        if one.goal is not None or one.back:
+        if one.back or (one.goal is not None and (taken or not _goes_onto(one.goal))):
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
-    bundles = [(_pick_bundle(one),) for one in each]
+    bundles = [(_lifted(one),) for one in each]
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)
+
+
+def _goes_onto(goal: Where) -> bool:
+    """Whether "onto" or "into" says where a thing goes that is lifted, so that it is put there.
+
+    To a room it is carried, and "in the trash" may be where it is.
+    """
+    put = goal.role == "to" and goal.relation is None and goal.preposition in ("on", "in")
+    return put and goal.of.reference is None and goal.of.sort != "room" and goal.of != BIN
+
+
+def _lifted(one: Arranged) -> Any:
+    if one.goal is None or not _goes_onto(one.goal):
+        return _pick_bundle(one)
+    return put_draft(thing(one, "moving"), one.goal, one.source, one.hand)
 
 
 def _get_out(parts: Parts) -> Clause:
@@ -109,9 +128,12 @@ def _get_out(parts: Parts) -> Clause:
 
 def _fetch(parts: Parts) -> Clause:
     each = arranged(parts)
-    bundles = []
+    bundles: list[Bundle] = []
     for one in each:
         person = one.person
+        if one.goal is not None and _goes_onto(one.goal) and person is None:
+            bundles.append((_lifted(one),))
+            continue
         if one.goal is not None:
             if one.goal.relation is not None or not (
                 one.goal.of.is_person or one.goal.of.reference == "here"

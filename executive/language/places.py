@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from executive.language.features import ROBOT
-from executive.language.handled_thing import BIN
+from executive.language.handled_thing import BIN, TRASH
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
@@ -109,8 +109,8 @@ def _qualified(parts: Parts) -> Nominal | Trouble | None:
     return nominal.placed(relation)
 
 
-def _trash(_parts: Parts) -> Where:
-    return Where("to", BIN, "in")
+def _trash(parts: Parts) -> Where:
+    return Where("either" if words(parts, "IN") else "to", replace(BIN, said=TRASH), "in")
 
 
 def _here(_parts: Parts) -> Where:
