@@ -121,6 +121,12 @@ def _there(_parts: Parts) -> Where:
     return Where("to", Nominal("any", reference="there"), "at")
 
 
+def _located_first(parts: Parts) -> Where | None:
+    """A place before the command: "in the kitchen, take the cup"."""
+    place = parts[-1]
+    return Where("is", place, "in") if isinstance(place, Nominal) and place.is_place else None
+
+
 def _from_there(_parts: Parts) -> Where:
     return Where("from", Nominal("any", reference="there"), "at")
 
@@ -161,14 +167,24 @@ def _measure(of: Quantity) -> Meaning:
     return meaning
 
 
+def _distances(parts: Parts) -> Measure | None:
+    """One meter twenty centimeters."""
+    return _larger_first("distance", "LENGTH", parts)
+
+
 def _durations(parts: Parts) -> Measure | None:
     """One minute and thirty seconds: the larger unit first."""
+    return _larger_first("duration", "TIME", parts)
+
+
+def _larger_first(of: Quantity, unit_class: str, parts: Parts) -> Measure | None:
     numbers = [part for part in parts if isinstance(part, float)]
-    units = [float(word.meaning) for word in words(parts, "TIME")]
-    if len(numbers) != 2 or units[0] <= units[1]:
+    units = [float(word.meaning) for word in words(parts, unit_class)]
+    joined = all(word.said in ("and", "&") for word in words(parts, "AND"))
+    if len(numbers) != 2 or units[0] <= units[1] or not joined:
         return None
     total = sum(number * unit for number, unit in zip(numbers, units, strict=True))
-    return Measure("duration", total, f"{total:g}")
+    return Measure(of, total, f"{total:g}")
 
 
 def _and_a_half(of: Quantity, unit_class: str) -> Meaning:
@@ -253,6 +269,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "benefit": _benefit,
         "duration": _measure("duration"),
         "durations": _durations,
+        "distances": _distances,
+        "located_first": _located_first,
         "duration_and_a_half": _and_a_half("duration", "TIME"),
         "distance_and_a_half": _and_a_half("distance", "LENGTH"),
         "distance": _measure("distance"),

@@ -34,3 +34,12 @@ def test_three_quarters_of_a_meter_are_75_cm():
 
 def test_a_distance_may_stand_before_its_direction():
     assert tasks_of("walk 2 m forward and 1 m backward") == tasks_of("walk forward 2 m, walk backward 1 m")
+
+
+def test_the_smaller_unit_of_a_length_is_added():
+    assert tasks_of("walk forward 1 m 20 cm")[0]["distance_m"] == 1.2
+    assert tasks_of("walk forward 20 cm 1 m") == []
+
+
+def test_a_turn_is_made_by_its_degrees():
+    assert tasks_of("make a 90-degree turn to the right") == tasks_of("turn right 90 degrees") != []
