@@ -79,6 +79,8 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
+    if nominal.plural and nominal.said == nominal.kind:
+        return None  # "the fish" is one, "two fish" are two
     if nominal.ordinal in COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
     whose = next((word.said for word in words(parts, "DET") if word.said in _WHOSE), "")
