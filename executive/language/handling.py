@@ -121,7 +121,7 @@ def _lifted(one: Arranged) -> Any:
 
 
 def _get_out(parts: Parts) -> Clause:
-    if words(parts, "OUT")[0].said != "out":
+    if words(parts, "OUT")[0].said not in ("out", "down"):
         raise unfit()
     return _pick(parts)
 
