@@ -91,3 +91,10 @@ def test_a_meter_and_a_half_is_one_and_a_half():
     (task,) = parse("move forward a meter and a half").to_json()["tasks"]
 
     assert task["distance_m"] == 1.5
+
+
+@pytest.mark.parametrize("joined", ["and", "&", "n"])
+def test_and_reaches_as_far_however_it_is_written(joined):
+    said = parse(f"go to the kitchen {joined} wave after opening the fridge")
+
+    assert said.question is not None

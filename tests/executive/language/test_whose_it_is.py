@@ -56,3 +56,10 @@ def test_one_of_two_doors_of_something_is_not_the_thing():
 
 def test_the_door_to_a_room_is_the_door_of_the_room():
     assert tasks_of("open the door to the garden") == tasks_of("open the garden door") != []
+
+
+def test_a_statement_of_what_somebody_has_can_be_told():
+    assert tasks_of("tell Ana her tea is ready") == [
+        {"action": "say", "text": "her tea is ready", "person": "Ana"}
+    ]
+    assert tasks_of("tell Ana her name") == []
