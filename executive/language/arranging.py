@@ -124,7 +124,7 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
     loose = tuple(part for part in parts if isinstance(part, (Where, Hand, Benefit)) or part == "back")
     if not items:
         raise unfit()
-    items[-1] = Item(items[-1].of, (*items[-1].details, *loose))
+    items[-1] = replace(items[-1], details=(*items[-1].details, *loose))
     each = [_arrange(item, goes=goes, has_source=has_source) for item in items]
     for index in reversed(range(len(items) - 1)):  # what is said of a thing holds for those before it
         one, following = each[index], each[index + 1]
@@ -132,6 +132,9 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
             each[index] = replace(following, object=one.object)
         elif one.goal is None and following.goal is not None:
             each[index] = replace(one, goal=following.goal)
+    for index in range(1, len(items)):
+        if items[index].too and not items[index].details:
+            each[index] = replace(each[index], goal=each[index - 1].goal)
     return each
 
 
@@ -207,6 +210,8 @@ def _kind(where: Where) -> RelationKind:
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     for where in said:
+        if where.left_by is not None:
+            result = replace(result, object=replace(result.object, owner=where.left_by))
         if (
             where.of.sort in ("me", "name", "you")
             and where.preposition in ("on", "in", "at")

@@ -224,9 +224,15 @@ def _count(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
+def _what_is_inside(part: Any) -> Any:
+    """A place "inside" of what was named before, where something is, rather than goes."""
+    inside = isinstance(part, Where) and part.of.reference == "it" and part.role == "to"
+    return replace(part, role="is") if inside else part
+
+
 def _describe_scene(parts: Parts) -> Clause:
     nothing = Nominal("any", plural=True)
-    loose = tuple(part for part in parts if not isinstance(part, Word))
+    loose = tuple(_what_is_inside(part) for part in parts if not isinstance(part, Word))
     (one,) = arranged((Item(nothing, loose),))
     for_another = one.person is not None and one.person.sort != "me"
     if one.goal is not None or one.hand is not None or one.back or for_another:

@@ -20,6 +20,9 @@ BACK = Nominal("any", reference="there", name="back")
 BIN = Nominal("container", "bin")
 """Where things are thrown away."""
 
+TRASH = "trash"
+"""A word for the bin that says where a thing goes, or is: "the can in the trash"."""
+
 
 def thing(one: Arranged, doing: str) -> Nominal:
     """The object, if it is something that a hand can take."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -16,9 +17,12 @@ from executive.language.arranging import (
     trouble,
     unfit,
 )
+from executive.language.genders import may_be
 from executive.language.handled_thing import (
     ASKER,
+    BIN,
     PREVIOUS,
+    TRASH,
     count_of,
     has_clear_place,
     only_for,
@@ -36,6 +40,7 @@ from executive.language.phrases import (
     Nominal,
     Pair,
     Relative,
+    Trouble,
     Where,
     draft,
 )
@@ -61,6 +66,8 @@ _CHILDREN = frozenset({"child", "baby", "boy", "girl"})
 
 def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
     nominal = thing(one, doing)
+    if one.source is not None and one.source.said == TRASH:
+        raise trouble("is it in the bin, or shall it go there?", asks=True)
     if fetched:
         has_clear_place(one)
     return draft(
@@ -76,33 +83,57 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 _TAKES = frozenset({"take", "taking"})
 """Verbs of which "take it there" is to carry it."""
 
+_FETCHES = frozenset({"grab", "go grab", "grabbing"})
+"""Verbs that are "to fetch" as well, where it is said for whom."""
+
 
 def _pick(parts: Parts) -> Clause:
     taken = any(word.said in _TAKES for word in words(parts, "PICK"))
     carried = [one for one in arranged(parts) if taken and one.goal is not None and one.object.reference]
     each = [one if one in carried else found_there(one) for one in arranged(parts)]
+    fetches = any(word.said in _FETCHES for word in words(parts, "PICK"))
     for one in each:
-        if one.goal is not None or one.back:
+        if fetches and one.person is not None and one.person.sort == "me":
+            raise unfit()  # "grab it for me" is to be brought, as "get it for me" is
+        if one.back or (one.goal is not None and (taken or not _goes_onto(one.goal))):
             raise unfit()
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
-    bundles = [(_pick_bundle(one),) for one in each]
+    bundles = [(_lifted(one),) for one in each]
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)
 
 
+def _goes_onto(goal: Where) -> bool:
+    """Whether "onto" or "into" says where a thing goes that is lifted, so that it is put there.
+
+    To a room it is carried, and "in the trash" may be where it is.
+    """
+    put = goal.role == "to" and goal.relation is None and goal.preposition in ("on", "in")
+    return put and goal.of.reference is None and goal.of.sort != "room" and goal.of != BIN
+
+
+def _lifted(one: Arranged) -> Any:
+    if one.goal is None or not _goes_onto(one.goal):
+        return _pick_bundle(one)
+    return put_draft(thing(one, "moving"), one.goal, one.source, one.hand)
+
+
 def _get_out(parts: Parts) -> Clause:
-    if words(parts, "OUT")[0].said != "out":
+    if words(parts, "OUT")[0].said not in ("out", "down"):
         raise unfit()
     return _pick(parts)
 
 
 def _fetch(parts: Parts) -> Clause:
     each = arranged(parts)
-    bundles = []
+    bundles: list[Bundle] = []
     for one in each:
         person = one.person
+        if one.goal is not None and _goes_onto(one.goal) and person is None:
+            bundles.append((_lifted(one),))
+            continue
         if one.goal is not None:
             if one.goal.relation is not None or not (
                 one.goal.of.is_person or one.goal.of.reference == "here"
@@ -221,6 +252,27 @@ def _pair(parts: Parts) -> Pair | None:
     return Pair(person, item)
 
 
+def _own_pair(parts: Parts) -> Pair | Trouble | None:
+    """A thing for whom it belongs to: "Ana her cup"."""
+    (owns,) = words(parts, "WHOSE")
+    made = _pair(tuple(part for part in parts if part is not owns))
+    if made is None:
+        return None
+    of = made.item.of
+    if of.determined or of.reference or of.anaphoric or of.kind is None or of.name is not None:
+        return None
+    known = made.person.sort in ("name", "person") and not made.person.reference
+    if not known or not may_be("him" if owns.meaning == "his" else owns.meaning, made.person):
+        return Trouble(f"{owns.said!r}: whose it is cannot be told", owns.said)
+    if of.kind in ("glass", "glasses"):
+        if not of.plural:
+            return None
+        of = replace(of, kind="glasses", plural=False, paired=True)  # those to see with
+    name = f"{made.person.said or made.person.kind}'s {of.kind}"
+    own = replace(of, name=name, determined=True, owner=made.person)
+    return Pair(made.person, replace(made.item, of=own))
+
+
 _PASSES = frozenset({"pass", "passing"})
 """Verbs that mean to whoever speaks, unless somebody else is named: "pass the salt"."""
 
@@ -300,5 +352,5 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {"pair": _pair, **{name: guarded(meaning) for name, meaning in _COMMANDS.items()}}
+    {"pair": _pair, "own_pair": _own_pair, **{name: guarded(meaning) for name, meaning in _COMMANDS.items()}}
 )

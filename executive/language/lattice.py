@@ -33,6 +33,7 @@ _SUBJECTS = frozenset({*_NOUNS, "PERSON", "NAME"})
 _PREDICATES = frozenset({*_PLACES, "STATE", "DEGREE"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
+_NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
@@ -141,10 +142,19 @@ class Lattice:
             before -= 1
         if before < 0 or self._nothing_said[word.start]:
             return True
+        if self._says_how_much(word.end, texts, vocabulary) and texts[before] in ("left", "right"):
+            return True  # "turn left uh ninety degrees"
         return not self.pieces[before].is_number and not any(
             length == 1 and reading.word_class in _COMPLETE
             for length, reading in vocabulary.matches(texts, before)
         )
+
+    def _says_how_much(self, position: int, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
+        """Whether a number stands at a place; "one" may stand for a thing."""
+        if position >= len(self.pieces) or texts[position] == "one":
+            return False
+        read = {reading.word_class for _, reading in vocabulary.matches(texts, position)}
+        return self.pieces[position].is_number or not read.isdisjoint(_NUMBERS)
 
     def _follows_a_noun(self, start: int) -> bool:
         """Whether "and", "then" or a comma stands right before a place."""

@@ -26,6 +26,10 @@ def _item(parts: Parts) -> Item:
     return Item(parts[0], tuple(part for part in parts[1:] if not isinstance(part, Word)))
 
 
+def _item_too(parts: Parts) -> Item:
+    return replace(_item(parts), too=True)
+
+
 @dataclass(frozen=True, slots=True)
 class _Joined:
     """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later.
@@ -205,6 +209,7 @@ def spoken(nominal: Nominal) -> str:
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "item": _item,
+        "item_too": _item_too,
         "items": _items,
         "both_items": _both_items,
         "joined": _joined,

@@ -65,7 +65,7 @@ def _filled(parts: Parts) -> Nominal | None:
 
 
 def _door_of(parts: Parts) -> Nominal | None:
-    of, door = parts
+    (door,), (of,) = words(parts, "DOOR"), words(parts, "CONTAINER", "ROOM", "WHICH_DOOR")
     if of.word_class == "CONTAINER" and door.meaning != "door":
         return None
     if of.word_class == "CONTAINER":
@@ -79,6 +79,8 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
+    if nominal.plural and nominal.said == nominal.kind:
+        return None  # "the fish" is one, "two fish" are two
     if nominal.ordinal in COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
     whose = next((word.said for word in words(parts, "DET") if word.said in _WHOSE), "")

@@ -165,6 +165,7 @@ class Where:
         relation: Kind of the relation, such as "left_of".
         of: The place, or what the relation is to.
         atop: Whether it was said to be on top of it.
+        left_by: Who left the thing there, who may be meant by "her" after it.
     """
 
     role: Role
@@ -172,6 +173,7 @@ class Where:
     preposition: Preposition | None = None
     relation: RelationKind | None = None
     atop: bool = False
+    left_by: Nominal | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,10 +192,14 @@ class Benefit:
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """A thing with what is said of it; ``details`` are Where, Hand and Benefit."""
+    """A thing with what is said of it; ``details`` are Where, Hand and Benefit.
+
+    ``too`` is whether it goes where the one before it goes: "and the can too".
+    """
 
     of: Nominal
     details: tuple[Any, ...] = ()
+    too: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -269,6 +275,7 @@ class Clause:
         number: Which one of a numbered list it is.
         question: Whether it begins as a question does, and so may be meant for "which is ..." where nothing
             stands before it: "bring me the cup what is on the table".
+        placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
     """
 
     bundles: tuple[Bundle, ...]
@@ -280,6 +287,7 @@ class Clause:
     terse: bool = False
     number: int | None = None
     question: bool = False
+    placed: bool = False
 
 
 def draft(action: str, **slots: Any) -> Draft:

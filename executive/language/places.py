@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from executive.language.features import ROBOT
-from executive.language.handled_thing import BIN
+from executive.language.handled_thing import BIN, TRASH
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
@@ -35,13 +36,20 @@ _FLAT = frozenset(
 _KIND = {"NEXT_TO": "next_to", "NEAREST_TO": "nearest"}
 
 
+@dataclass(frozen=True, slots=True)
+class _LeftBy:
+    """Who left a thing somewhere."""
+
+    who: Nominal
+
+
 def _place(role: Role, preposition: Preposition) -> Meaning:
     def meaning(parts: Parts) -> Where | Trouble | None:
         nominal = parts[-1]
         if not isinstance(nominal, Nominal):
             return None
         atop = any("top" in word.said.split() for word in words(parts, "ON"))
-        return Where(role, nominal, preposition, atop=atop)
+        return Where(role, nominal, preposition, atop=atop, left_by=_left_by(parts))
 
     return meaning
 
@@ -53,9 +61,19 @@ def _relation(role: Role) -> Meaning:
         if not isinstance(nominal, Nominal) or (nominal.sort == "you" and link.said == "by"):
             return None  # "by yourself"
         kind = _relation_of(link, nominal)
-        return None if kind is None else Where(role, nominal, None, kind)
+        return None if kind is None else Where(role, nominal, None, kind, left_by=_left_by(parts))
 
     return meaning
+
+
+def _left(parts: Parts) -> _LeftBy:
+    """Who left a thing where it is."""
+    (who,) = words(parts, "NAME", "PERSON")
+    return _LeftBy(Nominal("name" if who.word_class == "NAME" else "person", who.meaning, determined=True))
+
+
+def _left_by(parts: Parts) -> Nominal | None:
+    return next((part.who for part in parts if isinstance(part, _LeftBy)), None)
 
 
 def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
@@ -91,8 +109,8 @@ def _qualified(parts: Parts) -> Nominal | Trouble | None:
     return nominal.placed(relation)
 
 
-def _trash(_parts: Parts) -> Where:
-    return Where("to", BIN, "in")
+def _trash(parts: Parts) -> Where:
+    return Where("either" if words(parts, "IN") else "to", replace(BIN, said=TRASH), "in")
 
 
 def _here(_parts: Parts) -> Where:
@@ -101,6 +119,12 @@ def _here(_parts: Parts) -> Where:
 
 def _there(_parts: Parts) -> Where:
     return Where("to", Nominal("any", reference="there"), "at")
+
+
+def _located_first(parts: Parts) -> Where | None:
+    """A place before the command: "in the kitchen, take the cup"."""
+    place = parts[-1]
+    return Where("is", place, "in") if isinstance(place, Nominal) and place.is_place else None
 
 
 def _from_there(_parts: Parts) -> Where:
@@ -124,8 +148,8 @@ def _hand(parts: Parts) -> Hand | None:
     marks = words(parts, "PAUSE")
     if any(mark.meaning != "," for mark in marks):
         return None
-    yours = any(word.said == "your" for word in words(parts, "DET"))
-    named = words(parts, "HAND") or yours or sides[0].end - sides[0].start > 1
+    owned = any(word.said in ("your", "the") for word in words(parts, "DET"))
+    named = words(parts, "HAND") or owned or sides[0].end - sides[0].start > 1
     return Hand(sides[0].meaning) if named else None
 
 
@@ -143,14 +167,24 @@ def _measure(of: Quantity) -> Meaning:
     return meaning
 
 
+def _distances(parts: Parts) -> Measure | None:
+    """One meter twenty centimeters."""
+    return _larger_first("distance", "LENGTH", parts)
+
+
 def _durations(parts: Parts) -> Measure | None:
     """One minute and thirty seconds: the larger unit first."""
+    return _larger_first("duration", "TIME", parts)
+
+
+def _larger_first(of: Quantity, unit_class: str, parts: Parts) -> Measure | None:
     numbers = [part for part in parts if isinstance(part, float)]
-    units = [float(word.meaning) for word in words(parts, "TIME")]
-    if len(numbers) != 2 or units[0] <= units[1]:
+    units = [float(word.meaning) for word in words(parts, unit_class)]
+    joined = all(word.said in ("and", "&") for word in words(parts, "AND"))
+    if len(numbers) != 2 or units[0] <= units[1] or not joined:
         return None
     total = sum(number * unit for number, unit in zip(numbers, units, strict=True))
-    return Measure("duration", total, f"{total:g}")
+    return Measure(of, total, f"{total:g}")
 
 
 def _and_a_half(of: Quantity, unit_class: str) -> Meaning:
@@ -181,9 +215,24 @@ def _number(parts: Parts) -> float | None:
     if len(found) == 1:
         return float(found[0].meaning)
     first, second = found
+    if second.word_class == "QUARTERS":
+        return float(first.meaning) * float(second.meaning)
     if second.word_class == "TENS":
         return float(first.meaning) * 100 if second.meaning == "100" else None
     return _amount(parts) if first.word_class == "TENS" else float(first.meaning) + float(second.meaning)
+
+
+def _hundreds(parts: Parts) -> float | None:
+    """A hundred and twenty."""
+    found = words(parts, "AMOUNT", "ARTICLE", "TENS")
+    if any(word.said not in ("and", "&") for word in words(parts, "AND")):
+        return None
+    index = next((index for index, word in enumerate(found[:2]) if word.meaning == "100"), None)
+    rest = () if index is None else found[index + 1 :]
+    below = _amount(tuple(rest)) if rest else None
+    if index is None or below is None or not 1 <= below < 100:
+        return None
+    return 100 * (float(found[0].meaning) if index else 1) + below
 
 
 def _decimal(parts: Parts) -> float | None:
@@ -215,10 +264,13 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "back": _back,
         "somewhere": _somewhere,
         "inside": _inside,
+        "left": _left,
         "hand": _hand,
         "benefit": _benefit,
         "duration": _measure("duration"),
         "durations": _durations,
+        "distances": _distances,
+        "located_first": _located_first,
         "duration_and_a_half": _and_a_half("duration", "TIME"),
         "distance_and_a_half": _and_a_half("distance", "LENGTH"),
         "distance": _measure("distance"),
@@ -228,6 +280,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "amount": _amount,
         "number": _number,
         "decimal": _decimal,
+        "hundreds": _hundreds,
     }
 )
 

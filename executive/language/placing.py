@@ -7,7 +7,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import arranged, clause, guarded, trouble, unfit
+from executive.language.arranging import Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
@@ -23,6 +23,15 @@ _SURFACES = frozenset(
 
 _LEAVES = frozenset({"leave", "leaving", "left"})
 """Verbs that may as well say that nothing is to be moved."""
+
+_HOLDS = frozenset(
+    {"bowl", "basket", "box", "toolbox", "bag", "bucket", "jar", "cup", "glass", "pot", "pan", "backpack"}
+    | {"suitcase", "container", "storage box", "storage bin", "wire basket", "pencil case", "toolkit", "tote"}
+)
+"""Things that others are moved to by putting them into it."""
+
+_CARRIES = frozenset({"plate", "tray", "platter", "pallet", "saucer"})
+"""Things that others are moved to by putting them onto it."""
 
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
@@ -127,8 +136,21 @@ def _discard(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
+def _received(one: Arranged, verb: str) -> Arranged:
+    """Read "to the basket" as into it where nothing else is meant: from somewhere, or back."""
+    goal = one.goal
+    if goal is None or goal.preposition != "to" or goal.of.sort != "thing" or goal.relation is not None:
+        return one
+    if one.source is None and not verb.startswith("return"):
+        return one  # "move the cup to the box" may be beside it
+    if goal.of.kind in _HOLDS:
+        return replace(one, goal=replace(goal, preposition="in"))
+    return replace(one, goal=replace(goal, preposition="on")) if goal.of.kind in _CARRIES else one
+
+
 def _move_thing(parts: Parts) -> Clause:
-    each = arranged(parts, goes=True)
+    verb = words(parts, "MOVE_THING")[0].said
+    each = [_received(one, verb) for one in arranged(parts, goes=True)]
     for one in each:
         if one.goal is None:
             raise unfit()
@@ -159,11 +181,22 @@ def _put_it(parts: Parts) -> Clause:
     return _put(with_it(parts))
 
 
+def _door_to_a_room(one: Arranged) -> Arranged:
+    """Read "the door to the kitchen" as the kitchen door: what is opened goes nowhere."""
+    door, goal = one.object, one.goal
+    if door.sort != "door" or goal is None or goal.preposition != "to" or goal.of.sort != "room":
+        return one
+    if door.name is not None or not goal.of.is_plain:
+        return one
+    return replace(one, object=replace(door, name=f"{goal.of.kind} {door.kind}"), goal=None)
+
+
 def _opened(action: str) -> Callable[[Parts], Clause]:
     def meaning(parts: Parts) -> Clause:
         bundles = []
         each = arranged(parts, has_source=False)
         for one in each:
+            one = _door_to_a_room(one)
             nominal = one.object
             if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
                 raise unfit()

@@ -61,6 +61,7 @@ class Further:
 
 
 UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
+_JOINS = frozenset({"and", "&", "n", "and to"})
 _SENTENCE_ENDS = frozenset({".", ";", "!", "paren", ")"})
 
 
@@ -75,7 +76,7 @@ def separator_of(words: Sequence[Word]) -> Separator:
         elif word.word_class == "PAUSE":
             one = Separator.COMMA
         else:
-            one = Separator.AND if word.said in ("and", "&") else Separator.THEN
+            one = Separator.AND if word.said in _JOINS else Separator.THEN
         found = one if one.value > found.value else found
     return found
 

@@ -21,9 +21,10 @@ from executive.language import (
     speech,
     statements,
 )
+from executive.language.fronted import fronted
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.phrases import Clause, Draft, Hand, Meaning, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
 from executive.language.statements import is_statement, may_be_said, with_places
@@ -85,6 +86,10 @@ def _clause(parts: Parts) -> Clause | None:
         )
         if isinstance(part, _Numbered):
             command = replace(command, number=part.number)
+        if isinstance(part, Where) and part.role == "is":
+            if not _is_taken_or_seen(command):
+                return None  # "in the kitchen, put the cup on the table"
+            command = replace(command, placed=True)
         if slot is not None:  # "take the cup with the right, wave", "... from the table, wave": of which?
             command = replace(command, terse=True)
         if slot is not None:
@@ -93,6 +98,11 @@ def _clause(parts: Parts) -> Clause | None:
                 return None
             command = changed
     return command
+
+
+def _is_taken_or_seen(command: Clause) -> bool:
+    """Whether a place before it can only be where its thing is."""
+    return all(bundle[0].action in ("pick", "find", "count", "describe") for bundle in command.bundles)
 
 
 def _goes(command: Clause) -> bool:
@@ -110,29 +120,6 @@ def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
     if not orders and any(one.value >= Separator.THEN.value for one in joined):
         return None  # "take the cup with the right. Wave"
     return _clause((Hand(side.meaning), *words(parts, "PAUSE"), parts[-1]))
-
-
-def _fronted(parts: Parts) -> Clause | None:
-    """The thing before the command that names it "it": "the red cup, pick it up"."""
-    command: Clause = parts[-1]
-    topic = next(part for part in parts if isinstance(part, Item))
-    if any(mark.meaning != "," for mark in words(parts, "PAUSE")[-1:]) or len(command.bundles) != 1:
-        return None
-    first, *rest = command.bundles[0]
-    said = first.get("object")
-    pronoun = "them" if topic.of.count != 1 or topic.of.plural else "it"
-    if not isinstance(said, Nominal) or said.reference != pronoun or topic.of.reference or topic.details:
-        return None
-    if topic.of.sort not in ("thing", "container", "door") or (topic.of.plural and not topic.of.counted):
-        return None
-    changed = replace(
-        first, slots=tuple((name, topic.of if name == "object" else value) for name, value in first.slots)
-    )
-    if topic.of.count != 1:
-        if first.get("count") is not None:
-            return None
-        changed = changed.with_slot("count", topic.of.count)
-    return replace(command, bundles=((changed, *rest),), terse=True)
 
 
 _STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
@@ -250,18 +237,23 @@ def _doing_too(parts: Parts) -> Clause | None:
 
 def _done_first(parts: Parts) -> Further | None:
     """What follows "open the drawer first, then"."""
-    return replace(_more(parts[-2:]), after_first=True)
+    said = _more(parts[-2:])
+    return None if said is None else replace(said, after_first=True)
 
 
-def _more(parts: Parts) -> Further:
+def _more(parts: Parts) -> Further | None:
     separator, part = parts
+    if separator is Separator.COMMA and isinstance(part, Clause) and part.placed:
+        return None  # "find the cup, in the kitchen, take the bowl"
     asked = separator is Separator.ASKED
     return Further(Separator.STOP if asked else separator, part, asked=asked)
 
 
-def _more_afterwards(parts: Parts) -> Further:
+def _more_afterwards(parts: Parts) -> Further | None:
     """With "after that" behind what it is said of: "and wave after that"."""
     said = _more(parts[:-1])
+    if said is None:
+        return None
     return said if said.separator is Separator.STOP else replace(said, separator=Separator.THEN)
 
 
@@ -288,7 +280,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "ordinal_step": _ordinal_step,
         "clause": _clause,
         "clause_with_hand": _clause_with_hand,
-        "fronted": _fronted,
+        "fronted": fronted,
         "done_before": _done_before,
         "after_first": _ordered("after_first"),
         "after_last": _ordered("after_last"),

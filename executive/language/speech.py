@@ -29,6 +29,11 @@ the\\snews the\\sanswer the\\sresult yes\\sor\\sno louder softer slower faster q
 _IS_NO_SPEECH = re.compile(rf"(?:{'|'.join(_NO_SPEECH.split())})\b")
 """How free text begins that asks for something else than repeating these words."""
 
+_STATED_OF_ONES_OWN = re.compile(
+    r"(?:his|her|their|my|our|your) \w+(?: \w+)? (?:is|are|was|were|has|have|will|needs?)\b"
+)
+"""A statement of what belongs to somebody: "her tea is ready", but not "her name"."""
+
 _LANGUAGES = "english|german|french|spanish|italian|chinese|japanese"
 _SAID_HOW = re.compile(
     rf"\b(?:twice|again|\w+ times|loudly|softly|quietly|slowly|clearly|aloud|louder|in (?:{_LANGUAGES}))$"
@@ -96,7 +101,8 @@ def _speech(parts: Parts) -> str:
     if _SAID_HOW.search(lowered) or '"' in text or text.startswith("'"):
         raise unfit()
     greeting = _is_greeting(text)
-    if not that and (" to " in lowered or (_IS_NO_SPEECH.match(lowered) and not greeting)):
+    told_of = _IS_NO_SPEECH.match(lowered) and not _STATED_OF_ONES_OWN.match(lowered)
+    if not that and (" to " in lowered or (told_of and not greeting)):
         raise unfit()
     if that and lowered.startswith("you"):
         raise unfit()

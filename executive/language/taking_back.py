@@ -39,7 +39,8 @@ def marker_of(lattice: Lattice) -> Marker | None:
     while position < len(lattice.pieces):
         word = _correction(lattice, position)
         start = _before(lattice, position)
-        if word is None or word.meaning == BESIDE or (word.meaning == DENIES and start == position):
+        denies = word is not None and word.meaning == DENIES and start == position
+        if word is None or word.meaning == BESIDE or (denies and not _names_anew(lattice, word.end)):
             position += 1
             continue
         if found is not None:
@@ -53,6 +54,16 @@ def marker_of(lattice: Lattice) -> Marker | None:
         found = Marker(Span(start, end), meaning, marked)
         position = end
     return found if found is not None and found.span.start > 0 else None
+
+
+_NAMES = frozenset({"the", "my", "your"})
+_LEADS = frozenset({"to", "on", "in", "into", "from"})
+
+
+def _names_anew(lattice: Lattice, position: int) -> bool:
+    """Whether a thing follows that "no" cannot deny: "the spoon no the fork", but "no sugar"."""
+    said = [piece.text for piece in lattice.pieces[position : position + 2]]
+    return len(said) == 2 and (said[0] in _NAMES or (said[0] in _LEADS and said[1] in _NAMES))
 
 
 def _correction(lattice: Lattice, position: int) -> Word | None:
@@ -82,7 +93,9 @@ def _before(lattice: Lattice, start: int) -> int:
             start -= 1
             continue
         word = _correction(lattice, start - 1)
-        if word is None or word.end != start or start < 2 or not is_mark(lattice, start - 2):
+        if word is None or word.end != start:
             break
+        if word.meaning != DENIES and (start < 2 or not is_mark(lattice, start - 2)):
+            break  # "go there and wait, I mean ..." waits
         start -= 1
     return start

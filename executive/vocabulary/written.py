@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 _CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
 _WORD = re.compile(
-    r"&&|\|\||\d+(?:st|nd|rd|th)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
+    r"&&|\|\||\d+(?:st|nd|rd|th)\b|(?<!\d,)\d+,\d{1,2}(?![\d,])|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
 )
 BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
 """Bridge words, which are matched whole; elsewhere an underscore is a space."""
@@ -23,6 +23,8 @@ def split_words(text: str) -> Iterator[tuple[str, int, int]]:
                 yield part.group().lower(), start + part.start(), start + part.end()
         elif whole in "-\u2013" and _inside_a_word(text, start):
             continue
+        elif lowered[0].isdecimal():
+            yield lowered.replace(",", "."), start, match.end()
         else:
             yield lowered, start, match.end()
 

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.requirement("L2", "L5")
         ("wave to Ana on the table", "Ana"),
         ("go under the table", "under"),
         ("walk into the table", "into"),
-        ("fetch Robert his jacket", "his"),
+        ("fetch me his jacket", "his"),
         ("bring me the two cups on the left", "leftmost"),
         ("hand the knife to the child", "knife"),
         ("move_forwards", "move_forwards"),
@@ -58,7 +58,7 @@ def test_what_can_be_meant_in_two_ways_is_asked(sentence):
         "look under the table for the ball twice",
         "pick up the cup by yourself",
         "can you reach the cup",
-        "give Ana her cup",
+        "give Ben her cup",
     ],
 )
 def test_no_task_comes_of_a_sentence_with_a_word_to_spare(sentence):
@@ -191,7 +191,7 @@ def test_the_same_thing_is_picked_up_twice_only_when_it_is_asked_about():
     ("sentence", "told"),
     [
         ("deliver it to me in the living room", "together they are no task"),
-        ("open the door to the garden", "together they are no task"),
+        ("open the drawer to the garden", "together they are no task"),
         ("put the cup", "after 'cup' something is missing"),
         ("pick up the", "after 'the' an object such as a cup or a box is missing"),
         ("find the person pointing to the left in the kitchen", "does not fit after 'left'"),

@@ -273,7 +273,7 @@ def clauses():
                 actions = {one["action"] for one in sentence["tasks"]} - {"pick"}
                 if (
                     verb in DOING
-                    and not {"pick", "put", "take"} & set(rest)
+                    and not {"pick", "put", "take", "n"} & set(rest)
                     and len(actions) <= 1
                     and actions.isdisjoint({"say", "stop"})
                     and not any(map(is_endless, sentence["tasks"]))
@@ -286,11 +286,16 @@ CLAUSES = clauses()
 
 
 def drawn(rng):
-    """Three commands that name nothing twice, so that none changes what another means."""
+    """Three commands that name nothing twice, so that none changes what another means.
+
+    They are three different ones: who walks to the same place twice at once walks there once.
+    """
     three = []
     while len(three) < 3:
         said, tasks = rng.choice(CLAUSES)
-        if all(values(tasks).isdisjoint(values(other) - {"me"}) for _, other in three):
+        if all(tasks != other for _, other in three) and all(
+            values(tasks).isdisjoint(values(other) - {"me"}) for _, other in three
+        ):
             three.append((said, tasks))
     return three
 

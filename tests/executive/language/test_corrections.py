@@ -84,3 +84,20 @@ def test_words_to_say_are_never_corrected():
     (task,) = tasks("tell Ana I was wrong, I mean the cup is red")
 
     assert task["text"] == "I was wrong, I mean the cup is red"
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("take the spoon no the fork", "take the fork"),
+        ("put the cup on the table no on the shelf", "put the cup on the shelf"),
+        ("turn left no I mean right", "turn right"),
+    ],
+)
+def test_a_no_needs_no_comma_where_it_can_deny_nothing(said, meant):
+    assert parse(said).to_json()["tasks"] == parse(meant).to_json()["tasks"] != []
+
+
+@pytest.mark.parametrize("sentence", ["take a coffee no sugar", "bring me no sugar", "take box no 2"])
+def test_a_no_that_may_deny_is_no_correction(sentence):
+    assert parse(sentence).commands == ()

@@ -74,5 +74,15 @@ def _done(commands):
 
 def _changes_nothing(said):
     """Words of order between two commands or before one, a side said twice, "straight to", "what else"."""
-    before = ("next", "second", "third", "leftmost left", "straight", "through to", "what else", "at once")
+    before = (
+        "next",
+        "second",
+        "third",
+        "fourth",
+        "leftmost left",
+        "straight",
+        "through to",
+        "what else",
+        "at once",
+    )
     return any(one in said for one in before)

@@ -347,3 +347,30 @@ class TestWhatIsWalkedTo:
 
     def test_what_is_held_stays_it_beside_what_is_walked_to(self):
         assert parse("pick up the cup, go to the bowl and put it down").commands[-1].object == ObjectOf(0)
+
+
+class TestWhyItIsWanted:
+    @pytest.mark.parametrize(
+        "sentence",
+        [
+            "Mom wants the newspaper, take it to her",
+            "Mom would like the newspaper. Bring it to her",
+        ],
+    )
+    def test_what_somebody_wants_is_it(self, sentence):
+        assert tasks_of(sentence) == tasks_of("bring the newspaper to Mom")
+
+    def test_a_wish_alone_is_no_command(self):
+        assert parse("Grandma would like her tea").refusal is not None
+
+    def test_a_wish_for_something_else_is_asked_about(self):
+        assert parse("Ben needs the cup. Give him the bowl").question is not None
+
+
+class TestHesitations:
+    def test_one_between_a_side_and_a_number_takes_nothing_back(self):
+        assert tasks_of("turn right uh ninety degrees") == tasks_of("turn right ninety degrees") != []
+
+    @pytest.mark.parametrize("sentence", ["turn left uh right", "take the box on the left uh one"])
+    def test_one_that_may_take_something_back_is_refused(self, sentence):
+        assert parse(sentence).refusal is not None

@@ -64,8 +64,6 @@ def test_what_may_lean_on_something_else_is_asked_about(sentence):
 @pytest.mark.parametrize(
     "sentence",
     [
-        "pick up the cup with the left hand and the bottle with the right. Bring me the plate.",
-        "pick up the bottle with the right, wave to Ana",
         "give the bowl to Ana, no, give me the cup",
         "put the spoon in the drawer, forget that, put the red cup down",
         "fetch a blanket for Ana, I mean grab the red cup",
@@ -93,3 +91,10 @@ def test_a_meter_and_a_half_is_one_and_a_half():
     (task,) = parse("move forward a meter and a half").to_json()["tasks"]
 
     assert task["distance_m"] == 1.5
+
+
+@pytest.mark.parametrize("joined", ["and", "&", "n"])
+def test_and_reaches_as_far_however_it_is_written(joined):
+    said = parse(f"go to the kitchen {joined} wave after opening the fridge")
+
+    assert said.question is not None

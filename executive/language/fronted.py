@@ -1,0 +1,48 @@
+"""The thing before the command that names it "it": "the red cup, pick it up"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from executive.language.arranging import Arranged, arranged, guarded
+from executive.language.phrase_parts import Parts, words
+from executive.language.phrases import Clause, Item, Nominal, Trouble, Where
+
+
+def fronted(parts: Parts) -> Clause | Trouble | None:
+    """The command with the thing that stands before it."""
+    command: Clause = parts[-1]
+    topic = next(part for part in parts if isinstance(part, Item))
+    if (
+        any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")[-1:])
+        or len(command.bundles) != 1
+    ):
+        return None
+    one = _TOPIC((topic,))
+    if not isinstance(one, Arranged):
+        return one  # type: ignore[no-any-return]
+    of = one.object
+    first, *rest = command.bundles[0]
+    said = first.get("object")
+    pronoun = "them" if of.count != 1 or of.plural else "it"
+    if not isinstance(said, Nominal) or said.reference != pronoun or of.reference:
+        return None
+    if of.sort not in ("thing", "container", "door") or (of.plural and not of.counted):
+        return None
+    changed = first.replacing("object", of)
+    for name, value in (("count", None if of.count == 1 else of.count), ("source", one.source)):
+        if value is not None and first.get(name) is not None:
+            return None
+        changed = changed.with_slot(name, value)
+    return replace(command, bundles=((changed, *rest),), terse=True)
+
+
+def _topic(parts: Parts) -> Arranged | None:
+    (item,) = parts
+    stays = all(isinstance(detail, Where) and detail.role in ("is", "either") for detail in item.details)
+    (one,) = arranged(parts)
+    places_things = item.of.sort == "thing"
+    return one if not item.details or (stays and places_things) else None
+
+
+_TOPIC = guarded(_topic)
