@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +26,7 @@ _TUCKED_CLEARANCES_M: tuple[Clearance, ...] = ((0.72, 0.72), (0.62, 0.62), (0.55
 """The same with the arms drawn in."""
 _BESIDE_TUCKED_M = (BESIDE_HANDS_M, 0.03, 0.0)
 _STRAIGHT_SHARES = (1.0, 0.67, 0.33)
+_THERE_M, _THERE_RAD = 0.05, 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +89,7 @@ class WayFinder:
         for spare_m in self._spares_m(body):
             for clearance in clearances:
                 way = way_with(clearance)
-                if way is not None and self._hands_pass(way, body, spare_m):
+                if way is not None and self._hands_pass(way, body, goal, spare_m):
                     return way
         return NoWay(any(way_with(clearance) for clearance in clearances), clearances[-1][1])
 
@@ -112,5 +114,14 @@ class WayFinder:
             return (None,) if crowded else _BESIDE_TUCKED_M
         return (BESIDE_HANDS_M,) if self.if_hands_fit and self.room.can_tuck else (None,)
 
-    def _hands_pass(self, way: Way, body: PlanarPose, spare_m: float | None) -> bool:
-        return spare_m is None or not self.room.hands_meet(self.scene, foreseen(way.steering, body), spare_m)
+    def _hands_pass(self, way: Way, body: PlanarPose, goal: PlanarPose, spare_m: float | None) -> bool:
+        """Whether the hands come to nothing on a way; its end was chosen with what they need there."""
+        if spare_m is None:
+            return True
+        before = [pose for pose in foreseen(way.steering, body) if not _is_at(pose, goal)]
+        return not before or not self.room.hands_meet(self.scene, before, spare_m)
+
+
+def _is_at(pose: PlanarPose, goal: PlanarPose) -> bool:
+    left = pose.to(goal)
+    return math.hypot(left.x_m, left.y_m) <= _THERE_M and abs(left.yaw_rad) <= _THERE_RAD

@@ -131,3 +131,15 @@ def test_with_something_behind_as_well_the_robot_steps_back_to_the_middle(stage)
     (back,) = feet.asked
     assert isinstance(back, StretchSteering)
     assert 0.05 < back.distance_m < 0.2
+
+
+def test_drawn_in_hands_may_end_at_the_edge_of_what_the_walk_leads_to(stage):
+    assert stage.run(DrawArmsIn("draw the arms in", stage.toolbox)) is Status.SUCCESS
+    shape, pose = Box((0.6, 1.2, 1.0)), poses.translation(2.0, 0.0, 0.5)
+    stage.told.update(stage.told.scene.with_objects([SceneObject("table", shape, pose, movable=False)]))
+    feet = FeetThatSetOut()
+    leaf = WalkTo("walk", dataclasses.replace(stage.toolbox, walking=feet, ranging=None))
+    stage.ready(leaf, place=Place("table", "furniture", shape, pose, 0.9))
+
+    assert stage.tick(leaf) is Status.RUNNING
+    assert len(feet.asked) == 1
