@@ -9,11 +9,13 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
+from kinematics.walking.planar import PlanarPose
 from kinematics.walking.steering import StretchSteering
 from robots.control.motion_handle import MotionHandle
 from trees.destination import Place
 from trees.leaves.draw_arms_in import DrawArmsIn
 from trees.leaves.walk_to import WalkTo
+from trees.reachable_standing import Stand
 
 _ACROSS_M = 1.5
 _FAR_M = 6.0
@@ -139,7 +141,8 @@ def test_drawn_in_hands_may_end_at_the_edge_of_what_the_walk_leads_to(stage):
     stage.told.update(stage.told.scene.with_objects([SceneObject("table", shape, pose, movable=False)]))
     feet = FeetThatSetOut()
     leaf = WalkTo("walk", dataclasses.replace(stage.toolbox, walking=feet, ranging=None))
-    stage.ready(leaf, place=Place("table", "furniture", shape, pose, 0.9))
+    place = Place("table", "furniture", shape, pose, 0.9)
+    stage.ready(leaf, place=place, stand=Stand.beside(place, PlanarPose(1.7 - 0.33)))
 
     assert stage.tick(leaf) is Status.RUNNING
     assert len(feet.asked) == 1
