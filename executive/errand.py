@@ -129,8 +129,7 @@ class Errand:
         return isinstance(ground(pick.object, self._around(), pick.source, pick.count), Found)
 
     def _walks(self) -> bool:
-        toolbox = self._session.toolbox
-        return toolbox.walking is not None and toolbox.model.description.walking is not None
+        return self._session.toolbox.can_walk
 
     # --- one task, with its questions -----------------------------------------------------------
 

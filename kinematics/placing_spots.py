@@ -23,6 +23,7 @@ GRID_M = 0.03
 APART_M = 0.05
 MOST = 12
 _ON_TOP_M = 0.04
+_UPRIGHT = 0.99
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,11 +217,23 @@ def _gaps_m(places: list[Array], around: list[SceneObject], radius_m: float) -> 
     """From each place's foot to that of its nearest neighbour."""
     if not places or not around:
         return [ROOM_M] * len(places)
-    at = np.array([item.world_T_object[:2, 3] for item in around])
-    radii = np.array([footprint_radius_m(item.shape) for item in around])
-    ways = np.array(places)[:, None, :2] - at
-    gaps: list[float] = (np.sqrt((ways * ways).sum(axis=2)) - radii - radius_m).min(axis=1).tolist()
+    at = np.array(places)[:, :2]
+    gaps: list[float] = (np.min([_away_m(item, at) for item in around], axis=0) - radius_m).tolist()
     return gaps
+
+
+def _away_m(item: SceneObject, points: Array) -> Array:
+    """Distance of points, shape (n, 2), from an object's foot.
+
+    Furniture counts with its sides: a circle around a wall or the back of a shelf would take all the room
+    before it. How things that hands move are turned is seen less surely, and they are small.
+    """
+    ways = points - item.world_T_object[:2, 3]
+    upright = item.world_T_object[2, 2] > _UPRIGHT
+    if item.movable or not upright or not isinstance(item.shape, Box):
+        return np.asarray(np.hypot(ways[:, 0], ways[:, 1]) - footprint_radius_m(item.shape))
+    beyond = np.abs(ways @ item.world_T_object[:2, :2]) - 0.5 * np.array(item.shape.size_m[:2])
+    return np.asarray(np.linalg.norm(np.maximum(beyond, 0.0), axis=1))
 
 
 def _stands_at(item: SceneObject, height_m: float) -> bool:

@@ -7,6 +7,7 @@ nominal start, x ahead, y to its left. Lengths in m, angles in rad, masses in kg
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -149,6 +150,12 @@ class Region:
     position_m: tuple[float, float]
     size_m: tuple[float, float]
     yaw_rad: float = 0.0
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Whether a place on the floor is in it."""
+        c, s = math.cos(self.yaw_rad), math.sin(self.yaw_rad)
+        dx, dy = x_m - self.position_m[0], y_m - self.position_m[1]
+        return abs(c * dx + s * dy) <= 0.5 * self.size_m[0] and abs(c * dy - s * dx) <= 0.5 * self.size_m[1]
 
 
 @dataclass(frozen=True, slots=True)

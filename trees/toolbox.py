@@ -178,3 +178,8 @@ class Toolbox:
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
     places: Mapping[str, Region] = field(default_factory=dict)
+
+    @property
+    def can_walk(self) -> bool:
+        """Whether the robot walks here."""
+        return self.walking is not None and self.model.description.walking is not None

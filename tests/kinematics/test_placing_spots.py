@@ -5,8 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from kinematics import poses
 from kinematics.placing_spots import GAP_M, spots_beside, spots_on
-from kinematics.scene import PlanningScene
+from kinematics.scene import PlanningScene, SceneObject
+from kinematics.shapes import Box
 
 RADIUS_M = 0.04
 
@@ -96,3 +98,21 @@ def test_a_spot_whose_surroundings_were_not_seen_is_not_free(make):
 
     assert found
     assert all(spot.place_m[1] > 0.0 for spot in found)
+
+
+@pytest.mark.requirement("M3")
+@pytest.mark.parametrize("yaw_rad", [0.0, 0.3])
+def test_a_wall_behind_a_table_takes_no_room_on_it_but_what_is_beside_the_wall(make, yaw_rad):
+    table, cup = make.table(), make.cup(x=0.52)
+    place = poses.translation(1.08, 0.0, 0.8) @ poses.transform(poses.rotation_z(yaw_rad), np.zeros(3))
+    wall = SceneObject("wall", Box((0.1, 3.0, 1.6)), place, margin_m=0.015, movable=False)
+    scene = PlanningScene().with_objects([table, cup, wall])
+
+    beside = spots_beside(cup, table, scene, RADIUS_M, [0.5 * math.pi], nowhere_in_particular)
+    anywhere = spots_on(table, scene, RADIUS_M, lambda spot: float(-spot[0]))
+
+    assert beside
+    assert anywhere
+    for spot in (*beside, *anywhere):
+        behind_m = -(poses.inverse(place) @ [*spot.place_m, 1.0])[0] - 0.05
+        assert behind_m - RADIUS_M >= GAP_M - 1e-9

@@ -24,7 +24,4 @@ class CannotWalk(Leaf):
 
     def step(self) -> Status | Failure:
         """Ask what there is to walk with."""
-        toolbox = self.toolbox
-        if toolbox.walking is None or toolbox.model.description.walking is None:
-            return DONE
-        return Failure.postcondition("it can walk")
+        return Failure.postcondition("it can walk") if self.toolbox.can_walk else DONE

@@ -7,6 +7,8 @@ from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
+from trees.failures import Failure
+from trees.leaves.change_viewpoint import ChangeViewpoint
 from trees.leaves.go_home import GoHome
 from trees.leaves.locate import Locate
 from trees.leaves.look_at import LookAt
@@ -14,14 +16,30 @@ from trees.leaves.look_past import LookPast
 from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
 from trees.leaves.tell_found import TellFound
+from trees.subtrees.look_elsewhere import back_only_without_room, turned_around, where_it_may_be
+from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.subtrees.who_speaks import nobody_spoke, who_speaks
 from trees.toolbox import Toolbox
 
+_ELSEWHERE = "look elsewhere"
+
 
 def find(toolbox: Toolbox) -> Behaviour:
-    """Look everywhere, at last past what hides things, and say where. Reads "task", writes "evidence"."""
+    """Look from here and past things, then from elsewhere; say where. Reads "task", writes "evidence"."""
+    looks = Alternatives(
+        "see it",
+        [who_speaks(toolbox), _from_here(toolbox), _from_elsewhere(toolbox)],
+        nobody_spoke,
+        elsewhere_if_it_walks,
+    )
+    looks.transparent = True
+    children: list[Behaviour] = [looks, TellFound("tell", toolbox)]
+    return tidily("find", children, toolbox, toolbox.policy.walk_timeout_s)
+
+
+def _from_here(toolbox: Toolbox) -> Behaviour:
     past: list[Behaviour] = [
         Sequence(
             f"look past {k}",
@@ -30,11 +48,20 @@ def find(toolbox: Toolbox) -> Behaviour:
         )
         for k in range(1, toolbox.policy.looks_past + 1)
     ]
-    looks = search_place("look for it", toolbox, everywhere(toolbox), further=past)
-    looks = Alternatives("see it", [who_speaks(toolbox), looks], nobody_spoke)
-    looks.transparent = True
-    children: list[Behaviour] = [looks, TellFound("tell", toolbox)]
-    return tidily("find", children, toolbox)
+    return search_place("look for it", toolbox, everywhere(toolbox), further=past)
+
+
+def _from_elsewhere(toolbox: Toolbox) -> Behaviour:
+    """Turned around once, then where it may be; at last one more look, which tells what was not found."""
+    ways = [*turned_around(toolbox, everywhere(toolbox)), *where_it_may_be(toolbox)]
+    ways.append(Locate("look once more", toolbox))
+    return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, back_only_without_room)
+
+
+def elsewhere_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
+    """Looks from elsewhere only where the robot can go there; any other always."""
+    turns = (leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint))
+    return way.name != _ELSEWHERE or all(turn.toolbox.can_walk for turn in turns)
 
 
 def count(toolbox: Toolbox) -> Behaviour:

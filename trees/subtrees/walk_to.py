@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives, defect
 from trees.failures import Failure, FailureKind
-from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
-from trees.leaves.choose_furniture import ChooseFurniture
-from trees.leaves.choose_outlook import ChooseOutlook
+from trees.leaves.change_viewpoint import Viewpoint
 from trees.leaves.choose_stand import ChooseStand
 from trees.leaves.know_place import KnowPlace
 from trees.leaves.ready_to_walk import ReadyToWalk
@@ -21,17 +17,20 @@ from trees.leaves.squared_up import SquaredUp
 from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
 from trees.retry import Retry
+from trees.subtrees.look_elsewhere import (
+    back_only_without_room,
+    turned_around,
+    viewpoint,
+    where_it_may_be,
+)
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
-_VIEWPOINTS: tuple[Viewpoint, ...] = ("around", "back", "around", "around", "ahead", "around", "ahead")
-_SEEN_BEFORE, _FURNITURE, _OUTLOOKS = 5, 3, 2
-"""Once the robot has turned around it goes to so much furniture that it saw, and beside so many tall things
-that hide what is behind them, before it walks on at random."""
-_NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
+_ON: tuple[Viewpoint, ...] = ("ahead", "around", "ahead")
+"""Where the robot goes on to at random, after it has turned around and been to what it saw."""
 
 
 def walk_to(toolbox: Toolbox) -> Behaviour:
@@ -78,65 +77,12 @@ def find_place(toolbox: Toolbox) -> Behaviour:
         search_place("look around", toolbox, (*far, *policy.search_gazes[1:2])),
     ]
     ways.append(RecallPlace("recall it", toolbox))
-    for k, way in enumerate(_VIEWPOINTS, start=1):
-        if k == _SEEN_BEFORE:
-            ways += [_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE + 1)]
-            ways += [_look_behind(toolbox, one) for one in range(1, _OUTLOOKS + 1)]
-        ways.append(
-            Sequence(
-                f"viewpoint {k}",
-                memory=True,
-                children=[
-                    ReadyToWalk("stand upright", toolbox),
-                    change_viewpoint(toolbox, way),
-                    search_place("look around", toolbox, _level_first(far)),
-                ],
-            )
-        )
+    around = turned_around(toolbox, _level_first(far))
+    ways += [*around, *where_it_may_be(toolbox)]
+    for k, way in enumerate(_ON, start=len(around) + 1):
+        ways.append(viewpoint(toolbox, k, way, _level_first(far)))
     ways.append(RecallPlace("recall anything", toolbox, anything=True))
     return Alternatives("find it", ways, looking_elsewhere_is_useless, back_only_without_room)
-
-
-def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
-    looks = [
-        ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
-        *_going(toolbox, {"place": "furniture"}),
-        search_place("look around", toolbox, everywhere(toolbox)),
-    ]
-    return Sequence(f"look on furniture {number}", memory=True, children=looks)
-
-
-def _look_behind(toolbox: Toolbox, number: int) -> Behaviour:
-    looks = [
-        ChooseOutlook("choose outlook", toolbox, {"hiding_before": "hiding"}),
-        *_going(toolbox, {"place": "hides", "stand": "outlook"}),
-        search_place("look around", toolbox, toolbox.policy.level_gazes),
-    ]
-    return Sequence(f"look behind {number}", memory=True, children=looks)
-
-
-def _going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
-    """Stand upright, and walk where some names of the walk's ports say."""
-    walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
-    return (
-        ReadyToWalk("stand upright", toolbox),
-        with_room(toolbox, walk, WalkTo("walk", toolbox, wiring=there)),
-    )
-
-
-def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
-    """Go on, step back, or turn, with the arms drawn in where they have no room to turn."""
-
-    def leaf() -> Behaviour:
-        return ChangeViewpoint(_NAMES[way], toolbox, way)
-
-    return with_room(toolbox, leaf(), leaf()) if way == "around" else leaf()
-
-
-def back_only_without_room(way: Behaviour, failure: Failure | None) -> bool:
-    """A step back only after there was no room to turn; any other way always."""
-    back = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "back" for leaf in way.children)
-    return not back or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
 
 
 def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:

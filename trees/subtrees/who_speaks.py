@@ -13,8 +13,8 @@ from trees.leaves.look_at import LookAt
 from trees.leaves.look_for_people import LookForPeople
 from trees.leaves.note_who_speaks import NoteWhoSpeaks
 from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.subtrees.look_elsewhere import change_viewpoint
 from trees.subtrees.search import looking_elsewhere_is_useless
-from trees.subtrees.walk_to import change_viewpoint
 from trees.toolbox import Toolbox
 
 _TURNS = 2

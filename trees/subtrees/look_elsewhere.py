@@ -1,0 +1,92 @@
+"""Look for what a task is aimed at from elsewhere: turned around, before furniture, beside what is tall."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from collections.abc import Sequence as Many
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.failures import Failure, FailureKind
+from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
+from trees.leaves.choose_furniture import ChooseFurniture
+from trees.leaves.choose_outlook import ChooseOutlook
+from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.leaves.walk_to import WalkTo
+from trees.policy import Gaze
+from trees.subtrees.search_place import everywhere, search_place
+from trees.subtrees.with_room import with_room
+from trees.toolbox import Toolbox
+
+_FURNITURE, _OUTLOOKS = 3, 2
+"""The robot goes to so much furniture that it saw, and beside so many tall things that hide others."""
+_NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
+
+
+_ALL_AROUND: tuple[Viewpoint, ...] = ("around", "back", "around", "around")
+
+
+def turned_around(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
+    """Ways to see it by turning once around, after a step back where there is no room to turn."""
+    return [viewpoint(toolbox, k, way, gazes) for k, way in enumerate(_ALL_AROUND, start=1)]
+
+
+def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) -> Behaviour:
+    """Go on, step back, or turn; and look. Reads "task", writes "place"."""
+    looks: list[Behaviour] = [
+        ReadyToWalk("stand upright", toolbox),
+        change_viewpoint(toolbox, way),
+        search_place("look around", toolbox, gazes),
+    ]
+    return Sequence(f"viewpoint {number}", memory=True, children=looks)
+
+
+def where_it_may_be(toolbox: Toolbox) -> list[Behaviour]:
+    """Ways to see it from before furniture that was seen, then from beside what is tall."""
+    return [
+        *(_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE + 1)),
+        *(_look_behind(toolbox, one) for one in range(1, _OUTLOOKS + 1)),
+    ]
+
+
+def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
+    """Go on, step back, or turn, with the arms drawn in where they have no room to turn."""
+
+    def leaf() -> Behaviour:
+        return ChangeViewpoint(_NAMES[way], toolbox, way)
+
+    return with_room(toolbox, leaf(), leaf()) if way == "around" else leaf()
+
+
+def back_only_without_room(way: Behaviour, failure: Failure | None) -> bool:
+    """A step back only after there was no room to turn; any other way always."""
+    back = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "back" for leaf in way.children)
+    return not back or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
+
+
+def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
+    looks = [
+        ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
+        *_going(toolbox, {"place": "furniture"}),
+        search_place("look around", toolbox, everywhere(toolbox)),
+    ]
+    return Sequence(f"look on furniture {number}", memory=True, children=looks)
+
+
+def _look_behind(toolbox: Toolbox, number: int) -> Behaviour:
+    looks = [
+        ChooseOutlook("choose outlook", toolbox, {"hiding_before": "hiding"}),
+        *_going(toolbox, {"place": "hides", "stand": "outlook"}),
+        search_place("look around", toolbox, toolbox.policy.level_gazes),
+    ]
+    return Sequence(f"look behind {number}", memory=True, children=looks)
+
+
+def _going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
+    """Stand upright, and walk where some names of the walk's ports say."""
+    walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
+    return (
+        ReadyToWalk("stand upright", toolbox),
+        with_room(toolbox, walk, WalkTo("walk", toolbox, wiring=there)),
+    )
