@@ -10,7 +10,7 @@ from py_trees.ports import PortInformation
 from trees.believed_thing import BelievedThing, Surroundings
 from trees.contract import Contract
 from trees.failures import CHOICES_JOINED_BY, Failure, Number
-from trees.grounding import Ambiguous, Missing, ground
+from trees.grounding import Ambiguous, Missing, ground, is_called
 from trees.ports import ports
 from trees.report_words import inventory, plural, whereabouts
 from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
@@ -90,7 +90,9 @@ class TellDescription(TellingLeaf):
 def _fitting(
     wanted: ObjectDescription, around: Surroundings, source: Destination | None
 ) -> tuple[str, ...] | Failure:
-    """Names of all things that fit; none is no failure."""
+    """Names of all things that fit; none is no failure, unless what they would be on was not seen, either."""
+    if isinstance(source, str) and not any(is_called(thing.name, source) for thing in around.things):
+        return Failure.postcondition(f"no {source} seen")
     answer = ground(wanted, around, source, "all")
     if isinstance(answer, Ambiguous):
         words = [choice.words for choice in answer.choices]

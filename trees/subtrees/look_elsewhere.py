@@ -42,11 +42,11 @@ def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) 
     return Sequence(f"viewpoint {number}", memory=True, children=looks)
 
 
-def where_it_may_be(toolbox: Toolbox) -> list[Behaviour]:
+def where_it_may_be(toolbox: Toolbox, outlooks: int = _OUTLOOKS) -> list[Behaviour]:
     """Ways to see it from before furniture that was seen, then from beside what is tall."""
     return [
         *(_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE + 1)),
-        *(_look_behind(toolbox, one) for one in range(1, _OUTLOOKS + 1)),
+        *(_look_behind(toolbox, one) for one in range(1, outlooks + 1)),
     ]
 
 

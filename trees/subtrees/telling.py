@@ -24,6 +24,8 @@ from trees.subtrees.who_speaks import nobody_spoke, who_speaks
 from trees.toolbox import Toolbox
 
 _ELSEWHERE = "look elsewhere"
+_OUTLOOKS = 1
+"""With a second one beside something tall, a search in vain takes longer than a task may."""
 
 
 def find(toolbox: Toolbox) -> Behaviour:
@@ -53,7 +55,9 @@ def _from_here(toolbox: Toolbox) -> Behaviour:
 
 def _from_elsewhere(toolbox: Toolbox) -> Behaviour:
     """Turned around once, then where it may be; at last one more look, which tells what was not found."""
-    ways = [*turned_around(toolbox, everywhere(toolbox)), *where_it_may_be(toolbox)]
+    policy = toolbox.policy
+    without_leaning = (*policy.level_gazes, *policy.search_gazes[:1])
+    ways = [*turned_around(toolbox, without_leaning), *where_it_may_be(toolbox, _OUTLOOKS)]
     ways.append(Locate("look once more", toolbox))
     return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, back_only_without_room)
 

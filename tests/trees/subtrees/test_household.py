@@ -611,6 +611,24 @@ def test_a_table_is_described(stage_with):
     assert said(stage) == ["on the table I see one blue cup and one red cup"]
 
 
+@pytest.mark.requirement("M2")
+@pytest.mark.parametrize(
+    "task",
+    [
+        DescribeTask("what is on the counter", source="counter"),
+        CountTask("how many cups are on the counter", ObjectDescription("cup"), source="counter"),
+    ],
+)
+def test_of_furniture_that_was_not_seen_it_is_not_said_that_nothing_is_on_it(stage_with, task):
+    stage = stage_with(table(), cup())
+
+    tree = run(stage, task)
+
+    assert tree.status == "failure"
+    assert tree.failure.root.message == "no counter seen"
+    assert said(stage) == []
+
+
 def test_something_hidden_from_here_is_looked_for_from_elsewhere(stage_with):
     stage = stage_with(table(), cup(place_m=(0.52, -0.2)), BOX_BEFORE_IT)
     stage.fake.world.hidden.add("red cup")
