@@ -10,9 +10,12 @@ from py_trees.common import Status
 
 from trees.believed_thing import Surroundings, surroundings
 from trees.events import Said
-from trees.failures import Number
+from trees.failures import CHOICES_JOINED_BY, Failure, Number
+from trees.grounding import Ambiguous, Missing, ground, is_called
 from trees.leaf import DONE, Leaf
+from trees.shut import why_shut
 from trees.stated_confidence import calibrated
+from trees.tasks import Destination, ObjectDescription
 
 # A thing that was seen less surely is told as perhaps being there.
 _SURE = 0.5
@@ -48,3 +51,18 @@ class TellingLeaf(Leaf):
         raw = there * complete
         stated = calibrated(raw, policy.confidence_slope, policy.confidence_offset)
         return {"confidence": stated, "seen_confidence": raw}
+
+    def fitting(
+        self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
+    ) -> tuple[str, ...] | Failure:
+        """Names of all things that fit; none is no failure, if where they would be was seen."""
+        if isinstance(source, str):
+            if not any(is_called(thing.name, source) for thing in around.things):
+                return Failure.postcondition(f"no {source} seen")
+            if (shut := why_shut(self.toolbox.world.scene, source)) is not None:
+                return shut
+        answer = ground(wanted, around, source, "all")
+        if isinstance(answer, Ambiguous):
+            words = [choice.words for choice in answer.choices]
+            return Failure.infeasible(answer.message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+        return () if isinstance(answer, Missing) else answer.names

@@ -29,6 +29,8 @@ _CONFIDENCE = 0.5
 class ChooseFurniture(Leaf):
     """The nearest top that was not looked at from nearby; small things are not seen from afar."""
 
+    ASKS = True
+    OF = "furniture"
     INPUT_PORTS = ports(task=object, visited_before=optional(tuple))
     OUTPUT_PORTS = ports(furniture=Place, visited=tuple)
     CONTRACT = Contract(
@@ -42,7 +44,7 @@ class ChooseFurniture(Leaf):
         toolbox = self.toolbox
         aim = aim_of(self.get_input("task"))
         if not isinstance(aim, ObjectDescription) or aim.kind == "person":
-            return Failure.postcondition("only things are looked for on furniture")
+            return Failure.postcondition("only things are looked for on furniture", none_left=self.OF)
         body, gap_m, scene = feet_pose(toolbox), toolbox.policy.support_gap_m, toolbox.world.scene
         visited: tuple[str, ...] = self.optional("visited_before") or ()
         found: list[tuple[float, Place]] = []
@@ -54,7 +56,7 @@ class ChooseFurniture(Leaf):
             if away_m > _NEARBY_M:
                 found.append((away_m, place))
         if not found:
-            return Failure.postcondition("no furniture is left to look at from nearby")
+            return Failure.postcondition("no furniture is left to look at from nearby", none_left=self.OF)
         place = min(found, key=lambda one: one[0])[1]
         self._set_output("furniture", place)
         self._set_output("visited", (*visited, place.name))

@@ -42,6 +42,8 @@ _CONFIDENCE = 0.5
 class ChooseOutlook(Leaf):
     """Beside the nearest tall thing, level with it, where nobody has looked from; facing what it hides."""
 
+    ASKS = True
+    OF = "outlooks"
     INPUT_PORTS = ports(hiding_before=optional(tuple))
     OUTPUT_PORTS = ports(hides=Place, outlook=Stand, hiding=tuple)
     CONTRACT = Contract(
@@ -71,7 +73,7 @@ class ChooseOutlook(Leaf):
                 self._set_output("hiding", (*done, *(part.name for part in piece)))
                 self.feedback_message = f"behind the {kind_of(first.name)}"
                 return DONE
-        return Failure.postcondition("nothing tall is left to look behind")
+        return Failure.postcondition("nothing tall is left to look behind", none_left=self.OF)
 
 
 def _tall_pieces(scene: PlanningScene, body: PlanarPose) -> list[list[SceneObject]]:

@@ -9,8 +9,8 @@ from py_trees.ports import PortInformation
 
 from trees.believed_thing import BelievedThing, Surroundings
 from trees.contract import Contract
-from trees.failures import CHOICES_JOINED_BY, Failure, Number
-from trees.grounding import Ambiguous, Missing, ground, is_called
+from trees.failures import Failure, Number
+from trees.handles import MEANT_BY
 from trees.ports import ports
 from trees.report_words import inventory, plural, whereabouts
 from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
@@ -31,7 +31,7 @@ class TellCount(TellingLeaf):
     def step(self) -> Status | Failure:
         """Count; none is an answer, too."""
         task: CountTask = self.get_input("task")
-        names = _fitting(task.object, self.around(), task.source)
+        names = self.fitting(task.object, self.around(), task.source)
         if isinstance(names, Failure):
             return names
         count = len(names)
@@ -62,11 +62,11 @@ class TellDescription(TellingLeaf):
         if wanted is not None and not _is_surface(wanted, around):
             return self._one(wanted, around, task.source)
         source = task.source if task.source is not None else (wanted.kind if wanted is not None else None)
-        names = _fitting(ObjectDescription(), around, source) if around.objects else ()
+        names = self.fitting(ObjectDescription(), around, source) if around.objects else ()
         if isinstance(names, Failure):
             return names
         things = [thing for thing in around.objects if thing.name in names]
-        where = f"on the {source}" if source is not None else "here"
+        where = "here" if source is None else f"{'in' if str(source) in MEANT_BY else 'on'} the {source}"
         words = f"{where} I see {inventory(things)}"
         return self.say(
             words,
@@ -76,7 +76,7 @@ class TellDescription(TellingLeaf):
     def _one(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
     ) -> Status | Failure:
-        names = _fitting(wanted, around, source)
+        names = self.fitting(wanted, around, source)
         if isinstance(names, Failure):
             return names
         if len(names) != 1:
@@ -85,19 +85,6 @@ class TellDescription(TellingLeaf):
         words = f"the {thing.words} is {whereabouts(thing)}"
         evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}
         return self.say(words, {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m})
-
-
-def _fitting(
-    wanted: ObjectDescription, around: Surroundings, source: Destination | None
-) -> tuple[str, ...] | Failure:
-    """Names of all things that fit; none is no failure, unless what they would be on was not seen, either."""
-    if isinstance(source, str) and not any(is_called(thing.name, source) for thing in around.things):
-        return Failure.postcondition(f"no {source} seen")
-    answer = ground(wanted, around, source, "all")
-    if isinstance(answer, Ambiguous):
-        words = [choice.words for choice in answer.choices]
-        return Failure.infeasible(answer.message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
-    return () if isinstance(answer, Missing) else answer.names
 
 
 def _is_surface(wanted: ObjectDescription, around: Surroundings) -> bool:

@@ -59,8 +59,11 @@ def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
     return with_room(toolbox, leaf(), leaf()) if way == "around" else leaf()
 
 
-def back_only_without_room(way: Behaviour, failure: Failure | None) -> bool:
-    """A step back only after there was no room to turn; any other way always."""
+def worth_going(way: Behaviour, failure: Failure | None) -> bool:
+    """A step back only after there was no room to turn; furniture and tall things while some are left."""
+    choosing = [leaf for leaf in way.children if isinstance(leaf, (ChooseFurniture, ChooseOutlook))]
+    if choosing:
+        return failure is None or failure.root.numbers.get("none_left") != choosing[0].OF
     back = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "back" for leaf in way.children)
     return not back or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
 

@@ -16,7 +16,7 @@ from trees.leaves.look_past import LookPast
 from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
 from trees.leaves.tell_found import TellFound
-from trees.subtrees.look_elsewhere import back_only_without_room, turned_around, where_it_may_be
+from trees.subtrees.look_elsewhere import turned_around, where_it_may_be, worth_going
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
@@ -59,7 +59,7 @@ def _from_elsewhere(toolbox: Toolbox) -> Behaviour:
     without_leaning = (*policy.level_gazes, *policy.search_gazes[:1])
     ways = [*turned_around(toolbox, without_leaning), *where_it_may_be(toolbox, _OUTLOOKS)]
     ways.append(Locate("look once more", toolbox))
-    return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, back_only_without_room)
+    return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, worth_going)
 
 
 def elsewhere_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:

@@ -18,10 +18,10 @@ from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.look_elsewhere import (
-    back_only_without_room,
     turned_around,
     viewpoint,
     where_it_may_be,
+    worth_going,
 )
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
@@ -82,7 +82,7 @@ def find_place(toolbox: Toolbox) -> Behaviour:
     for k, way in enumerate(_ON, start=len(around) + 1):
         ways.append(viewpoint(toolbox, k, way, _level_first(far)))
     ways.append(RecallPlace("recall anything", toolbox, anything=True))
-    return Alternatives("find it", ways, looking_elsewhere_is_useless, back_only_without_room)
+    return Alternatives("find it", ways, looking_elsewhere_is_useless, worth_going)
 
 
 def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:

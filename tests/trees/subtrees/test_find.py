@@ -76,3 +76,12 @@ def test_what_was_found_is_told_with_what_it_stands_on_and_the_room(new_stage):
     stage.play(build_tree(FIND_CUP, toolbox))
 
     assert said(stage)[0].startswith("the white cup is on the table, in the kitchen, 0.")
+
+
+def test_once_no_furniture_is_left_no_more_is_chosen(new_stage):
+    stage = new_stage(table(), walks=True)
+
+    stage.play(build_tree(FIND_ANA, stage.toolbox))
+
+    asked = [event for event in stage.events if getattr(event, "where", "").endswith("choose furniture")]
+    assert len({event.where for event in asked}) == 1

@@ -471,6 +471,17 @@ def test_a_cup_is_put_on_a_board_of_an_open_fridge(stage_with):
     assert place[2] == pytest.approx(0.65 * 1.70 + 0.01 + 0.055, abs=0.02)
 
 
+@pytest.mark.parametrize(("opening_rad", "status"), [(0.0, "failure"), (1.25, "success")])
+def test_what_is_in_a_shut_fridge_is_not_told(stage_with, opening_rad, status):
+    stage = stage_with(*fridge(opening_rad), table(), cup())
+
+    tree = run(stage, DescribeTask("what is in the fridge?", source="fridge"))
+
+    assert tree.status == status
+    told = tree.evidence["said"] if status == "success" else tree.failure.message
+    assert ("in the fridge I see" if status == "success" else "the fridge is shut: open it first") in told
+
+
 @pytest.mark.requirement("F1")
 def test_a_shut_fridge_is_told_before_anything_is_picked_up(stage_with):
     stage = stage_with(*fridge(0.0), table(), cup())
