@@ -71,7 +71,6 @@ def watch_followers(
     then_wanted: Array,
     then_q: Array,
     stuck_rad: Array,
-    behind_rad: Array,
     tracking_rad: float,
     followed_share: float,
     room: float,
@@ -87,8 +86,7 @@ def watch_followers(
         wanted, q: Setpoint, at least n, and reading, shape (n,), rad.
         then_wanted, then_q: The same some time ago.
         stuck_rad: From how far a joint may be called stuck, shape (n,).
-        behind_rad: From how far it is behind, shape (n,).
-        tracking_rad: From how far it is stuck, whatever it does.
+        tracking_rad: From how far it is, whatever it does.
         followed_share: A joint that moves by less than this share of its setpoint's way does not follow.
         room: All distances are multiplied by this.
         passed_s: Time since the last judgement.
@@ -105,7 +103,7 @@ def watch_followers(
         moved, followed = abs(wanted[j] - then_wanted[j]), abs(q[j] - then_q[j])
         off = abs(wanted[j] - q[j])
         off_rad[j] = off
-        behind_s[j] = behind_s[j] + passed_s if off > room * behind_rad[j] else 0.0
+        behind_s[j] = behind_s[j] + passed_s if off > room * stuck_rad[j] else 0.0
         still = moved > stuck_rad[j] and followed < followed_share * moved and off > 0.5 * room * stuck_rad[j]
         stuck[j] = still or off > room * tracking_rad or behind_s[j] > longest_s
         any_stuck |= stuck[j]

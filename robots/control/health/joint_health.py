@@ -39,13 +39,12 @@ _OFFLINE_SHARE = 0.02
 _WINDOW_S = 0.5
 _FOLLOWED_SHARE = 0.15
 _BEHIND_S = 0.5
-"""A joint that stays behind for so long is stuck, also when its motor makes it creep: a jammed ankle
+"""A joint that stays so far behind for so long is stuck, also when its motor makes it creep: a jammed ankle
 that 100 Nm move by 10 mrad/s follows a slow motion by a quarter."""
 _LEGS = ("left_leg", "right_leg")
 _BENT_RAD = 0.010
-"""Legs farther from their setpoints than this (healthy ones that stand: not beyond 6 mrad for 0.3 s in any
-skill) tip a sole, and say nothing true about how the trunk turns: a jammed ankle looked like 18 mrad/s of
-gyro bias before it was found to be stuck."""
+"""Legs farther from their setpoints than this (healthy ones: 5 mrad) tip a sole, and say nothing true about
+how the trunk turns: a jammed ankle looked like 18 mrad/s of gyro bias before it was found to be stuck."""
 _FORGET_S = 30.0
 """The sum of speeds forgets with this time constant: noise of 0.002 rad/s adds up to 0.4 mrad."""
 
@@ -73,9 +72,6 @@ class JointHealth:
         self._legs = np.array([name in legs for name in names])
         ankles = {joint for group in _LEGS for joint in description.groups.get(group, ())[-2:]}
         self._ankles = np.array([name in ankles for name in names])
-        # Ankles give way to what is under a sole; nothing holds back a hip or a knee that stands.
-        above = self._legs & ~self._ankles
-        self._behind_rad = np.where(above, np.minimum(_BENT_RAD, self._stuck_rad), self._stuck_rad)
         self._period_s = period_s
         self._share = min(1.0, _EVERY * period_s / _MOTOR_TIME_S)
         n = len(names)
@@ -170,7 +166,6 @@ class JointHealth:
             then_wanted,
             then,
             self._stuck_rad,
-            self._stuck_rad if room > 1.0 else self._behind_rad,
             self._limits.tracking_rad,
             _FOLLOWED_SHARE,
             room,
