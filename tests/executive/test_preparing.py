@@ -191,8 +191,7 @@ class Notes:
     now_s = 0.0
 
     def __init__(self, fails=""):
-        walks = SimpleNamespace(description=SimpleNamespace(walking=object()))
-        self.toolbox = SimpleNamespace(walking=object(), model=walks)
+        self.toolbox = SimpleNamespace(can_walk=True)
         self.told, self.fails = [], fails
 
     def task_steps(self, command, _timeout_s):
