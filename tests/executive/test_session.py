@@ -9,12 +9,13 @@ from executive.exit_codes import ExitCode
 from executive.lockstep import PERIODS_A_TICK, SETTLE_TICKS
 from executive.meaning import StopCommand
 from executive.planning_jobs import PlanningJobs
-from executive.session import HALT_TICKS, Session, ended
+from executive.session import HALT_TICKS, TASK_TIMEOUT_S, Session, ended
 from robots.clock import ManualClock
 from robots.interface import RobotState
 from robots.sensed_state import SensedState
 from trees.failures import Failure, FailureKind
 from trees.pauses import Pauses
+from trees.policy import TreePolicy
 from trees.tasks import GoHomeTask, ObjectDescription, PickTask, Relation
 
 HOME = GoHomeTask("go home")
@@ -279,3 +280,10 @@ def test_a_pause_while_nothing_is_under_way_is_forgotten(stage):
     made.session.hold(0.1)
 
     assert made.session.run_task(HOME).outcome == "done"
+
+
+def test_every_tree_gives_up_tidily_before_the_session_cuts_it_off():
+    policy = TreePolicy()
+
+    longest_s = policy.task_timeout_s + policy.walk_timeout_s  # what is put behind a door
+    assert longest_s + 30.0 < TASK_TIMEOUT_S
