@@ -37,11 +37,13 @@ class Way:
         path: Its corners before the goal.
         steering: What walks it, to the goal.
         clearance_m: How far it stays from what is as tall as the hands, besides what that takes by itself.
+        passes: Where the body comes by before the goal; that was chosen with what the hands need there.
     """
 
     path: tuple[PlanarPose, ...]
     steering: PathSteering
     clearance_m: float
+    passes: tuple[PlanarPose, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +91,7 @@ class WayFinder:
         for spare_m in self._spares_m(body):
             for clearance in clearances:
                 way = way_with(clearance)
-                if way is not None and self._hands_pass(way, body, goal, spare_m):
+                if way is not None and self._hands_pass(way, spare_m):
                     return way
         return NoWay(any(way_with(clearance) for clearance in clearances), clearances[-1][1])
 
@@ -98,7 +100,11 @@ class WayFinder:
         more_m = high_m - low_m
         around, widest_m = self.room.footprints(self.scene, more_m), self.room.widest_m + more_m
         path = plan_path(body, self._before(goal), around, low_m, self.points, widest_m)
-        return None if path is None else Way(path, PathSteering(self.settings, (*path, goal)), high_m)
+        if path is None:
+            return None
+        steering = PathSteering(self.settings, (*path, goal))
+        passes = tuple(pose for pose in foreseen(steering, body) if not _is_at(pose, goal))
+        return Way(path, steering, high_m, passes)
 
     def _before(self, goal: PlanarPose) -> PlanarPose:
         """Where the straight stretch to the goal begins: as far from it as there is room for legs."""
@@ -114,12 +120,11 @@ class WayFinder:
             return (None,) if crowded else _BESIDE_TUCKED_M
         return (BESIDE_HANDS_M,) if self.if_hands_fit and self.room.can_tuck else (None,)
 
-    def _hands_pass(self, way: Way, body: PlanarPose, goal: PlanarPose, spare_m: float | None) -> bool:
-        """Whether the hands come to nothing on a way; its end was chosen with what they need there."""
-        if spare_m is None:
+    def _hands_pass(self, way: Way, spare_m: float | None) -> bool:
+        """Whether the hands come to nothing on a way; where they have to get by as they can, always."""
+        if spare_m is None or not way.passes:
             return True
-        before = [pose for pose in foreseen(way.steering, body) if not _is_at(pose, goal)]
-        return not before or not self.room.hands_meet(self.scene, before, spare_m)
+        return not self.room.hands_meet(self.scene, way.passes, spare_m)
 
 
 def _is_at(pose: PlanarPose, goal: PlanarPose) -> bool:

@@ -22,8 +22,6 @@ from trees.toolbox import Toolbox
 _FURNITURE, _OUTLOOKS = 3, 2
 """The robot goes to so much furniture that it saw, and beside so many tall things that hide others."""
 _NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
-
-
 _ALL_AROUND: tuple[Viewpoint, ...] = ("around", "back", "around", "around")
 
 

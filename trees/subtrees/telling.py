@@ -25,7 +25,7 @@ from trees.toolbox import Toolbox
 
 _ELSEWHERE = "look elsewhere"
 _OUTLOOKS = 1
-"""With a second one beside something tall, a search in vain takes longer than a task may."""
+"""With one a search in vain takes 176 s of simulated time in the flat: who asks wants an answer."""
 
 
 def find(toolbox: Toolbox) -> Behaviour:
