@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box
-from trees.believed_thing import BelievedThing, Surroundings, surroundings
+from trees.believed_thing import BelievedThing, surroundings
 from trees.grounding import Found, ground
 from trees.tasks import ObjectDescription
 
@@ -26,7 +26,8 @@ class Nearness:
 
     Attributes:
         thing: What is walked to, or what is to be picked up from there.
-        at_hand: Whether it has to be within reach; else it is enough that it was seen.
+        at_hand: Whether it has to be within reach, of furniture whether the robot stands before it; else it
+            is enough that it was seen.
     """
 
     thing: ObjectDescription
@@ -45,7 +46,9 @@ def is_near(wanted: Nearness, scene: PlanningScene, odom_T_base: Transform, supp
     around = surroundings(scene, odom_T_base, support_gap_m)
     found = ground(wanted.thing, around)
     if isinstance(found, Found):
-        return not wanted.at_hand or _within_reach(found.names[0], around)
+        one = next(thing for thing in around.things if thing.name == found.names[0])
+        before = not one.movable and _is_before(one, scene, odom_T_base)
+        return not wanted.at_hand or before or _is_within_reach(one)
     return wanted.at_hand and any(
         thing.kind == wanted.thing.kind and _is_before(thing, scene, odom_T_base)
         for thing in around.things
@@ -53,8 +56,7 @@ def is_near(wanted: Nearness, scene: PlanningScene, odom_T_base: Transform, supp
     )
 
 
-def _within_reach(name: str, around: Surroundings) -> bool:
-    thing = next(one for one in around.things if one.name == name)
+def _is_within_reach(thing: BelievedThing) -> bool:
     ahead, aside, _ = thing.place_m.tolist()
     return bool(_AHEAD_M[0] <= ahead <= _AHEAD_M[1] and abs(aside) <= _ASIDE_M)
 

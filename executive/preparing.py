@@ -4,7 +4,7 @@
 can walk goes to the fridge, opens it, comes within reach of the bottle, and walks back to who spoke; each of
 these is a task of its own, so that what fails is told as what it is. Where the map has rooms, what is spoken
 of may be anywhere in them: it is walked to as well when it is not at hand, and what is to be brought
-somewhere is picked up before the robot walks there.
+somewhere is picked up before the robot walks there. What is asked about a table is seen from before it.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from executive.meaning import Command
 from trees.fridge_inside import is_behind_door
 from trees.handles import MEANT_BY
 from trees.tasks import (
+    CountTask,
+    DescribeTask,
     Destination,
     FindTask,
     HandOverTask,
@@ -146,6 +148,10 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         elif away and thing is not None and not held:
             reach = WalkToTask(f"come within reach of the {thing}", thing)
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
+        seen_from = _seen_from(command) if known.rooms and not walked else None
+        if seen_from is not None:
+            beside = Nearness(_described(seen_from))
+            before.append(Prepared(WalkToTask(f"walk to the {seen_from}", seen_from), unless_near=beside))
         there = _there(command, commands)
         if away and there is not None and not walked:
             near = Nearness(_described(there)) if known.rooms and not _is_person(there) else None
@@ -229,6 +235,12 @@ def _there(command: Command, commands: Sequence[Command]) -> Destination | None:
         beside = to.relation if isinstance(to, ObjectDescription) and to.kind is None else None
         return to if beside is None else beside.to
     return command.to if isinstance(command, PutInTask) and _behind(command, commands) is None else None
+
+
+def _seen_from(command: Command) -> str | None:
+    """From where one sees what a command asks about; what is behind a door nobody sees."""
+    source = command.source if isinstance(command, CountTask | DescribeTask | FindTask) else None
+    return source if isinstance(source, str) and source not in MEANT_BY else None
 
 
 def _who(command: Command) -> str | None:

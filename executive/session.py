@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 HALT_TICKS = 100
 """Ticks that the loop goes on after a cancel: more than the longest braking takes."""
 
-TASK_TIMEOUT_S = 420.0
+TASK_TIMEOUT_S = 480.0
 """Simulated time after which a task is given up: more than any tree gives itself, to end tidily before."""
 
 

@@ -193,7 +193,7 @@ class TreePolicy:
     pull_s: float = 0.15
     take_within_s: float = 15.0
     after_giving_s: float = 0.8
-    walk_timeout_s: float = 240.0
+    walk_timeout_s: float = 300.0
     confidence_slope: float = 0.85
     confidence_offset: float = 1.7
     task_timeout_s: float = 120.0

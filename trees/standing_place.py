@@ -14,7 +14,7 @@ from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.room import WalkingRoom
 from trees.destination import Place
-from trees.scene_update import kind_of
+from trees.one_piece import are_one_piece
 
 EDGE_M = 0.34
 """From the middle between the feet to a table's edge: picks reach best from 0.29 to 0.36, and the
@@ -25,7 +25,6 @@ FREE_M = 0.7
 _TALL_M, _TALL_EDGE_M = 1.3, 1.0
 """From what is taller than this one stands farther away: before the eyes it would hide itself, and a door
 opens towards whoever stands there."""
-_SAME_PIECE_M = 1.0
 _FROM_CORNER_M = 0.25
 _FROM_BORDER_M = 0.4
 """Who stands in a room stands so far inside it."""
@@ -33,6 +32,7 @@ _ROOM_M = 0.8
 _GRID_M = 0.25
 _ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
 _STEPS_M = tuple(0.1 * k for k in range(-5, 6))
+_BEHIND_M = tuple(0.05 * k for k in range(9))
 _BESIDE = sorted(
     (PlanarPose(-back, aside) for back in _STEPS_M if back >= 0.0 for aside in _STEPS_M),
     key=lambda beside: math.hypot(beside.x_m, beside.y_m),
@@ -64,13 +64,16 @@ def standing_place(
     if place.category == "region" and isinstance(place.shape, Box):
         return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
     if place.category == "furniture" and isinstance(place.shape, Box):
-        usual = _before(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
-        return usual if room is None else _where_hands_are_free(usual, body, scene, room)
+        sides = _sides(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
+        if room is None:
+            return sides[0]
+        open_sides = (side for side in sides if _is_open(side, scene, room))
+        return _where_hands_are_free(next(open_sides, sides[0]), body, scene, room)
     if place.category == "object":
         item = SceneObject(place.name, place.shape, place.odom_T_place)
         under = support_of(item, scene, support_gap_m)
         if under is not None and isinstance(under.shape, Box):
-            return _before(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
+            return _sides(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))[0]
     return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene, room)
 
 
@@ -134,14 +137,9 @@ def stands_inside(place: Place, body: PlanarPose) -> bool:
 
 def _height_m(place: Place, scene: PlanningScene) -> float:
     """Of the highest solid of a piece of furniture; boards and sides have the same word and number apart."""
-    x, y = (float(value) for value in place.odom_T_place[:2, 3])
-    tops = [
-        top_m(item)
-        for name, item in scene.objects.items()
-        if not item.movable
-        and kind_of(name) == kind_of(place.name)
-        and math.hypot(item.world_T_object[0, 3] - x, item.world_T_object[1, 3] - y) <= _SAME_PIECE_M
-    ]
+    this = SceneObject(place.name, place.shape, place.odom_T_place)
+    pieces = (item for item in scene.objects.values() if not item.movable and are_one_piece(this, item))
+    tops = [top_m(item) for item in pieces]
     return max(tops, default=float(place.odom_T_place[2, 3]))
 
 
@@ -160,14 +158,14 @@ def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
     return best[1]
 
 
-def _before(
+def _sides(
     box: Box,
     odom_T_box: poses.Transform,
     near: PlanarPose,
     toward: PlanarPose | None = None,
     edge_m: float = EDGE_M,
-) -> PlanarPose:
-    """Square in front of the side of a box that is nearest, level with a point of it."""
+) -> list[PlanarPose]:
+    """Square in front of each side of a box, level with a point of it; the nearest side first."""
     middle = PlanarPose.of(odom_T_box)
     seen = middle.to(toward or near)
     half_x, half_y = 0.5 * box.size_m[0], 0.5 * box.size_m[1]
@@ -178,9 +176,16 @@ def _before(
         0.5 * math.pi: (half_y - seen.y_m if toward else -(seen.y_m - half_y), half_y, half_x, -seen.x_m),
         -0.5 * math.pi: (half_y + seen.y_m if toward else seen.y_m + half_y, half_y, half_x, seen.x_m),
     }
-    outward = min(sides, key=lambda angle: sides[angle][0])
-    _, out_m, wide_m, along_m = sides[outward]
-    room_m = max(0.0, wide_m - _FROM_CORNER_M)
-    along_m = float(np.clip(along_m if toward else 0.0, -room_m, room_m))
-    side = middle @ PlanarPose(yaw_rad=outward)
-    return side @ PlanarPose(out_m + edge_m, along_m, math.pi)
+    stands = []
+    for outward in sorted(sides, key=lambda angle: sides[angle][0]):
+        _, out_m, wide_m, along_m = sides[outward]
+        room_m = max(0.0, wide_m - _FROM_CORNER_M)
+        along_m = float(np.clip(along_m if toward else 0.0, -room_m, room_m))
+        stands.append(middle @ PlanarPose(yaw_rad=outward) @ PlanarPose(out_m + edge_m, along_m, math.pi))
+    return stands
+
+
+def _is_open(side: PlanarPose, scene: PlanningScene, room: WalkingRoom) -> bool:
+    """Whether there is room to turn close behind where one stands: else no way leads there."""
+    narrow = room.either_way()[-1]
+    return any(narrow.tightest(scene, side @ PlanarPose(-back)).lack_m <= 0.0 for back in _BEHIND_M)

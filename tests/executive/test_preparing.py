@@ -164,6 +164,25 @@ def test_who_has_been_told_to_walk_to_the_table_does_not_walk_there_again():
     assert walked("walk to the table and pick up the red cup") == [("walk_to", "table"), ("pick", "")]
 
 
+@pytest.mark.parametrize(
+    ("sentence", "to"),
+    [
+        ("how many cups are on the counter?", "counter"),
+        ("what is on the shelf?", "shelf"),
+        ("is there a cup in the kitchen?", "kitchen"),
+    ],
+)
+def test_what_is_asked_about_a_place_is_seen_from_there(sentence, to):
+    assert walked(sentence)[:-1] == [("walk_to", to)]
+
+
+@pytest.mark.parametrize(
+    "sentence", ["what is in the fridge?", "how many cups are there?", "describe the cup"]
+)
+def test_for_what_has_no_place_or_is_behind_a_door_nobody_walks(sentence):
+    assert len(walked(sentence)) == 1
+
+
 def test_a_room_is_no_place_from_which_things_are_reached():
     said = "go to the kitchen and take the cup from the counter"
 

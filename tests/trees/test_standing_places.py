@@ -155,3 +155,18 @@ def test_before_an_open_door_drawn_in_arms_have_room_to_turn_away():
 
     assert not drawn_in.hands_turn(scene, standing_place(place, scene, PlanarPose(), 0.05))
     assert drawn_in.hands_turn(scene, stand)
+
+
+@pytest.mark.parametrize(("gap_m", "side"), [(0.75, "front"), (1.1, "end")])
+def test_where_a_wall_leaves_no_way_to_the_nearest_side_one_stands_before_another(gap_m, side):
+    shape, pose = Box((0.6, 1.2, 0.04)), poses.translation(0.0, 0.0, 0.88)
+    beyond = 0.6 + gap_m + 0.05
+    wall = SceneObject("wall", Box((3.0, 0.1, 1.6)), poses.translation(0.0, beyond, 0.8), movable=False)
+    table = SceneObject("table", shape, pose, movable=False)
+    scene = PlanningScene().with_objects([table, wall])
+
+    stand = standing_place(
+        Place("table", "furniture", shape, pose, 0.9), scene, PlanarPose(-0.4, beyond + 1.0), 0.05, ROOM
+    )
+
+    assert (stand.y_m > 0.6) == (side == "end")

@@ -13,6 +13,7 @@ from trees.destination import Place, aim_of
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.odometry import feet_pose
+from trees.one_piece import are_one_piece
 from trees.ports import optional, ports
 from trees.scene_update import kind_of
 from trees.standing_place import standing_place
@@ -47,9 +48,10 @@ class ChooseFurniture(Leaf):
             return Failure.postcondition("only things are looked for on furniture", none_left=self.OF)
         body, gap_m, scene = feet_pose(toolbox), toolbox.policy.support_gap_m, toolbox.world.scene
         visited: tuple[str, ...] = self.optional("visited_before") or ()
+        been = [scene.objects[name] for name in visited if name in scene.objects]
         found: list[tuple[float, Place]] = []
         for item in scene.objects.values():
-            if item.name in visited or not _is_top(item):
+            if not _is_top(item) or any(are_one_piece(item, other) for other in been):
                 continue
             place = Place(item.name, "furniture", item.shape, item.world_T_object, _CONFIDENCE)
             away_m = body.distance_m(standing_place(place, scene, body, gap_m))

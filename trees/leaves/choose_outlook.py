@@ -20,6 +20,7 @@ from trees.destination import Place
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.odometry import feet_pose
+from trees.one_piece import are_one_piece
 from trees.ports import optional, ports
 from trees.reachable_standing import Stand
 from trees.scene_update import kind_of
@@ -29,7 +30,6 @@ Array = NDArray[np.float64]
 
 _TALL_M = 1.2
 """Over what is lower a standing robot sees."""
-_SAME_PIECE_M = 1.0
 _WIDEST_M = 2.0
 """What is wider is a wall: what is behind it is another room."""
 _BESIDE_M = 1.0
@@ -85,18 +85,13 @@ def _tall_pieces(scene: PlanningScene, body: PlanarPose) -> list[list[SceneObjec
     ]
     pieces: list[list[SceneObject]] = []
     for item in sorted(tall, key=lambda one: _away_m(one, body)):
-        same = (piece for piece in pieces if _are_one(piece[0], item))
+        same = (piece for piece in pieces if are_one_piece(piece[0], item))
         piece = next(same, None)
         if piece is not None:
             piece.append(item)
         elif _away_m(item, body) <= _FARTHEST_M:
             pieces.append([item])
     return pieces
-
-
-def _are_one(first: SceneObject, second: SceneObject) -> bool:
-    apart = first.world_T_object[:2, 3] - second.world_T_object[:2, 3]
-    return kind_of(first.name) == kind_of(second.name) and float(np.hypot(*apart)) <= _SAME_PIECE_M
 
 
 def _away_m(item: SceneObject, body: PlanarPose) -> float:

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.shapes import Box
-from kinematics.walking.planar import PlanarPose
 from trees.contract import Contract
 from trees.destination import Place, aim_of
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.ports import ports
-
-_HEIGHT_M = 2.0
+from trees.regions import place_of_region
 
 
 class KnowPlace(Leaf):
@@ -33,8 +30,5 @@ class KnowPlace(Leaf):
         if not isinstance(aim, str) or aim not in places:
             known = ", ".join(sorted(places)) or "nothing"
             return Failure.postcondition(f"there is no {aim} on the map", known=known)
-        region = places[aim]
-        pose = PlanarPose(*region.position_m, region.yaw_rad).transform(0.5 * _HEIGHT_M)
-        box = Box((*region.size_m, _HEIGHT_M))
-        self._set_output("place", Place(aim, "region", box, pose, 1.0))
+        self._set_output("place", place_of_region(aim, places[aim]))
         return DONE

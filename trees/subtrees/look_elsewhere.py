@@ -1,4 +1,4 @@
-"""Look for what a task is aimed at from elsewhere: turned around, before furniture, beside what is tall."""
+"""Look from elsewhere for what a task is aimed at: turned around, on furniture, in rooms, behind things."""
 
 from __future__ import annotations
 
@@ -8,19 +8,24 @@ from collections.abc import Sequence as Many
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from trees.alternatives import Alternatives
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.leaves.choose_furniture import ChooseFurniture
 from trees.leaves.choose_outlook import ChooseOutlook
+from trees.leaves.choose_room import ChooseRoom
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
-from trees.subtrees.search_place import everywhere, search_place
+from trees.subtrees.search import looking_elsewhere_is_useless
+from trees.subtrees.search_place import search_place
 from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
-_FURNITURE, _OUTLOOKS = 3, 2
-"""The robot goes to so much furniture that it saw, and beside so many tall things that hide others."""
+_FURNITURE, _ROOMS, _FURNITURE_THERE, _OUTLOOKS = 2, 2, 2, 2
+"""The robot goes to so much furniture that it saw, to so many rooms, to so much furniture that it saw there,
+and beside so many tall things that hide others."""
+_CHOOSING = (ChooseFurniture, ChooseRoom, ChooseOutlook)
 _NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
 _ALL_AROUND: tuple[Viewpoint, ...] = ("around", "back", "around", "around")
 
@@ -41,9 +46,10 @@ def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) 
 
 
 def where_it_may_be(toolbox: Toolbox, outlooks: int = _OUTLOOKS) -> list[Behaviour]:
-    """Ways to see it from before furniture that was seen, then from beside what is tall."""
+    """Ways to see it from before furniture that was seen, in other rooms, then from beside what is tall."""
     return [
         *(_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE + 1)),
+        *(_look_in_room(toolbox, one) for one in range(1, _ROOMS + 1)),
         *(_look_behind(toolbox, one) for one in range(1, outlooks + 1)),
     ]
 
@@ -59,7 +65,7 @@ def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
 
 def worth_going(way: Behaviour, failure: Failure | None) -> bool:
     """A step back only after there was no room to turn; furniture and tall things while some are left."""
-    choosing = [leaf for leaf in way.children if isinstance(leaf, (ChooseFurniture, ChooseOutlook))]
+    choosing = [leaf for leaf in way.children if isinstance(leaf, _CHOOSING)]
     if choosing:
         return failure is None or failure.root.numbers.get("none_left") != choosing[0].OF
     back = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "back" for leaf in way.children)
@@ -70,9 +76,33 @@ def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
     looks = [
         ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
         *_going(toolbox, {"place": "furniture"}),
-        search_place("look around", toolbox, everywhere(toolbox)),
+        search_place("look around", toolbox, _at_tops(toolbox)),
     ]
     return Sequence(f"look on furniture {number}", memory=True, children=looks)
+
+
+def _at_tops(toolbox: Toolbox) -> tuple[Gaze, ...]:
+    """What stands on furniture is not to be seen to the side at the height of the eyes."""
+    first, *others = toolbox.policy.search_gazes
+    return (first, toolbox.policy.level_gazes[0], *others)
+
+
+def _look_in_room(toolbox: Toolbox, number: int) -> Behaviour:
+    """From its middle, on what stands there, and once turned around."""
+    policy = toolbox.policy
+    gazes = (*policy.level_gazes, *policy.search_gazes[:1])
+    ways = [
+        search_place("look around", toolbox, gazes),
+        *(_look_on_furniture(toolbox, one) for one in range(1, _FURNITURE_THERE + 1)),
+        viewpoint(toolbox, 1, "around", gazes),
+        _look_on_furniture(toolbox, _FURNITURE_THERE + 1),
+    ]
+    looks = [
+        ChooseRoom("choose room", toolbox, {"rooms_before": "rooms"}),
+        *_going(toolbox, {"place": "room"}),
+        Alternatives("look in it", ways, looking_elsewhere_is_useless, worth_going),
+    ]
+    return Sequence(f"look in room {number}", memory=True, children=looks)
 
 
 def _look_behind(toolbox: Toolbox, number: int) -> Behaviour:

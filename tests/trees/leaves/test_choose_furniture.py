@@ -45,3 +45,12 @@ def test_people_are_not_looked_for_on_tables(stage):
         stage.run(ChooseFurniture("choose", stage.toolbox), task=WalkToTask("walk to Ana", "Ana"))
         is Status.FAILURE
     )
+
+
+def test_who_was_before_one_board_of_a_shelf_has_been_before_the_others(stage):
+    know(stage, board("shelf", 3.0), board("shelf 2", 3.0, top=1.2), board("table", 6.0))
+    leaf = ChooseFurniture("choose", stage.toolbox, {"visited_before": "visited"})
+
+    assert stage.run(leaf, task=CUP) is Status.SUCCESS
+    assert stage.run(leaf) is Status.SUCCESS
+    assert stage.output("furniture").name == "table"

@@ -19,6 +19,11 @@ FIND_CUP = FindTask("where is the white cup?", ObjectDescription("cup", "white")
 FAR_TABLE = TrueObject(
     "table 2", "furniture", "table", "unknown", Box((0.6, 1.0, 0.04)), poses.translation(-4.0, 0.0, 0.83)
 )
+ROOMS = {
+    "living room": Region("living room", (-5.0, 0.0), (4.0, 4.0)),
+    "kitchen": Region("kitchen", (1.0, 0.0), (4.0, 4.0)),
+}
+CUP_ON_FLOOR = cup("white cup", "white", (-5.0, 0.4), 0.0)
 CUP_ON_IT = cup("white cup", "white", (-3.85, 0.1))
 
 
@@ -67,11 +72,7 @@ def test_who_is_nowhere_is_told_as_not_seen_and_not_as_one_of_the_ways_that_were
 
 def test_what_was_found_is_told_with_what_it_stands_on_and_the_room(new_stage):
     stage = new_stage(table(), cup("white cup", "white"), walks=True)
-    rooms = {
-        "living room": Region("living room", (-5.0, 0.0), (4.0, 4.0)),
-        "kitchen": Region("kitchen", (1.0, 0.0), (4.0, 4.0)),
-    }
-    toolbox = dataclasses.replace(stage.toolbox, places=rooms)
+    toolbox = dataclasses.replace(stage.toolbox, places=ROOMS)
 
     stage.play(build_tree(FIND_CUP, toolbox))
 
@@ -85,3 +86,24 @@ def test_once_no_furniture_is_left_no_more_is_chosen(new_stage):
 
     asked = [event for event in stage.events if getattr(event, "where", "").endswith("choose furniture")]
     assert len({event.where for event in asked}) == 1
+
+
+@pytest.mark.parametrize("task", [FIND_ANA, FIND_CUP])
+def test_what_is_in_no_room_that_was_seen_is_looked_for_in_the_others_of_the_map(new_stage, task):
+    stage = new_stage(walks=True)
+    stage.when("walk", lambda: stage.fake.world.put(ANA))
+    stage.when("walk", lambda: stage.fake.world.put(CUP_ON_FLOOR))
+
+    tree = stage.play(build_tree(task, dataclasses.replace(stage.toolbox, places=ROOMS)))
+
+    assert tree.status == "success"
+
+
+def test_the_room_where_one_is_is_not_gone_to_and_each_other_once(new_stage):
+    stage = new_stage(walks=True)
+
+    tree = stage.play(build_tree(FIND_ANA, dataclasses.replace(stage.toolbox, places=ROOMS)))
+
+    gone = [event for event in stage.events if getattr(event, "where", "").endswith("choose room")]
+    assert [event.message for event in gone if event.status == "success"] == ["living room"]
+    assert tree.failure.message == "could not find Ana: no Ana seen"

@@ -1,0 +1,16 @@
+"""Regions of the map, as places to walk to."""
+
+from __future__ import annotations
+
+from kinematics.shapes import Box
+from kinematics.walking.planar import PlanarPose
+from robots.scene_description import Region
+from trees.destination import Place
+
+_HEIGHT_M = 2.0
+
+
+def place_of_region(name: str, region: Region) -> Place:
+    """A region as a place, certain as the map is."""
+    pose = PlanarPose(*region.position_m, region.yaw_rad).transform(0.5 * _HEIGHT_M)
+    return Place(name, "region", Box((*region.size_m, _HEIGHT_M)), pose, 1.0)
