@@ -144,7 +144,9 @@ class LowerFurther(PlannedMotionLeaf):
             return None
         toolbox, held, placement = self.toolbox, self.get_input("held"), self.get_input("placement")
         pairs = [(min(held.name, name), max(held.name, name)) for name in placement.touches]
-        scene = lowered_supports(toolbox.world.scene, placement.touches, self._lowest_m(held))
+        # it gets there only if nothing carries it before: a touch ends the motion
+        comes_to_m = self._lowest_m(held) - toolbox.policy.further_m
+        scene = lowered_supports(toolbox.world.scene, placement.touches, comes_to_m)
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
