@@ -36,7 +36,8 @@ from trees.failures import Failure, FailureKind
 from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
-from trees.tasks import ObjectOf, PickTask, Task, WalkToTask
+from trees.questions import OTHER
+from trees.tasks import ObjectDescription, ObjectOf, PickTask, Task, WalkToTask
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -161,17 +162,19 @@ class Errand:
             return None
         if self._on_question == "first":
             session.tell(InputTaken(session.now_s, "answer", choices[0]))
-            return _of_one(command, names[0])
+            return _answered(command, failure.choice_slot, names[0])
         tried = ""
         for _ in range(MAX_TRIES):
             text = yield OpenQuestion(question, choices, tried)
             session.tell(InputTaken(session.now_s, "answer", text or ""))
             if text is None:
                 return None
-            meant = partial(ground, around=self._around().only(names))
+            around = self._around().only(names)
+            people = [thing for thing in around.things if thing.is_person and thing.name in names]
+            meant = partial(ground, around=around, among=people or None)
             match understood_answer(text, choices, meant, names):
                 case Chosen(index):
-                    return _of_one(command, names[index])
+                    return _answered(command, failure.choice_slot, names[index])
                 case Withdrawn():
                     return Failure(FailureKind.CANCELED, "withdrawn by the answer")
                 case Unclear(message):
@@ -260,6 +263,19 @@ def _of_one(command: Command, name: str) -> Command:
     changes: dict[str, Any] = {"to" if isinstance(command, WalkToTask) else "object": exactly(name)}
     if hasattr(command, "count"):
         changes["count"] = 1
+    return replace(command, **changes)
+
+
+def _answered(command: Command, slot: str, name: str) -> Command:
+    """The command with the thing that was chosen in the slot that was asked about."""
+    if slot == "object" and hasattr(command, slot):
+        return _of_one(command, name)
+    meant: Any = exactly(name)
+    if slot == OTHER:
+        slot, to = "to", getattr(command, "to", None)
+        if isinstance(to, ObjectDescription) and to.relation is not None:
+            meant = replace(to, relation=replace(to.relation, to=meant))
+    changes: dict[str, Any] = {slot: meant}
     return replace(command, **changes)
 
 

@@ -45,7 +45,7 @@ ADVICE: Mapping[FailureKind, str] = MappingProxyType(
 """What a person can do after each kind."""
 
 _HIDDEN = frozenset(
-    {"choices", "objects", "unseen", "none_left", "attempts", "survey", "exception", "raised_at"}
+    {"choices", "objects", "slot", "unseen", "none_left", "attempts", "survey", "exception", "raised_at"}
 )
 _IN_THE_MESSAGE = frozenset({"step", "finding", "findings", "subject", "value", "limit", "t_s"})
 """What the message of an unsafe trajectory says already."""

@@ -17,6 +17,8 @@ from trees.scene_update import kind_of
 
 Array = NDArray[np.float64]
 
+PERSON = "person"
+
 
 @dataclass(frozen=True, slots=True)
 class BelievedThing:
@@ -42,6 +44,11 @@ class BelievedThing:
     half_height_m: float
     movable: bool
     support: str | None
+
+    @property
+    def is_person(self) -> bool:
+        """People are known by their names, which begin with a capital, or as "person"."""
+        return not self.movable and (self.kind == PERSON or self.name[:1].isupper())
 
     @property
     def words(self) -> str:

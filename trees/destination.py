@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
@@ -15,12 +16,14 @@ from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Shape
 from robots.perception.detector import Category
 from robots.perception.object_estimate import ObjectEstimate
-from trees.believed_thing import Surroundings
-from trees.failures import CHOICES_JOINED_BY, Failure
-from trees.grounding import Ambiguous, Found, Missing, ground
+from trees.believed_thing import PERSON, Surroundings
+from trees.failures import Failure
+from trees.grounding import Ambiguous, Choice, Found, Grounding, Missing, ground
+from trees.people import compares_people, person_meant
+from trees.questions import which_is_meant
 from trees.report_words import kinds_in
 from trees.scene_update import kind_of
-from trees.tasks import Destination, ObjectDescription, ObjectOf
+from trees.tasks import Destination, HandOverTask, ObjectDescription, ObjectOf
 
 # From the top of a person's cylinder down to the middle of the face.
 _FACE_BELOW_TOP_M = 0.13
@@ -64,17 +67,30 @@ def aim_of(task: object, slots: Sequence[str] = SLOTS) -> Destination | None:
     Raises:
         TypeError: It refers to an object of another task that was not filled in.
     """
-    for slot in slots:
-        wanted: Destination | None = getattr(task, slot, None)
-        if isinstance(wanted, ObjectOf):
-            raise TypeError("the object of an earlier task was not filled in")
-        if wanted is not None:
-            return wanted
-    return None
+    slot = slot_of(task, slots)
+    wanted: Destination | None = None if slot is None else getattr(task, slot)
+    if isinstance(wanted, ObjectOf):
+        raise TypeError("the object of an earlier task was not filled in")
+    return wanted
+
+
+def slot_of(task: object, slots: Sequence[str] = SLOTS) -> str | None:
+    """Name of the slot that says what a task is aimed at."""
+    return next((slot for slot in slots if getattr(task, slot, None) is not None), None)
+
+
+def aims_at_person(task: object, slot: str | None) -> bool:
+    """Whether what a slot describes is somebody, whatever the words are."""
+    return slot == PERSON or (slot == "to" and isinstance(task, HandOverTask))
 
 
 def resolve(
-    wanted: Destination | None, seen: Mapping[str, ObjectEstimate], around: Surroundings
+    wanted: Destination | None,
+    seen: Mapping[str, ObjectEstimate],
+    around: Surroundings,
+    slot: str = "object",
+    somebody: bool = False,
+    recalled: Mapping[str, Place] = MappingProxyType({}),
 ) -> Place | Failure:
     """Find what is meant among what was seen.
 
@@ -83,29 +99,30 @@ def resolve(
             nearest person, "in_front" (and None) the one who stands most straight ahead.
         seen: Estimates by the names that they have in the planning scene.
         around: What is believed, for descriptions that compare things.
+        slot: Of the task, that says so; an answer to a question goes there.
+        somebody: Whether a person is meant, whatever the words are.
+        recalled: People by their names, where they were seen before.
 
     Returns:
         The place, or why not: nothing fits, or several things do (the failure has ``choices``).
     """
     if isinstance(wanted, ObjectOf):
         raise TypeError("the object of an earlier task was not filled in")
-    if isinstance(wanted, ObjectDescription) and wanted.kind != "person" and not wanted.name:
+    if isinstance(wanted, ObjectDescription) and compares_people(wanted, somebody):
+        return _grounded(person_meant(wanted, around), seen, slot, recalled)
+    if isinstance(wanted, ObjectDescription) and wanted.kind != PERSON and not wanted.name:
         fitting = {name: item for name, item in seen.items() if _is_furniture(wanted, name, item)}
         if not fitting:
-            return _grounded(wanted, seen, around)
+            return _grounded(ground(wanted, around), seen, slot)
     else:
-        word = (
-            wanted if isinstance(wanted, str) else "in_front" if wanted is None else wanted.name or "person"
-        )
+        word = wanted if isinstance(wanted, str) else "in_front" if wanted is None else wanted.name or PERSON
         fitting = _named(word, seen, around)
     if not fitting:
         return Failure.postcondition(f"no {words_of(wanted)} seen", seen=kinds_in(seen))
     if len(fitting) > 1:
-        return Failure.infeasible(
-            f"which {words_of(wanted)}? there are {len(fitting)}",
-            choices=CHOICES_JOINED_BY.join(sorted(fitting)),
-            count=len(fitting),
-        )
+        choices = tuple(Choice(name, name) for name in sorted(fitting))
+        message = f"which {words_of(wanted)}? there are {len(fitting)}"
+        return which_is_meant(Ambiguous(message, choices), slot)
     ((name, item),) = fitting.items()
     return place_from(name, item)
 
@@ -135,19 +152,27 @@ def furniture_named(kind: str, scene: PlanningScene) -> list[SceneObject]:
 
 
 def _grounded(
-    wanted: ObjectDescription, seen: Mapping[str, ObjectEstimate], around: Surroundings
+    meant: Grounding,
+    seen: Mapping[str, ObjectEstimate],
+    slot: str,
+    recalled: Mapping[str, Place] = MappingProxyType({}),
 ) -> Place | Failure:
-    """An object among those that are believed; it must have been seen just now."""
-    match ground(wanted, around):
-        case Ambiguous(message, choices):
-            words = [choice.words for choice in choices]
-            return Failure.infeasible(message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+    """Something among what is believed; but for what is recalled it must have been seen just now."""
+    match meant:
+        case Ambiguous() as unclear:
+            return which_is_meant(unclear, slot)
         case Missing(message):
             return Failure.postcondition(message, seen=kinds_in(seen))
         case Found(names):
             if names[0] in seen:
                 return place_from(names[0], seen[names[0]])
-            return Failure.postcondition(f"the {names[0]} was seen before, but is not in view now")
+            if names[0] in recalled:
+                return recalled[names[0]]
+            return Failure.postcondition(f"{_the(names[0])} was seen before, but is not in view now")
+
+
+def _the(name: str) -> str:
+    return name if name[:1].isupper() else f"the {name}"
 
 
 def _is_furniture(wanted: ObjectDescription, name: str, item: ObjectEstimate) -> bool:

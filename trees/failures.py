@@ -99,6 +99,11 @@ class Failure:
         return self._listed("objects")
 
     @property
+    def choice_slot(self) -> str:
+        """The task's slot that a choice fills in."""
+        return str(self.root.numbers.get("slot", "object"))
+
+    @property
     def root(self) -> Failure:
         """The failure that began the chain."""
         root = self

@@ -72,6 +72,7 @@ def ground(
     around: Surroundings,
     source: Destination | None = None,
     count: Count = 1,
+    among: Sequence[BelievedThing] | None = None,
 ) -> Grounding:
     """Find what a description means.
 
@@ -80,9 +81,12 @@ def ground(
         around: What the robot believes to be around it.
         source: Where it is said to be: a piece of furniture, or a thing that it is in or on.
         count: How many are meant. For a number more than fit, the nearest ones; "both" needs exactly two.
+        among: What is of its kind and colour; None for all objects that are.
     """
     try:
-        fitting = _fitting(wanted, around, source)
+        if among is None:
+            among = _of_kind(wanted, around)
+        fitting = _fitting(wanted, list(among), around, source)
     except NoneFitsError as none:
         return Missing(none.message, none.had)
     except UntellableError as untellable:
@@ -129,16 +133,12 @@ def _choices(things: Sequence[BelievedThing]) -> tuple[Choice, ...]:
     return tuple(Choice(thing.name, words) for thing, words in told_apart(things))
 
 
-def _fitting(
-    wanted: ObjectDescription, around: Surroundings, source: Destination | None
-) -> list[BelievedThing]:
-    """Objects for which everything holds.
+def _of_kind(wanted: ObjectDescription, around: Surroundings) -> list[BelievedThing]:
+    """Objects of the kind and colour that is meant.
 
     Raises:
         NoneFitsError: There is none.
-        UntellableError: Something cannot be told.
     """
-    noun = str(wanted)
     fitting = [
         thing
         for thing in around.objects
@@ -146,7 +146,23 @@ def _fitting(
     ]
     if not fitting:
         held = [name for name in around.held if _like(wanted, name)]
-        raise NoneFitsError(f"the {kind_of(held[0])} is in the hand" if held else f"no {noun} seen", False)
+        raise NoneFitsError(f"the {kind_of(held[0])} is in the hand" if held else f"no {wanted} seen", False)
+    return fitting
+
+
+def _fitting(
+    wanted: ObjectDescription,
+    fitting: list[BelievedThing],
+    around: Surroundings,
+    source: Destination | None,
+) -> list[BelievedThing]:
+    """Those of some things for which everything else holds.
+
+    Raises:
+        NoneFitsError: There is none.
+        UntellableError: Something cannot be told.
+    """
+    noun = str(wanted)
     if wanted.relation is not None:
         fitting = _related(wanted.relation, fitting, around, noun)
     if source is not None:
@@ -201,7 +217,7 @@ def _references(to: Destination, around: Surroundings, fitting: list[BelievedThi
         raise TypeError("the object of an earlier task was not filled in")
     if isinstance(to, ObjectDescription):
         try:
-            return _fitting(to, around, None)
+            return _fitting(to, _of_kind(to, around), around, None)
         except NoneFitsError:
             found = _furniture(to.name or to.kind or "", around)
             if found:
@@ -227,7 +243,7 @@ def _furniture(name: str, around: Surroundings) -> list[BelievedThing]:
 
 
 def _people(around: Surroundings) -> list[BelievedThing]:
-    return [thing for thing in around.things if not thing.movable and thing.kind == "person"]
+    return [thing for thing in around.things if thing.is_person]
 
 
 def _at(

@@ -17,9 +17,10 @@ from kinematics.shapes import Box
 from kinematics.support import support_of
 from trees.believed_thing import surroundings
 from trees.destination import furniture_named
-from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, ground
 from trees.held import HeldObject
+from trees.questions import OTHER, which_is_meant
 from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.sight_of_tops import SightOfTops
@@ -149,8 +150,7 @@ def _other(
     if isinstance(answer, Found):
         return scene.objects[answer.names[0]]
     if isinstance(answer, Ambiguous):
-        words = [choice.words for choice in answer.choices]
-        return Failure.infeasible(answer.message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+        return which_is_meant(answer, OTHER)
     return Failure.postcondition(answer.message)
 
 

@@ -22,6 +22,9 @@ Array = NDArray[np.float64]
 NEXT_TO_M = 0.20
 """Two things with less than a hand's width and a half between their surfaces are beside each other."""
 
+STANDING_BY_M = 1.0
+"""People who are this near to something stand next to it."""
+
 APART_M = 0.02
 """Centres that differ by less in some direction cannot be told apart in it: twice what two perception
 biases of 5 mm and the noise make likely."""
@@ -71,6 +74,8 @@ def _in_direction(offset: Array, direction: tuple[float, float]) -> bool:
 
 def _next_to(item: BelievedThing, reference: BelievedThing) -> bool:
     gap = between_m(item, reference) - item.radius_m - reference.radius_m
+    if not item.movable:
+        return gap <= STANDING_BY_M
     return gap <= NEXT_TO_M and abs(item.bottom_m - reference.bottom_m) <= NEXT_TO_M
 
 

@@ -10,9 +10,10 @@ from py_trees.common import Status
 
 from trees.believed_thing import Surroundings, surroundings
 from trees.events import Said
-from trees.failures import CHOICES_JOINED_BY, Failure, Number
+from trees.failures import Failure, Number
 from trees.grounding import Ambiguous, Missing, ground, is_called
 from trees.leaf import DONE, Leaf
+from trees.questions import which_is_meant
 from trees.shut import why_shut
 from trees.stated_confidence import calibrated
 from trees.tasks import Destination, ObjectDescription
@@ -63,6 +64,5 @@ class TellingLeaf(Leaf):
                 return shut
         answer = ground(wanted, around, source, "all")
         if isinstance(answer, Ambiguous):
-            words = [choice.words for choice in answer.choices]
-            return Failure.infeasible(answer.message, choices=CHOICES_JOINED_BY.join(words), count=len(words))
+            return which_is_meant(answer)
         return () if isinstance(answer, Missing) else answer.names

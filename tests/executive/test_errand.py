@@ -7,8 +7,22 @@ from executive.errand import Errand, drive
 from executive.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.meaning import StopCommand
 from executive.task_result import Provenance
-from robots.fake.fake_world import cup
-from trees.tasks import GoHomeTask, ObjectDescription, ObjectOf, OpenTask, PickTask
+from robots.fake.fake_world import cup, person
+from trees.events import NodeChanged
+from trees.tasks import (
+    DescribeTask,
+    FindTask,
+    GoHomeTask,
+    LookAtTask,
+    ObjectDescription,
+    ObjectOf,
+    OpenTask,
+    PickTask,
+    PlaceTask,
+    PointAtTask,
+    Relation,
+    WaveTask,
+)
 
 A_CUP = PickTask("pick up the cup", ObjectDescription("cup"))
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
@@ -165,3 +179,52 @@ def test_provenance_is_kept_with_each_task(stage):
 
     assert result.provenance == step
     assert result.to_json()["provenance"] == {"step": 0, "confidence": 0.93, "form": "sentence"}
+
+
+@pytest.mark.requirement("L6")
+@pytest.mark.parametrize(
+    ("task", "slot"),
+    [
+        (PointAtTask("point at the cup", ObjectDescription("cup")), "object"),
+        (LookAtTask("look at the cup", ObjectDescription("cup")), "object"),
+        (DescribeTask("describe the cup", ObjectDescription("cup")), "object"),
+        (FindTask("where is the cup", ObjectDescription("cup")), "object"),
+    ],
+)
+def test_whatever_is_asked_which_is_meant_goes_on_with_the_answer(stage, task, slot):
+    on = stage(LEFT, RIGHT)
+
+    [result] = on.run(task, answers=["the blue one"])
+
+    assert [question.text for question in on.questions] == ["which cup? there are 2"]
+    assert result.outcome == "done"
+
+
+@pytest.mark.requirement("L6")
+def test_an_answer_may_be_about_what_something_is_put_beside(stage):
+    on = stage(LEFT, RIGHT, cup("c", "green", (0.5, 0.0)))
+    beside = ObjectDescription(relation=Relation("next_to", ObjectDescription("cup")))
+    red = ObjectDescription("cup", "red")
+
+    [_, result] = on.run(
+        PickTask("take the red cup", red), PlaceTask("put it next to the cup", red, to=beside), answers=["2"]
+    )
+
+    assert on.questions[0].choices == ("green cup", "blue cup")
+    assert result.outcome == "done"
+
+
+@pytest.mark.requirement("L3")
+@pytest.mark.parametrize(("ordinal", "choices"), [("leftmost", ()), (None, ("Ben", "Ana"))])
+def test_the_person_on_the_left_is_waved_at_and_the_guest_asked_about(stage, ordinal, choices):
+    on = stage(person("Ana", (1.5, -0.6)), person("Ben", (1.5, 0.6)))
+    wanted = ObjectDescription("person" if ordinal else "guest", ordinal=ordinal)
+
+    [result] = on.run(WaveTask("wave", wanted), answers=["the left one"])
+
+    assert [question.choices for question in on.questions] == ([choices] if choices else [])
+    assert result.outcome == "done"
+    located = [
+        event.message for event in on.of(NodeChanged) if event.message.startswith(("Ana at", "Ben at"))
+    ]
+    assert located[-1].split()[0] == "Ben"

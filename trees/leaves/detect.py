@@ -15,7 +15,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 from trees.believed_thing import surroundings
 from trees.contract import Contract
-from trees.failures import CHOICES_JOINED_BY, Failure
+from trees.failures import Failure
 from trees.glimpse_of import glimpse_of
 from trees.grounding import Ambiguous, Found, Missing, compares, ground
 from trees.handles import without_moved_parts
@@ -23,6 +23,7 @@ from trees.in_hand import not_in_hand
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import ports
+from trees.questions import which_is_meant
 from trees.scene_update import kind_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
@@ -126,14 +127,9 @@ class Detect(LookLeaf):
                 return Failure.postcondition(message, seen=_words(seen), lost=True)
             case Missing(message):
                 return Failure.postcondition(message, seen=_words(seen))
-            case Ambiguous(message, choices):
-                return Failure.infeasible(
-                    message,
-                    choices=CHOICES_JOINED_BY.join(choice.words for choice in choices),
-                    objects=CHOICES_JOINED_BY.join(choice.name for choice in choices),
-                    count=len(choices),
-                    unseen=sum(choice.name not in world.sightings for choice in choices),
-                )
+            case Ambiguous(_, choices) as unclear:
+                unseen = sum(choice.name not in world.sightings for choice in choices)
+                return which_is_meant(unclear, unseen=unseen)
             case Found(names):
                 return self._target(names, seen)
 

@@ -48,7 +48,7 @@ class FindContainer(LookAround):
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Choose the container, and measure it."""
         held = self.get_input("held")
-        place = resolve(self.get_input("task").to, seen, self.around())
+        place = resolve(self.get_input("task").to, seen, self.around(), "to")
         if isinstance(place, Failure):
             return place
         spots = self._spots_in(held, place)

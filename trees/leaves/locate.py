@@ -7,13 +7,19 @@ from collections.abc import Mapping, Sequence
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
+from trees.believed_thing import Surroundings
 from trees.contract import Contract
-from trees.destination import SLOTS, Place, aim_of, resolve
+from trees.destination import SLOTS, Place, aim_of, aims_at_person, resolve, slot_of
 from trees.failures import Failure
 from trees.leaf import DONE
 from trees.look_around import LookAround
+from trees.people import compares_people
 from trees.ports import ports
+from trees.tasks import Destination, ObjectDescription
 from trees.toolbox import Toolbox
+
+_CONFIDENCE = 0.5
+"""Of a person who was seen, and is not in view now."""
 
 
 class Locate(LookAround):
@@ -31,16 +37,48 @@ class Locate(LookAround):
         deadline_s=2.0,
     )
 
-    def __init__(self, name: str, toolbox: Toolbox, slots: Sequence[str] = SLOTS) -> None:
+    def __init__(
+        self, name: str, toolbox: Toolbox, slots: Sequence[str] = SLOTS, settles: bool = True
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            slots: Of the task, that say what is looked for, the one that counts first.
+            settles: Whether enough was seen to say which of several is meant: the leftmost of those in the
+                first picture may not be the leftmost of all.
+        """
         super().__init__(name, toolbox)
-        self._slots = slots
+        self._slots, self._settles = slots, settles
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Choose what is meant."""
-        place = resolve(aim_of(self.get_input("task"), self._slots), seen, self.around())
+        task = self.get_input("task")
+        slot, aim = slot_of(task, self._slots), aim_of(task, self._slots)
+        somebody = aims_at_person(task, slot)
+        if not self._settles and _compares(aim, somebody):
+            return Failure.postcondition(f"looking whether there is more than this {aim}", survey=True)
+        around = self.around()
+        place = resolve(aim, seen, around, slot or "object", somebody, self._people(around))
         if isinstance(place, Failure):
             return place
         self._set_output("place", place)
         x, y, z = place.odom_T_place[:3, 3]
         self.feedback_message = f"{place.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
+
+    def _people(self, around: Surroundings) -> dict[str, Place]:
+        """Everybody, where they were seen last."""
+        scene = self.toolbox.world.scene
+        people = (scene.objects[thing.name] for thing in around.things if thing.is_person)
+        return {
+            item.name: Place(item.name, "person", item.shape, item.world_T_object, _CONFIDENCE)
+            for item in people
+        }
+
+
+def _compares(aim: Destination | None, somebody: bool) -> bool:
+    if not isinstance(aim, ObjectDescription) or aim.name:
+        return False
+    return aim.ordinal not in (None, "other") or aim.size is not None or compares_people(aim, somebody)

@@ -10,8 +10,10 @@ from py_trees.ports import PortInformation
 from trees.believed_thing import BelievedThing, Surroundings
 from trees.contract import Contract
 from trees.failures import Failure, Number
+from trees.grounding import Ambiguous, ground
 from trees.handles import MEANT_BY
 from trees.ports import ports
+from trees.questions import which_is_meant
 from trees.report_words import inventory, plural, whereabouts
 from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
 from trees.telling_leaf import TellingLeaf
@@ -79,8 +81,11 @@ class TellDescription(TellingLeaf):
         names = self.fitting(wanted, around, source)
         if isinstance(names, Failure):
             return names
-        if len(names) != 1:
-            return Failure.postcondition(f"{'no' if not names else 'more than one'} {wanted} seen")
+        if not names:
+            return Failure.postcondition(f"no {wanted} seen")
+        meant = ground(wanted, around, source)
+        if isinstance(meant, Ambiguous):
+            return which_is_meant(meant)
         thing = _by_name(around.objects, names[0])
         words = f"the {thing.words} is {whereabouts(thing)}"
         evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}

@@ -23,10 +23,16 @@ def search_place(
     slots: Many[str] = SLOTS,
     further: Many[Behaviour] = (),
 ) -> Alternatives:
-    """From here, then one gaze after the other, then further looks, until it is seen; writes "place"."""
-    looks: list[Behaviour] = [Locate("look from here", toolbox, slots)]
-    for gaze in gazes:
-        children: list[Behaviour] = [LookAt("look", toolbox, gaze), Locate("locate", toolbox, slots)]
+    """From here, then one gaze after the other, then further looks, until it is seen; writes "place".
+
+    Which of several is meant is not said before the looks to both sides.
+    """
+    sides = [k for k, gaze in enumerate(gazes) if gaze in toolbox.policy.level_gazes]
+    settled = max(sides, default=-1)
+    looks: list[Behaviour] = [Locate("look from here", toolbox, slots, settles=not sides)]
+    for k, gaze in enumerate(gazes):
+        locate = Locate("locate", toolbox, slots, settles=k >= settled)
+        children: list[Behaviour] = [LookAt("look", toolbox, gaze), locate]
         looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
     return Alternatives(name, [*looks, *further], hopeless=looking_elsewhere_is_useless)
 
