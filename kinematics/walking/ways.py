@@ -24,7 +24,8 @@ _CLEARANCES_M: tuple[Clearance, ...] = ((0.72, 0.72), (0.62, 0.62), (0.72, 0.47)
 """The first one that leaves a way is kept. Below the hands TALOS is nowhere wider than 0.32 m each way."""
 _TUCKED_CLEARANCES_M: tuple[Clearance, ...] = ((0.72, 0.72), (0.62, 0.62), (0.55, 0.47), (0.52, 0.42))
 """The same with the arms drawn in."""
-_BESIDE_TUCKED_M = (BESIDE_HANDS_M, 0.03, 0.0)
+BESIDE_TUCKED_M = (BESIDE_HANDS_M, 0.03, 0.0)
+"""Left beside the hands, the more the better."""
 _STRAIGHT_SHARES = (1.0, 0.67, 0.33)
 _THERE_M, _THERE_RAD = 0.05, 0.1
 
@@ -116,8 +117,8 @@ class WayFinder:
     def _spares_m(self, body: PlanarPose) -> tuple[float | None, ...]:
         """What to leave beside the hands, the more the better; None where they have to get by as they can."""
         if self.room.tucked:
-            crowded = self.room.hands_meet(self.scene, [body], _BESIDE_TUCKED_M[-1])
-            return (None,) if crowded else _BESIDE_TUCKED_M
+            crowded = self.room.hands_meet(self.scene, [body], BESIDE_TUCKED_M[-1])
+            return (None,) if crowded else BESIDE_TUCKED_M
         return (BESIDE_HANDS_M,) if self.if_hands_fit and self.room.can_tuck else (None,)
 
     def _hands_pass(self, way: Way, spare_m: float | None) -> bool:

@@ -11,10 +11,10 @@ from py_trees.common import Status
 
 from kinematics.walking.path_planning import Footprint, blocked
 from kinematics.walking.planar import PlanarPose
-from kinematics.walking.room import WalkingRoom
+from kinematics.walking.room import BESIDE_HANDS_M, WalkingRoom
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering, foreseen
-from kinematics.walking.ways import NoWay, WayFinder
+from kinematics.walking.ways import BESIDE_TUCKED_M, NoWay, WayFinder
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
@@ -173,11 +173,13 @@ class WalkTo(WalkingLeaf):
         lack_m = room.tightest(scene, body, at_ease=True).lack_m
         best: StretchSteering | None = None
         least_m = lack_m
+        # what is beside the hands here already is no reason to stay: the way leads back from it
+        beside_m = next((m for m in BESIDE_TUCKED_M if not room.hands_meet(scene, [body], m)), BESIDE_HANDS_M)
         for share in _BACK_SHARES if lack_m > 0.0 else ():
             back_m = share * (lack_m + _BEYOND_M)
             back = StretchSteering(settings, body, -_BACK_M_S, back_m)
             left_m = room.tightest(scene, body @ PlanarPose(-back_m), at_ease=True).lack_m
-            if max(left_m, 0.0) < least_m and not room.hands_meet(scene, foreseen(back, body)):
+            if max(left_m, 0.0) < least_m and not room.hands_meet(scene, foreseen(back, body), beside_m):
                 best, least_m = back, max(left_m, 0.0)
         return best
 

@@ -119,6 +119,21 @@ def test_the_robot_steps_back_to_turn_only_where_its_hands_come_to_nothing(stage
     assert isinstance(feet.asked[0], StretchSteering) is back
 
 
+@pytest.mark.parametrize(("tip_m", "back"), [(0.02, True), (-0.02, False)])
+def test_a_door_beside_drawn_in_hands_is_stepped_back_from(stage, tip_m, back):
+    assert stage.run(DrawArmsIn("draw the arms in", stage.toolbox)) is Status.SUCCESS
+    at = poses.translation(0.2, 0.45 + tip_m + 0.02, 0.75)
+    door = SceneObject("door", Box((0.04, 0.04, 1.5)), at, movable=False)
+    stage.told.update(stage.told.scene.with_objects([door]))
+    feet = FeetThatSetOut()
+    leaf = WalkTo("walk", dataclasses.replace(stage.toolbox, walking=feet, ranging=None))
+    place = Place("counter", "furniture", Box((0.4, 0.4, 0.9)), poses.translation(-3.0, 0.0, 0.45), 0.9)
+    stage.ready(leaf, place=place)
+    stage.tick(leaf)
+
+    assert isinstance(feet.asked[0], StretchSteering) is back
+
+
 def test_with_something_behind_as_well_the_robot_steps_back_to_the_middle(stage):
     ahead = SceneObject("table", Box((0.4, 0.4, 0.8)), poses.translation(0.6, 0.0, 0.4), movable=False)
     behind = SceneObject("chair", Box((0.4, 0.4, 0.8)), poses.translation(-0.85, 0.0, 0.4), movable=False)
