@@ -11,7 +11,7 @@ from trees.scene_update import kind_of
 # Nearer to the line straight ahead than this, a thing is on neither side.
 _STRAIGHT_M = 0.05
 
-_IRREGULAR = {"box": "boxes", "shelf": "shelves"}
+_IRREGULAR = {"box": "boxes", "shelf": "shelves", "person": "people"}
 _NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
 
@@ -37,12 +37,10 @@ def kinds_in(names: Iterable[str]) -> str:
     return ", ".join(sorted(set(map(kind_of, names)))) or "nothing"
 
 
-def inventory(things: Iterable[BelievedThing]) -> str:
-    """What is there, from the most common on: "two red cups and one blue box"."""
+def counted(things: Iterable[BelievedThing]) -> list[str]:
+    """How many there are of each, from the most common on: "two red cups", "one blue box"."""
     counts = Counter(thing.words for thing in things)
-    if not counts:
-        return "nothing"
-    return listed([plural(words, count) for words, count in sorted(counts.items(), key=_commonest)])
+    return [plural(words, count) for words, count in sorted(counts.items(), key=_commonest)]
 
 
 def _commonest(item: tuple[str, int]) -> tuple[int, str]:

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from statistics import fmean
 
 from py_trees.common import Status
 
-from trees.believed_thing import Surroundings, surroundings
+from robots.scene_description import Region
+from trees.believed_thing import PERSON, Surroundings, surroundings
 from trees.events import Said
 from trees.failures import Failure, Number
 from trees.grounding import Ambiguous, Missing, ground, is_called
+from trees.handles import INSIDE_KINDS, PART_KINDS
 from trees.leaf import DONE, Leaf
 from trees.questions import which_is_meant
+from trees.scene_update import kind_of
 from trees.shut import why_shut
 from trees.stated_confidence import calibrated
-from trees.tasks import Destination, ObjectDescription
+from trees.tasks import Destination, ObjectDescription, Relation
 
 # A thing that was seen less surely is told as perhaps being there.
 _SURE = 0.5
+
+_NO_FURNITURE = frozenset({"wall", *PART_KINDS, *INSIDE_KINDS})
+"""Nobody asks what these are: walls, and parts of furniture."""
 
 
 class TellingLeaf(Leaf):
@@ -31,6 +38,11 @@ class TellingLeaf(Leaf):
         base = model.frame_pose(toolbox.sensing.state().q, model.description.base_link)
         gap_m = toolbox.policy.support_gap_m
         return surroundings(toolbox.world.scene, base, gap_m, toolbox.world.last_acted_on)
+
+    def now_seen(self, around: Surroundings) -> Surroundings:
+        """What the looks of this task showed; what is remembered from elsewhere is not here."""
+        sightings = self.get_input("sightings")
+        return replace(around, things=tuple(thing for thing in around.things if thing.name in sightings))
 
     def say(self, words: str, evidence: dict[str, Number]) -> Status:
         """Give words out, with what they rest on."""
@@ -57,12 +69,37 @@ class TellingLeaf(Leaf):
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
     ) -> tuple[str, ...] | Failure:
         """Names of all things that fit; none is no failure, if where they would be was seen."""
-        if isinstance(source, str):
+        region = self.region(source)
+        if isinstance(source, str) and region is None:
             if not any(is_called(thing.name, source) for thing in around.things):
                 return Failure.postcondition(f"no {source} seen")
             if (shut := why_shut(self.toolbox.world.scene, source)) is not None:
                 return shut
-        answer = ground(wanted, around, source, "all")
+        people = [thing for thing in around.things if thing.is_person] if wanted.kind == PERSON else None
+        at = None if region is not None else source
+        if people is not None and isinstance(at, str) and wanted.relation is None:
+            wanted, at = replace(wanted, relation=Relation("next_to", at)), None
+        answer = ground(wanted, around, at, "all", people)
         if isinstance(answer, Ambiguous):
             return which_is_meant(answer)
-        return () if isinstance(answer, Missing) else answer.names
+        return () if isinstance(answer, Missing) else self.inside(region, answer.names)
+
+    def region(self, source: Destination | None) -> Region | None:
+        """The room of the map that a question is about."""
+        return self.toolbox.places.get(source) if isinstance(source, str) else None
+
+    def inside(self, region: Region | None, names: Iterable[str]) -> tuple[str, ...]:
+        """Those of some things that are in a room; all without one."""
+        objects = self.toolbox.world.scene.objects
+        places = {name: objects[name].world_T_object[:2, 3] for name in names}
+        return tuple(
+            name for name, (x, y) in places.items() if region is None or region.contains(float(x), float(y))
+        )
+
+    def furniture(self, around: Surroundings, region: Region | None) -> list[str]:
+        """What stands in a room, each once: "the counter", "the fridge"; nothing without a room."""
+        if region is None:
+            return []
+        names = (thing.name for thing in around.things if not thing.movable and not thing.is_person)
+        kinds = {kind_of(name) for name in self.inside(region, names)}
+        return [f"the {kind}" for kind in sorted(kinds - _NO_FURNITURE)]

@@ -7,14 +7,14 @@ from collections.abc import Iterable
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from trees.believed_thing import BelievedThing, Surroundings
+from trees.believed_thing import PERSON, BelievedThing, Surroundings
 from trees.contract import Contract
 from trees.failures import Failure, Number
 from trees.grounding import Ambiguous, ground
 from trees.handles import MEANT_BY
 from trees.ports import ports
 from trees.questions import which_is_meant
-from trees.report_words import inventory, plural, whereabouts
+from trees.report_words import counted, listed, plural, whereabouts
 from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
 from trees.telling_leaf import TellingLeaf
 
@@ -33,16 +33,20 @@ class TellCount(TellingLeaf):
     def step(self) -> Status | Failure:
         """Count; none is an answer, too."""
         task: CountTask = self.get_input("task")
-        names = self.fitting(task.object, self.around(), task.source)
+        around = self.around()
+        if task.object.kind == PERSON and task.source is None:
+            around = self.now_seen(around)
+        names = self.fitting(task.object, around, task.source)
         if isinstance(names, Failure):
             return names
         count = len(names)
         noun = " ".join(word for word in (task.object.color, task.object.kind or "thing") if word)
-        verb = "is" if count == 1 else "are"
-        return self.say(
-            f"there {verb} {plural(noun, count)}",
-            {"count": count, **self.confidence(names)},
-        )
+        said = f"there {'is' if count == 1 else 'are'}"
+        if self.region(task.source) is not None:  # not all of a room is seen from one place
+            said = f"in the {task.source} I see"
+        elif task.object.kind == PERSON:
+            said = "from here I see"
+        return self.say(f"{said} {plural(noun, count)}", {"count": count, **self.confidence(names)})
 
 
 class TellDescription(TellingLeaf):
@@ -61,6 +65,8 @@ class TellDescription(TellingLeaf):
         task: DescribeTask = self.get_input("task")
         around = self.around()
         wanted = task.object if isinstance(task.object, ObjectDescription) else None
+        if wanted is None and task.source is None:
+            around = self.now_seen(around)
         if wanted is not None and not _is_surface(wanted, around):
             return self._one(wanted, around, task.source)
         source = task.source if task.source is not None else (wanted.kind if wanted is not None else None)
@@ -68,12 +74,28 @@ class TellDescription(TellingLeaf):
         if isinstance(names, Failure):
             return names
         things = [thing for thing in around.objects if thing.name in names]
-        where = "here" if source is None else f"{'in' if str(source) in MEANT_BY else 'on'} the {source}"
-        words = f"{where} I see {inventory(things)}"
+        region = self.region(source)
+        people = self._people(around, source)
+        inside = region is not None or str(source) in MEANT_BY
+        where = "here" if source is None else f"{'in' if inside else 'on'} the {source}"
+        furniture = self.furniture(around, region)
+        words = f"{where} I see {listed([*furniture, *counted(things), *people]) or 'nothing'}"
         return self.say(
             words,
             {"things": len(things), "names": ", ".join(names), **self.confidence(names)},
         )
+
+    def _people(self, around: Surroundings, source: Destination | None) -> list[str]:
+        """Who is here, or in a room; nobody stands on anything."""
+        region = self.region(source)
+        if source is not None and region is None:
+            return []
+        people = {thing.name: thing for thing in around.things if thing.is_person}
+        return [
+            thing.name if thing.kind != PERSON else "a person"
+            for name, thing in people.items()
+            if name in self.inside(region, people)
+        ]
 
     def _one(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None

@@ -2,27 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence as Many
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
 from trees.best_effort import BestEffort
 from trees.failures import Failure
+from trees.leaves.asks_farther import AsksFarther
 from trees.leaves.change_viewpoint import ChangeViewpoint
 from trees.leaves.go_home import GoHome
 from trees.leaves.locate import Locate
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_past import LookPast
+from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
 from trees.leaves.tell_found import TellFound
-from trees.subtrees.look_elsewhere import turned_around, where_it_may_be, worth_going
+from trees.policy import Gaze
+from trees.subtrees.look_elsewhere import change_viewpoint, turned_around, where_it_may_be, worth_going
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
 from trees.subtrees.who_speaks import nobody_spoke, who_speaks
 from trees.toolbox import Toolbox
 
+_TURNS = 2
+"""Turns of 1.9 rad: with a look to both sides after each, nothing around the robot is left out."""
 _ELSEWHERE = "look elsewhere"
 _OUTLOOKS = 1
 """With one a search in vain takes 176 s of simulated time in the flat: who asks wants an answer."""
@@ -79,12 +86,37 @@ def describe(toolbox: Toolbox) -> Behaviour:
 
 
 def _looks(toolbox: Toolbox) -> list[Behaviour]:
-    """A survey from each gaze, and home again: a posture that cannot be reached is left out."""
+    """A survey from each gaze, farther away and all around where that is asked about, and home again."""
+    policy = toolbox.policy
+    farther: list[Behaviour] = [AsksFarther("asked for", toolbox), *_surveys(toolbox, policy.level_gazes)]
+    return [
+        BestEffort(Sequence("look farther", memory=True, children=farther)),
+        BestEffort(Sequence("look all around", memory=True, children=_all_around(toolbox))),
+        *_surveys(toolbox, policy.inventory_gazes),
+        GoHome("go home", toolbox),
+    ]
+
+
+def _all_around(toolbox: Toolbox) -> list[Behaviour]:
+    """Turned around once, where a room is asked about."""
+    policy = toolbox.policy
+    children: list[Behaviour] = [AsksFarther("room asked for", toolbox, room=True)]
+    for _ in range(_TURNS):
+        children += [
+            ReadyToWalk("stand upright", toolbox),
+            change_viewpoint(toolbox, "around"),
+            *_surveys(toolbox, (*policy.level_gazes, *policy.search_gazes[:1])),
+        ]
+    return children
+
+
+def _surveys(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
+    """A look and a survey for each gaze: a posture that cannot be reached is left out."""
     looks: list[Behaviour] = []
-    for gaze in toolbox.policy.inventory_gazes:
+    for gaze in gazes:
         pair: list[Behaviour] = [
             LookAt("look", toolbox, gaze),
             Survey("survey", toolbox, {"sightings_now": "sightings"}),
         ]
         looks.append(BestEffort(Sequence(f"look {gaze.name}", memory=True, children=pair)))
-    return [*looks, GoHome("go home", toolbox)]
+    return looks
