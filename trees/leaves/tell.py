@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from trees.believed_thing import PERSON, BelievedThing, Surroundings
+from trees.believed_thing import PERSON, Surroundings
 from trees.contract import Contract
 from trees.failures import Failure, Number
 from trees.grounding import Ambiguous, ground
@@ -70,7 +68,7 @@ class TellDescription(TellingLeaf):
         if wanted is not None and not _is_surface(wanted, around):
             return self._one(wanted, around, task.source)
         source = task.source if task.source is not None else (wanted.kind if wanted is not None else None)
-        names = self.fitting(ObjectDescription(), around, source) if around.objects else ()
+        names = self.fitting(ObjectDescription(), around, source)
         if isinstance(names, Failure):
             return names
         things = [thing for thing in around.objects if thing.name in names]
@@ -103,20 +101,21 @@ class TellDescription(TellingLeaf):
         names = self.fitting(wanted, around, source)
         if isinstance(names, Failure):
             return names
+        if not names and wanted == ObjectDescription(relation=wanted.relation):
+            return self.say(f"nothing is {wanted.relation}", {"things": 0, **self.confidence(names)})
         if not names:
             return Failure.postcondition(f"no {wanted} seen")
         meant = ground(wanted, around, source)
         if isinstance(meant, Ambiguous):
             return which_is_meant(meant)
-        thing = _by_name(around.objects, names[0])
-        words = f"the {thing.words} is {whereabouts(thing)}"
+        thing = next(thing for thing in around.things if thing.name == names[0])
+        called = thing.name if thing.is_person and thing.kind != PERSON else f"the {thing.words}"
         evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}
-        return self.say(words, {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m})
+        return self.say(
+            f"{called} is {whereabouts(thing)}",
+            {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m},
+        )
 
 
 def _is_surface(wanted: ObjectDescription, around: Surroundings) -> bool:
     return wanted.color is None and any(t.kind == wanted.kind for t in around.things if not t.movable)
-
-
-def _by_name(things: Iterable[BelievedThing], name: str) -> BelievedThing:
-    return next(thing for thing in things if thing.name == name)

@@ -21,7 +21,6 @@ from trees.build import build_tree
 from trees.events import LeafFailed, NotSo, Said
 from trees.failures import FailureKind
 from trees.tasks import (
-    CountTask,
     DescribeTask,
     FindTask,
     HandOverTask,
@@ -596,50 +595,6 @@ def test_another_cup_like_the_gift_is_not_taken_for_a_dropped_one(stage_with):
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
 
     assert tree.status == "success"
-
-
-def test_things_are_counted(stage_with):
-    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)), cup("cup 3", "blue", (0.6, 0.3)))
-
-    tree = run(stage, CountTask("how many blue cups", BLUE_CUP))
-
-    assert tree.status == "success"
-    assert tree.evidence["count"] == 2
-    assert said(stage) == ["there are two blue cups"]
-    assert 0.5 < tree.evidence["confidence"] <= 1.0
-
-
-def test_none_is_a_number(stage):
-    tree = run(stage, CountTask("how many boxes", ObjectDescription("box")))
-
-    assert tree.evidence["count"] == 0
-    assert said(stage) == ["there are no boxes"]
-
-
-def test_a_table_is_described(stage_with):
-    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
-
-    run(stage, DescribeTask("what is on the table", source="table"))
-
-    assert said(stage) == ["on the table I see one blue cup and one red cup"]
-
-
-@pytest.mark.requirement("M2")
-@pytest.mark.parametrize(
-    "task",
-    [
-        DescribeTask("what is on the counter", source="counter"),
-        CountTask("how many cups are on the counter", ObjectDescription("cup"), source="counter"),
-    ],
-)
-def test_of_furniture_that_was_not_seen_it_is_not_said_that_nothing_is_on_it(stage_with, task):
-    stage = stage_with(table(), cup())
-
-    tree = run(stage, task)
-
-    assert tree.status == "failure"
-    assert tree.failure.root.message == "no counter seen"
-    assert said(stage) == []
 
 
 def test_something_hidden_from_here_is_looked_for_from_elsewhere(stage_with):

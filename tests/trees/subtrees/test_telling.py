@@ -1,0 +1,154 @@
+"""Counts and descriptions: of what was not seen it is not said that it is not there."""
+
+import dataclasses
+
+import pytest
+
+from robots.fake.fake_world import cup, person, table
+from robots.scene_description import Region
+from trees.build import build_tree
+from trees.events import Said
+from trees.tasks import CountTask, DescribeTask, ObjectDescription, Relation
+
+BLUE_CUP = ObjectDescription("cup", "blue")
+ANA, BEN = person("Ana", (1.3, 0.4)), person("Ben", (1.4, -0.5))
+PEOPLE = ObjectDescription("person")
+ROOMS = {
+    "kitchen": Region("kitchen", (1.0, 0.0), (4.0, 4.0)),
+    "hall": Region("hall", (-5.0, 0.0), (4.0, 4.0)),
+}
+
+
+def run(stage, task, **toolbox):
+    return stage.play(build_tree(task, dataclasses.replace(stage.toolbox, **toolbox)))
+
+
+def said(stage):
+    return [event.text for event in stage.events if isinstance(event, Said)]
+
+
+def test_things_are_counted(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)), cup("cup 3", "blue", (0.6, 0.3)))
+
+    tree = run(stage, CountTask("how many blue cups", BLUE_CUP))
+
+    assert tree.status == "success"
+    assert tree.evidence["count"] == 2
+    assert said(stage) == ["there are two blue cups"]
+    assert 0.5 < tree.evidence["confidence"] <= 1.0
+
+
+def test_none_is_a_number(stage):
+    tree = run(stage, CountTask("how many boxes", ObjectDescription("box")))
+
+    assert tree.evidence["count"] == 0
+    assert said(stage) == ["there are no boxes"]
+
+
+def test_a_table_is_described(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
+
+    run(stage, DescribeTask("what is on the table", source="table"))
+
+    assert said(stage) == ["on the table I see one blue cup and one red cup"]
+
+
+@pytest.mark.requirement("M2")
+@pytest.mark.parametrize(
+    "task",
+    [
+        DescribeTask("what is on the counter", source="counter"),
+        CountTask("how many cups are on the counter", ObjectDescription("cup"), source="counter"),
+    ],
+)
+def test_of_furniture_that_was_not_seen_it_is_not_said_that_nothing_is_on_it(stage_with, task):
+    stage = stage_with(table(), cup())
+
+    tree = run(stage, task)
+
+    assert tree.status == "failure"
+    assert tree.failure.root.message == "no counter seen"
+    assert said(stage) == []
+
+
+def test_nothing_is_on_no_counter_even_where_nothing_is_seen_at_all(stage_with):
+    tree = run(stage_with(), DescribeTask("what is on the counter", source="counter"))
+
+    assert tree.failure.root.message == "no counter seen"
+
+
+@pytest.mark.requirement("M2")
+@pytest.mark.parametrize(
+    ("task", "words"),
+    [
+        (CountTask("how many people are there", PEOPLE), "from here I see two people"),
+        (CountTask("how many people are next to the table", PEOPLE, "table"), "from here I see two people"),
+        (DescribeTask("what do you see"), "here I see one red cup, Ana and Ben"),
+        (DescribeTask("what is on the table", source="table"), "on the table I see one red cup"),
+    ],
+)
+def test_people_are_told_who_stand_farther_away_than_hands_reach(stage_with, task, words):
+    stage = stage_with(table(), cup(), ANA, BEN)
+
+    run(stage, task)
+
+    assert said(stage) == [words]
+
+
+@pytest.mark.parametrize(
+    ("task", "words"),
+    [
+        (
+            DescribeTask("what is in here", source="kitchen"),
+            "in the kitchen I see the table, one red cup and Ana",
+        ),
+        (CountTask("how many people", PEOPLE, "kitchen"), "in the kitchen I see one person"),
+        (CountTask("how many people", PEOPLE, "hall"), "in the hall I see no people"),
+    ],
+)
+def test_of_a_room_what_stands_in_it_is_told(stage_with, task, words):
+    stage = stage_with(table(), cup(), ANA, walks=True)
+
+    run(stage, task, places=ROOMS)
+
+    assert said(stage) == [words]
+
+
+def test_what_was_seen_elsewhere_is_not_told_to_be_here(stage_with):
+    stage = stage_with(table(), cup(), ANA)
+    run(stage, DescribeTask("what do you see"))
+    stage.fake.world.hidden.add("red cup")
+
+    run(stage, DescribeTask("what do you see"))
+
+    assert said(stage)[1] == "here I see Ana"
+
+
+@pytest.mark.parametrize(
+    ("to", "words"),
+    [("table", "the red cup is on the table"), ("blue cup", "nothing is next to the blue cup")],
+)
+def test_what_is_near_something_is_told_or_that_nothing_is(stage_with, to, words):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.4)))
+    relation = Relation("on", to) if to == "table" else Relation("next_to", BLUE_CUP)
+    wanted = (
+        ObjectDescription("cup", "red", relation=relation)
+        if to == "table"
+        else ObjectDescription(relation=relation)
+    )
+
+    run(stage, DescribeTask("what is it", wanted))
+
+    assert said(stage)[0].startswith(words)
+
+
+@pytest.mark.requirement("L6")
+def test_who_is_described_has_no_article(stage_with):
+    stage = stage_with(table(), ANA, BEN)
+
+    run(
+        stage,
+        DescribeTask("describe the person on the left", ObjectDescription("person", ordinal="leftmost")),
+    )
+
+    assert said(stage)[0].startswith("Ana is 1.")
