@@ -18,7 +18,16 @@ from robots.perception.detector import Category
 from robots.perception.object_estimate import ObjectEstimate
 from trees.believed_thing import PERSON, Surroundings
 from trees.failures import Failure
-from trees.grounding import Ambiguous, Choice, Found, Grounding, Missing, ground
+from trees.grounding import (
+    Ambiguous,
+    Choice,
+    Found,
+    Grounding,
+    Missing,
+    ground,
+    ground_furniture,
+    says_which,
+)
 from trees.people import compares_people, person_meant
 from trees.questions import which_is_meant
 from trees.report_words import kinds_in
@@ -111,6 +120,8 @@ def resolve(
     if isinstance(wanted, ObjectDescription) and compares_people(wanted, somebody):
         return _grounded(person_meant(wanted, around), seen, slot, recalled)
     if isinstance(wanted, ObjectDescription) and wanted.kind != PERSON and not wanted.name:
+        if says_which(wanted) and _has_furniture(seen, wanted):
+            return _grounded(ground_furniture(wanted, around), seen, slot)
         fitting = {name: item for name, item in seen.items() if _is_furniture(wanted, name, item)}
         if not fitting:
             return _grounded(ground(wanted, around), seen, slot)
@@ -173,6 +184,10 @@ def _grounded(
 
 def _the(name: str) -> str:
     return name if name[:1].isupper() else f"the {name}"
+
+
+def _has_furniture(seen: Mapping[str, ObjectEstimate], wanted: ObjectDescription) -> bool:
+    return any(item.category == "furniture" and item.kind == wanted.kind for item in seen.values())
 
 
 def _is_furniture(wanted: ObjectDescription, name: str, item: ObjectEstimate) -> bool:

@@ -18,6 +18,9 @@ from trees.scene_update import kind_of
 from trees.spatial_relation import between_m, lies, lies_from_robot
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
 
+_BOARD_HALF_M = 0.06
+"""A solid of furniture that is no thicker is a board, or a table's top."""
+
 ROBOT = ("robot", "you")
 """What a sentence calls the robot itself."""
 
@@ -92,6 +95,25 @@ def ground(
     except UntellableError as untellable:
         return Ambiguous(untellable.message, _choices(untellable.among))
     return _counted(wanted, fitting, count)
+
+
+def ground_furniture(wanted: ObjectDescription, around: Surroundings) -> Grounding:
+    """Find the piece of furniture, or the board of one, that a description means: "the top shelf".
+
+    Without words that compare it is the first solid of the kind, which is the one that carries.
+    """
+    try:
+        found = _furniture_meant(wanted, around)
+    except NoneFitsError as none:
+        return Missing(none.message, none.had)
+    except UntellableError as untellable:
+        return Ambiguous(untellable.message, _choices(untellable.among))
+    return _counted(wanted, found, 1) if found else Missing(f"no {wanted} seen")
+
+
+def says_which(wanted: ObjectDescription) -> bool:
+    """Whether a description of furniture says which of several is meant."""
+    return wanted.ordinal is not None or wanted.relation is not None or wanted.size is not None
 
 
 def compares(wanted: ObjectDescription, count: Count = 1) -> bool:
@@ -219,7 +241,7 @@ def _references(to: Destination, around: Surroundings, fitting: list[BelievedThi
         try:
             return _fitting(to, _of_kind(to, around), around, None)
         except NoneFitsError:
-            found = _furniture(to.name or to.kind or "", around)
+            found = _furniture_meant(to, around)
             if found:
                 return found
             raise
@@ -240,6 +262,16 @@ def _furniture(name: str, around: Surroundings) -> list[BelievedThing]:
     fixed = [thing for thing in around.things if not thing.movable]
     named = [thing for thing in fixed if thing.name.lower() == wanted]
     return named or [thing for thing in fixed if thing.kind.lower() == wanted][:1]
+
+
+def _furniture_meant(wanted: ObjectDescription, around: Surroundings) -> list[BelievedThing]:
+    """Of boards on top of each other all are pieces; of a table the top is."""
+    found = _furniture(wanted.name or wanted.kind or "", around)
+    if wanted.name is not None or not says_which(wanted):
+        return found
+    pieces = [thing for thing in around.things if not thing.movable and thing.kind == wanted.kind]
+    boards = [thing for thing in pieces if thing.half_height_m <= _BOARD_HALF_M]
+    return _fitting(wanted, boards or pieces, around, None) if pieces else []
 
 
 def _people(around: Surroundings) -> list[BelievedThing]:

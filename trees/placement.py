@@ -15,10 +15,10 @@ from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import support_of
-from trees.believed_thing import surroundings
+from trees.believed_thing import Surroundings, surroundings
 from trees.destination import furniture_named
 from trees.failures import Failure
-from trees.grounding import Ambiguous, Found, ground
+from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture, says_which
 from trees.held import HeldObject
 from trees.questions import OTHER, which_is_meant
 from trees.report_words import kinds_in
@@ -69,7 +69,11 @@ def spots_for(
             return found
         top, spots = found
     else:
-        surface = _surface(on if on is not None else to, scene, wish)
+        named, slot = (on, "on") if on is not None else (to, "to")
+        if isinstance(named, ObjectDescription) and (named.name is not None or says_which(named)):
+            surface = _one_surface(named, slot, scene, surroundings(scene, odom_T_base, support_gap_m))
+        else:
+            surface = _surface(named, scene, wish)
         if isinstance(surface, Failure):
             return surface
         known = sight.about(surface, radius, odom_T_base)
@@ -101,6 +105,19 @@ def _surface(
         what = f"no {named}" if named is not None else "nothing to put it on"
         return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects))
     return min(tops, key=lambda item: (wish(item.world_T_object[:3, 3]), item.name))
+
+
+def _one_surface(
+    named: ObjectDescription, slot: str, scene: PlanningScene, around: Surroundings
+) -> SceneObject | Failure:
+    """The table or board that is meant by an order, a place or its name."""
+    match ground_furniture(named, around):
+        case Ambiguous() as unclear:
+            return which_is_meant(unclear, slot)
+        case Missing(message):
+            return Failure.postcondition(message, seen=kinds_in(scene.objects))
+        case Found(names):
+            return scene.objects[names[0]]
 
 
 def _kinds(named: Destination | None, scene: PlanningScene) -> list[str]:
