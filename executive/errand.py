@@ -24,7 +24,7 @@ from executive.clarification import (
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
 from executive.preparing import Known, Prepared, prepared, spoken_by
-from executive.references import references, with_references
+from executive.references import PREVIOUS, references, with_references
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
@@ -206,19 +206,25 @@ class Errand:
 
     def _filled(self, command: Command) -> Iterator[Command | Failure]:
         """The command with its references to earlier tasks filled in; once for each of several objects."""
-        referred = sorted(references(command))
-        for index in referred:
-            if index >= len(self._acted_on) or not self._acted_on[index]:
-                yield Failure.infeasible(f"what {command.text!r} refers to is not known")
-                return
+        referred = {index: self._names_of(index) for index in sorted(references(command))}
+        if not all(referred.values()):
+            yield Failure.infeasible(f"what {command.text!r} refers to is not known")
+            return
         own = getattr(command, "object", None)
-        several = self._acted_on[own.task] if isinstance(own, ObjectOf) else (None,)
+        several = referred[own.task] if isinstance(own, ObjectOf) else (None,)
         for name in several:
-            chosen = {index: self._acted_on[index][0] for index in referred}
+            chosen = {index: names[0] for index, names in referred.items()}
             if isinstance(own, ObjectOf) and name is not None:
                 chosen[own.task] = name
             things = {index: exactly(name) for index, name in chosen.items()}
             yield with_references(command, things.__getitem__)
+
+    def _names_of(self, index: int) -> tuple[str, ...]:
+        """What a command of this errand was about, or the one before it all."""
+        if index == PREVIOUS.task:
+            before = self._session.toolbox.world.last_acted_on
+            return () if before is None else (before,)
+        return self._acted_on[index] if index < len(self._acted_on) else ()
 
 
 def without_skill(commands: Sequence[Command]) -> Task | None:

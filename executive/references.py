@@ -1,4 +1,4 @@
-"""References between the commands of one statement: which there are, and filling them in."""
+"""References between commands: which there are, and filling them in."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from typing import Any
 
 from executive.meaning import Command
 from trees.tasks import ObjectDescription, ObjectOf, Relation, Thing
+
+PREVIOUS = ObjectOf(-1)
+"""The object that the last statement moved."""
 
 
 def references(value: Any) -> frozenset[int]:

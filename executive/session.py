@@ -22,6 +22,7 @@ from trees.tasks import ObjectDescription, PickTask, Task
 from trees.toolbox import Toolbox
 
 if TYPE_CHECKING:
+    from executive.conversation import Conversation
     from executive.ticket import Ticket
 
 HALT_TICKS = 100
@@ -107,6 +108,7 @@ class Session:
         self._clock: Clock = toolbox.clock
         self._cancel_reason: str | None = None
         self._last_ticket: Ticket | None = None
+        self._conversation: Conversation | None = None
 
     @property
     def now_s(self) -> float:
@@ -138,12 +140,13 @@ class Session:
             on_question: What becomes of questions.
             timeout_s: Simulated time that each task may take.
         """
+        from executive.conversation import Conversation
         from executive.statement import Statement
         from executive.ticket import Ticket
-        from executive.understanding import understand
 
         text = request if isinstance(request, str) else json.dumps(request)
-        statement = Statement.of(understand(text, trust))
+        self._conversation = self._conversation or Conversation()
+        statement = Statement.of(self._conversation.understand(text, trust))
         self._last_ticket = Ticket(self, statement, self._last_ticket, on_question, timeout_s)
         return self._last_ticket
 

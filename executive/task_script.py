@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
+from executive.conversation import Conversation
 from executive.errors import ScriptError
 from executive.statement import Expectation, OnFailure, Statement
 from executive.trust import USUAL_TRUST, Trust
@@ -69,7 +70,10 @@ def load_script(path: Path, trust: Trust = USUAL_TRUST) -> TaskScript:
     tasks = data.get("task")
     if not isinstance(tasks, list) or not tasks or not all(isinstance(item, dict) for item in tasks):
         raise ScriptError(source, "task", "must be a list of [[task]] tables")
-    statements = tuple(_statement(source, f"task[{index}]", item, trust) for index, item in enumerate(tasks))
+    before = Conversation()
+    statements = tuple(
+        _statement(source, f"task[{index}]", item, trust, before) for index, item in enumerate(tasks)
+    )
     scene = data.get("scene")
     if scene is not None and scene.endswith(".toml") and not Path(scene).is_absolute():
         scene = str(path.parent / scene)
@@ -91,7 +95,9 @@ def _read(path: Path) -> dict[str, Any]:
         raise ScriptError(str(path), "", "is nested too deeply") from failed
 
 
-def _statement(source: str, place: str, item: Mapping[str, Any], trust: Trust) -> Statement:
+def _statement(
+    source: str, place: str, item: Mapping[str, Any], trust: Trust, before: Conversation
+) -> Statement:
     _known_keys(source, place, item, _TASK_KEYS)
     say = item.get("say")
     if not isinstance(say, str):
@@ -103,7 +109,7 @@ def _statement(source: str, place: str, item: Mapping[str, Any], trust: Trust) -
         is_number = isinstance(timeout_s, (int, float)) and not isinstance(timeout_s, bool)
         if not is_number or not math.isfinite(timeout_s) or timeout_s <= 0.0:
             raise ScriptError(source, f"{place}.timeout_s", "must be a number of seconds above 0")
-    understood = understand(say, trust)
+    understood = understand(say, trust) if expect == "question" else before.understand(say, trust)
     return Statement(understood.parsed, on_failure, expect, timeout_s).meaning(understood)
 
 

@@ -128,15 +128,27 @@ def _commands(sentence: str, said: Sequence[str], before: int) -> tuple[Command,
     alone = parse(sentence)
     if alone.commands:
         return tuple(_shifted(command, before) for command in alone.commands)
-    if said:
-        earlier, whole = parse(", then ".join(said)), parse(", then ".join([*said, sentence]))
-        count = len(earlier.commands)
-        alike = [command.action for command in whole.commands[:count]] == [
-            command.action for command in earlier.commands
-        ]
-        if count and alike and len(whole.commands) > count:
-            return tuple(_shifted(command, before - count) for command in whole.commands[count:])
+    earlier, leaning = read_after(sentence, said)
+    if leaning:
+        return tuple(_shifted(command, before - len(earlier)) for command in leaning)
     return alone
+
+
+def read_after(sentence: str, said: Sequence[str]) -> tuple[tuple[Command, ...], tuple[Command, ...]]:
+    """The commands of some sentences, and those of one that leans on them: "put it down".
+
+    References count from the first command of the first sentence. Of what cannot be read so there are none.
+    """
+    if not said:
+        return (), ()
+    earlier, whole = parse(", then ".join(said)), parse(", then ".join([*said, sentence]))
+    count = len(earlier.commands)
+    alike = [command.action for command in whole.commands[:count]] == [
+        command.action for command in earlier.commands
+    ]
+    if not count or not alike:
+        return (), ()
+    return whole.commands[:count], whole.commands[count:]
 
 
 def _with_place(text: str, step: int, parsed: Parsed) -> Parsed:

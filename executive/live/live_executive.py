@@ -9,6 +9,7 @@ from typing import IO, Any, cast
 import numpy as np
 
 from executive.command_parser import parse
+from executive.conversation import Conversation
 from executive.events import Event
 from executive.exit_codes import ExitCode
 from executive.live.control_link import ControlLink, ControlLostError
@@ -29,7 +30,6 @@ from executive.session import Session
 from executive.statement import Statement
 from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
-from executive.understanding import understand
 from kinematics.robot_model import RobotModel
 from robots.errors import SceneError
 from robots.live.connection import Connection
@@ -75,6 +75,7 @@ class LiveExecutive:
         self._link = link = ControlLink(folder, model, connection)
         self._record = record
         self._order: Order | None = None
+        self._conversation = Conversation()
         self._log: RunLog | None = None
         self._display: PlainDisplay | None = None
         self._stops: tuple[str, ...] = ()
@@ -181,7 +182,7 @@ class LiveExecutive:
             self._steps.busy = False
 
     def _results(self, said: Say) -> tuple[str, str, ExitCode, list[TaskResult]]:
-        statement = _statement(said)
+        statement = _statement(said, self._conversation)
         self._steps.busy = True
         attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
         statement = settled(statement, attendant, "ask", self._note)
@@ -244,9 +245,9 @@ class _LineStream:
         pass
 
 
-def _statement(said: Say) -> Statement:
+def _statement(said: Say, before: Conversation) -> Statement:
     if said.text:
-        understood = understand(said.text)
+        understood = before.understand(said.text)
         return Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
     text = f"move at {said.linear_m_s:g} m/s and {said.angular_rad_s:g} rad/s"
     return Statement(Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),)))

@@ -1,0 +1,105 @@
+"""One sentence after the other: what only the ones before make clear, and what nothing makes clear."""
+
+import pytest
+
+from executive.conversation import Conversation
+from executive.references import PREVIOUS
+from executive.task_script import load_script
+from robots.fake.fake_world import cup
+from trees.tasks import HandOverTask, ObjectDescription, PickTask, PlaceTask
+
+RED_CUP = ObjectDescription("cup", "red")
+
+
+def heard(*sentences):
+    """What the last one was understood as."""
+    conversation = Conversation()
+    return [conversation.understand(sentence) for sentence in sentences][-1].parsed
+
+
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    "said",
+    [
+        ["take the red cup", "put it on the table"],
+        ["take the red cup", "wave to Ana", "put it on the table"],
+        ["take the red cup", "hold on", "put it on the table"],
+        ["take the red cup and wave to Ana", "put it on the table"],
+    ],
+)
+def test_it_is_what_was_spoken_of_before(said):
+    (place,) = heard(*said).commands
+
+    assert isinstance(place, PlaceTask)
+    assert (place.object, place.on) == (RED_CUP, "table")
+    assert place.text == "put it on the table"
+
+
+def test_what_leans_on_a_sentence_may_be_leant_on():
+    (hand_over,) = heard("take the red cup", "put it on the table", "give it to Ana").commands
+
+    assert isinstance(hand_over, HandOverTask)
+    assert (hand_over.object, hand_over.to) == (RED_CUP, "Ana")
+
+
+def test_references_inside_a_leaning_sentence_still_count_from_its_first_command():
+    pick, _, place = heard("look at the red cup", "take it, wave to Ana and put it on the table").commands
+
+    assert isinstance(pick, PickTask)
+    assert pick.object == place.object == RED_CUP
+
+
+@pytest.mark.requirement("L2")
+def test_what_was_the_left_one_is_meant_though_it_is_the_left_one_no_more():
+    (place,) = heard("take the left cup", "wave to Ana", "put it on the table").commands
+
+    assert place.object == PREVIOUS
+
+
+@pytest.mark.requirement("L3")
+@pytest.mark.parametrize(
+    "said",
+    [
+        ["look at the left cup", "put it on the table"],
+        ["take the left cup", "put the red cup next to it"],
+        ["put it on the table"],
+        ["wave to Ana", "put it on the table"],
+        ["take both cups", "put it on the table"],
+        ["do a backflip", "put it on the table"],
+        ['[{"say": "take the red cup", "confidence": 1.0}]', "put it on the table"],
+        ["take the red cup", "wave", "wave to Ana", "go home", "wave to Ben", "put it on the table"],
+    ],
+)
+def test_what_nothing_makes_clear_stays_a_question(said):
+    assert heard(*said).question.text == "what does 'it' stand for?"
+
+
+@pytest.mark.requirement("L2")
+def test_the_thing_that_was_moved_last_is_the_one_that_is_moved_again(fake_stage):
+    session = fake_stage(cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))).session
+
+    taken = session.submit("take the left cup").result()
+    put = session.submit("put it on the table").result()
+
+    assert taken[-1].acted_on == put[-1].evidence["object"] == "red cup"
+    assert put[-1].outcome == "done"
+
+
+def test_what_stands_for_itself_is_read_by_itself():
+    (pick,) = heard("take the red cup", "take the blue cup").commands
+
+    assert pick.object == ObjectDescription("cup", "blue")
+
+
+@pytest.mark.requirement("U1")
+def test_a_script_goes_on_about_the_same_thing(tmp_path):
+    script = tmp_path / "script.toml"
+    script.write_text(
+        '[[task]]\nsay = "take the red cup"\n[[task]]\nsay = "put it on the table"\n'
+        '[[task]]\nsay = "put it down"\nexpect = "question"\n'
+    )
+
+    _, put, asked = load_script(script).statements
+
+    assert put.parsed.commands[0].object == RED_CUP
+    assert asked.parsed.question is not None
