@@ -111,6 +111,11 @@ class Surroundings:
         kept = tuple(thing for thing in self.things if not thing.movable or thing.name in names)
         return Surroundings(kept, self.held, self.last_acted_on)
 
+    def without(self, names: tuple[str, ...]) -> Surroundings:
+        """The same without some things."""
+        kept = tuple(thing for thing in self.things if thing.name not in names)
+        return Surroundings(kept, self.held, self.last_acted_on)
+
 
 def surroundings(
     scene: PlanningScene, odom_T_base: Transform, support_gap_m: float, last_acted_on: str | None = None

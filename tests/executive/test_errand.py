@@ -7,7 +7,10 @@ from executive.errand import Errand, drive
 from executive.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.meaning import StopCommand
 from executive.task_result import Provenance
+from kinematics import poses
+from kinematics.shapes import Cylinder
 from robots.fake.fake_world import cup, person
+from robots.perception.truth_view import TrueObject
 from trees.events import NodeChanged
 from trees.tasks import (
     DescribeTask,
@@ -27,6 +30,9 @@ from trees.tasks import (
 A_CUP = PickTask("pick up the cup", ObjectDescription("cup"))
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
 LEFT, RIGHT = cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))
+CAN = TrueObject(
+    "green can", "object", "can", "green", Cylinder(0.03, 0.1), poses.translation(0.5, 0.0, 0.95)
+)
 
 
 class Stage:
@@ -228,3 +234,34 @@ def test_the_person_on_the_left_is_waved_at_and_the_guest_asked_about(stage, ord
         event.message for event in on.of(NodeChanged) if event.message.startswith(("Ana at", "Ben at"))
     ]
     assert located[-1].split()[0] == "Ben"
+
+
+@pytest.mark.requirement("L3")
+@pytest.mark.parametrize("count", ["both", "all", 2])
+def test_each_of_several_things_is_put_down_in_turn(stage, count):
+    on = stage(LEFT, RIGHT, CAN)
+    beside = ObjectDescription(relation=Relation("next_to", ObjectDescription("can")))
+
+    results = on.run(PlaceTask("put the cups there", ObjectDescription("cup"), to=beside, count=count))
+
+    assert [one.outcome for one in results] == ["done", "done"]
+    assert sorted(one.evidence["object"] for one in results) == ["blue cup", "red cup"]
+
+
+def test_everything_does_not_mean_what_it_is_put_next_to(stage):
+    on = stage(LEFT, RIGHT, CAN)
+    beside = ObjectDescription(relation=Relation("next_to", ObjectDescription("can")))
+
+    results = on.run(PlaceTask("put everything there", ObjectDescription(), to=beside, count="all"))
+
+    assert sorted(one.evidence["object"] for one in results) == ["blue cup", "red cup"]
+
+
+def test_of_several_things_none_is_in_a_hand_already(stage):
+    on = stage(LEFT, RIGHT)
+    on.run(PickTask("take the red cup", ObjectDescription("cup", "red")))
+
+    [result] = on.run(PlaceTask("put both cups down", ObjectDescription("cup"), count="both"))
+
+    assert result.outcome == "failed"
+    assert "the red cup is in the hand already" in result.failure.message

@@ -13,7 +13,7 @@ from kinematics import poses
 from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
-from trees.believed_thing import surroundings
+from trees.believed_thing import Surroundings, surroundings
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.glimpse_of import glimpse_of
@@ -22,12 +22,12 @@ from trees.handles import without_moved_parts
 from trees.in_hand import not_in_hand
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
-from trees.ports import ports
+from trees.ports import optional, ports
 from trees.questions import which_is_meant
 from trees.scene_update import kind_of, updated_scene, words_for
 from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
-from trees.tasks import ObjectOf
+from trees.tasks import ObjectDescription, ObjectOf
 from trees.toolbox import Toolbox
 from trees.whole_top import seen_wholly
 
@@ -47,7 +47,7 @@ class Detect(LookLeaf):
     """
 
     ASKS = True
-    INPUT_PORTS = ports(task=object)
+    INPUT_PORTS = ports(task=object, besides=optional(object))
     OUTPUT_PORTS = ports(target=Target, others=tuple)
     CONTRACT = Contract(
         precondition="the head is at rest",
@@ -116,6 +116,8 @@ class Detect(LookLeaf):
         base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
         around = surroundings(world.scene, base, policy.support_gap_m, world.last_acted_on)
         source, count = getattr(task, "source", None), getattr(task, "count", 1)
+        if count != 1:
+            around = around.without(self._besides(around))
         grounding = ground(task.object, around, source, count)
         more_to_come = self.part in ("first", "side")
         if more_to_come and self._unsure(grounding, compares(task.object, count), seen):
@@ -132,6 +134,14 @@ class Detect(LookLeaf):
                 return which_is_meant(unclear, unseen=unseen)
             case Found(names):
                 return self._target(names, seen)
+
+    def _besides(self, around: Surroundings) -> tuple[str, ...]:
+        """What is not one of several, for they go into it or next to it."""
+        besides: object = self.optional("besides")
+        if isinstance(besides, str):
+            besides = ObjectDescription(besides)
+        found = ground(besides, around) if isinstance(besides, ObjectDescription) else None
+        return found.names if isinstance(found, Found) else ()
 
     def _unsure(
         self, grounding: Found | Ambiguous | Missing, comparing: bool, seen: Mapping[str, ObjectEstimate]

@@ -17,7 +17,8 @@ from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.swing_hand import SwingHand
 from trees.leaves.verify_pointing import VerifyPointing
 from trees.leaves.wait import Hold
-from trees.subtrees.search_place import everywhere, search_place
+from trees.subtrees.look_elsewhere import found_by_turning
+from trees.subtrees.search_place import everywhere
 from trees.subtrees.seen_way import seen_way
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -30,7 +31,7 @@ the first look found it may go elsewhere."""
 def wave(toolbox: Toolbox) -> Behaviour:
     """Find the person, turn to them, wave, and lower the hand. Reads "task", writes "evidence"."""
     children: list[Behaviour] = [
-        search_place("find the person", toolbox, toolbox.policy.level_gazes),
+        found_by_turning("find the person", toolbox, toolbox.policy.level_gazes),
         RaiseHand("raise hand", toolbox),
         SwingHand("swing hand", toolbox),
         GoHome("lower hand", toolbox),
@@ -41,7 +42,7 @@ def wave(toolbox: Toolbox) -> Behaviour:
 def point_at(toolbox: Toolbox) -> Behaviour:
     """Find it, point at it for a while, and lower the arm. Reads "task", writes "evidence"."""
     children: list[Behaviour] = [
-        search_place("find it", toolbox, everywhere(toolbox)),
+        found_by_turning("find it", toolbox, everywhere(toolbox)),
         PlanPointing("plan pointing", toolbox),
         seen_way(
             "look below the way",
@@ -70,7 +71,7 @@ def look_at(toolbox: Toolbox) -> Behaviour:
         Sequence("with the hands at home", memory=True, children=from_home),
     ]
     children: list[Behaviour] = [
-        search_place("find it", toolbox, everywhere(toolbox)),
+        found_by_turning("find it", toolbox, everywhere(toolbox)),
         Alternatives("look", ways, hopeless=hands_are_not_in_the_way),
     ]
     return tidily("look at", children, toolbox)

@@ -14,6 +14,7 @@ from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.leaves.choose_furniture import ChooseFurniture
 from trees.leaves.choose_outlook import ChooseOutlook
 from trees.leaves.choose_room import ChooseRoom
+from trees.leaves.locate import Locate
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.walk_to import WalkTo
 from trees.policy import Gaze
@@ -33,6 +34,26 @@ _ALL_AROUND: tuple[Viewpoint, ...] = ("around", "back", "around", "around")
 def turned_around(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
     """Ways to see it by turning once around, after a step back where there is no room to turn."""
     return [viewpoint(toolbox, k, way, gazes) for k, way in enumerate(_ALL_AROUND, start=1)]
+
+
+def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternatives:
+    """Look from here, then turned around where the map has rooms; reads "task", writes "place"."""
+    policy = toolbox.policy
+    turned: list[Behaviour] = [
+        *turned_around(toolbox, (*policy.level_gazes, *policy.search_gazes[:1])),
+        Locate("look once more", toolbox),
+    ]
+    ways: list[Behaviour] = [
+        search_place("look around", toolbox, gazes),
+        Alternatives("turned", turned, looking_elsewhere_is_useless, worth_going),
+    ]
+    return Alternatives(name, ways, looking_elsewhere_is_useless, turning_among_rooms)
+
+
+def turning_among_rooms(way: Behaviour, _failure: Failure | None) -> bool:
+    """Turns only where the robot walks among rooms: from there it gets back to a table that it was before."""
+    turns = [leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint)]
+    return not turns or (turns[0].toolbox.can_walk and bool(turns[0].toolbox.places))
 
 
 def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) -> Behaviour:
