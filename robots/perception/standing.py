@@ -30,20 +30,30 @@ def standing_on_tops(estimates: Sequence[ObjectEstimate], gap_m: float = GAP_M) 
         The same estimates; those of a top and of upright objects on it are moved vertically.
     """
     moved = list(estimates)
-    for i, top in enumerate(estimates):
-        if top.category != "furniture" or not isinstance(top.shape, Box):
+    tops = {i: _top_m(item) for i, item in enumerate(estimates) if _is_top(item)}
+    on: dict[int, dict[int, float]] = {i: {} for i in tops}
+    for j, item in enumerate(estimates):
+        foot = _foot_m(item)
+        if foot is None:
             continue
-        height = float(top.odom_T_object[2, 3]) + 0.5 * top.shape.height_m
-        feet = {
-            j: foot
-            for j, item in enumerate(estimates)
-            if (foot := _foot_m(item)) is not None and abs(foot - height) <= gap_m and _over(top, item)
-        }
-        agreed = float(np.mean([height, *feet.values()]))
-        moved[i] = _raised(top, agreed - height)
+        near = [i for i, top in tops.items() if abs(foot - top) <= gap_m and _over(estimates[i], item)]
+        if near:  # a board lies over the cupboard below it, whose top is as near
+            on[max(near, key=tops.__getitem__)][j] = foot
+    for i, feet in on.items():
+        agreed = float(np.mean([tops[i], *feet.values()]))
+        moved[i] = _raised(estimates[i], agreed - tops[i])
         for j, foot in feet.items():
             moved[j] = _raised(estimates[j], agreed - foot)
     return moved
+
+
+def _is_top(item: ObjectEstimate) -> bool:
+    return item.category == "furniture" and isinstance(item.shape, Box)
+
+
+def _top_m(item: ObjectEstimate) -> float:
+    half_m = 0.5 * item.shape.height_m if isinstance(item.shape, Box) else 0.0
+    return float(item.odom_T_object[2, 3]) + half_m
 
 
 def _foot_m(item: ObjectEstimate) -> float | None:

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from kinematics import poses
@@ -38,3 +40,15 @@ def test_what_does_not_stand_on_the_top_is_left_alone(other):
 
     assert same.odom_T_object[2, 3] == other.odom_T_object[2, 3]
     assert table.odom_T_object[2, 3] == pytest.approx(0.88)
+
+
+@pytest.mark.parametrize("foot_m", [0.895, 0.885])
+@pytest.mark.parametrize("board_first", [True, False])
+def test_what_stands_on_a_board_is_not_drawn_down_to_the_cupboard_under_it(foot_m, board_first):
+    board, under = top(0.905), replace(top(), odom_T_object=poses.translation(0.6, 0.0, 0.44))
+    cupboard = replace(under, shape=Box((0.6, 1.2, 0.86)))  # its top is at 0.87
+
+    seen = standing_on_tops([board, cupboard, cup(foot_m)] if board_first else [cupboard, board, cup(foot_m)])
+
+    assert foot(seen[2]) == pytest.approx(0.5 * (0.905 + foot_m))
+    assert seen[1 if board_first else 0].odom_T_object[2, 3] == pytest.approx(0.44)
