@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any
 
+from executive.config import cache_directory
 from executive.language.going import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
@@ -91,19 +92,20 @@ def _canonical(word: str, preferred: Sequence[str]) -> str:
     Raises:
         UnknownWordError: It is in no list, or only in lists of words that are refused.
     """
-    vocabulary = _vocabulary()
+    known = vocabulary()
     words = word.lower().replace("_", " ").split()
-    length, readings = vocabulary.match(words)
+    length, readings = known.match(words)
     if length != len(words) or not readings:
         raise UnknownWordError(f"the word {word[:40]!r} is not known", word[:40])
-    usable = [reading for reading in readings if vocabulary.classes[reading.word_class].refusal is None]
+    usable = [reading for reading in readings if known.classes[reading.word_class].refusal is None]
     if not usable:
-        message = next(filter(None, (vocabulary.refusal(reading, word[:40]) for reading in readings)), "")
+        message = next(filter(None, (known.refusal(reading, word[:40]) for reading in readings)), "")
         raise UnknownWordError(message, word[:40])
     first = next((reading for reading in usable if reading.word_class in preferred), usable[0])
     return first.meaning
 
 
 @lru_cache(maxsize=1)
-def _vocabulary() -> Vocabulary:
-    return load_vocabulary()
+def vocabulary() -> Vocabulary:
+    """The words that are shipped."""
+    return load_vocabulary((), cache_directory())

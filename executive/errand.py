@@ -25,6 +25,7 @@ from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
 from executive.preparing import Known, Prepared, prepared, spoken_by
 from executive.references import PREVIOUS, references, with_references
+from executive.room_words import missing_room
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
@@ -37,6 +38,7 @@ from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
 from trees.questions import OTHER
+from trees.report_words import listed
 from trees.tasks import ObjectDescription, ObjectOf, PickTask, Task, WalkToTask
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
@@ -196,11 +198,23 @@ class Errand:
         """What is no skill is found out before the first task begins: nothing is half done."""
         command = without_skill(self._commands)
         if command is None:
-            return None
+            return self._without_room()
         message = str(NoSkillError(command))
         self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
         failure = Failure(FailureKind.REFUSED, message)
         return TaskResult(command.text, command.action, "refused", failure=failure)
+
+    def _without_room(self) -> TaskResult | None:
+        """A room that is not on the map is not walked about for."""
+        rooms = self._session.toolbox.places
+        missing = missing_room(self._commands, rooms)
+        if missing is None:
+            return None
+        command, room = missing
+        known = f"it has {listed([f'the {name}' for name in sorted(rooms)])}" if rooms else "it has no rooms"
+        message = f"there is no {room} on the map; {known}"
+        self._session.tell(TaskRefused(self._session.now_s, command.text, message, room))
+        return TaskResult(command.text, command.action, "failed", failure=Failure.infeasible(message))
 
     # --- references -----------------------------------------------------------------------------
 

@@ -15,7 +15,7 @@ from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import support_of
-from trees.believed_thing import Surroundings, surroundings
+from trees.believed_thing import Surroundings, split_words, surroundings
 from trees.destination import furniture_named
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture, says_which
@@ -101,6 +101,10 @@ def _surface(
 ) -> SceneObject | Failure:
     kinds = _kinds(named, scene)
     tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if _flat(item)]
+    if not tops and any(
+        item.movable and split_words(item.name)[0] in kinds for item in scene.objects.values()
+    ):
+        return Failure.infeasible(f"things are put on furniture, not on a {named}")
     if not tops:
         what = f"no {named}" if named is not None else "nothing to put it on"
         return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects))
@@ -142,7 +146,8 @@ def _beside(
     wish: Callable[[Array], float],
     sight: SightOfTops,
 ) -> tuple[SceneObject, list[FreeSpot]] | Failure:
-    other = _other(relation.to, scene, odom_T_base, support_gap_m)
+    around = surroundings(scene, odom_T_base, support_gap_m, held.name)  # "the other one" is not the held one
+    other = _other(relation.to, scene, around)
     if isinstance(other, Failure):
         return other
     top = support_of(other, scene, support_gap_m)
@@ -155,15 +160,13 @@ def _beside(
     return top, spots_beside(other, top, scene, radius, directions, wish, known)
 
 
-def _other(
-    to: Destination, scene: PlanningScene, odom_T_base: Transform, support_gap_m: float
-) -> SceneObject | Failure:
+def _other(to: Destination, scene: PlanningScene, around: Surroundings) -> SceneObject | Failure:
     """The object that a relation compares with."""
     if isinstance(to, str):
         to = ObjectDescription(kind=to)
     if not isinstance(to, ObjectDescription):
         raise TypeError("the object of an earlier task was not filled in")
-    answer = ground(to, surroundings(scene, odom_T_base, support_gap_m))
+    answer = ground(to, around)
     if isinstance(answer, Found):
         return scene.objects[answer.names[0]]
     if isinstance(answer, Ambiguous):

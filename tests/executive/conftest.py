@@ -44,13 +44,13 @@ class Loop:
 class FakeStage:
     """A session with a fake robot at a table, and what it told."""
 
-    def __init__(self, model, *things):
+    def __init__(self, model, *things, places=()):
         self.fake, self.events = FakeWorld(model, believed, [table(), *things]), []
         toolbox = Toolbox(
             clock=self.fake.clock, model=model, motion=self.fake.motion, sensing=self.fake.sensing,
             grippers=self.fake.grippers, detector=self.fake.detector, planning=self.fake.planning,
             world=WorldModel(), events=lambda event: self.session.tell(event),
-            rng=np.random.default_rng(1), policy=QUICK,
+            rng=np.random.default_rng(1), policy=QUICK, places=dict(places),
         )  # fmt: skip
         planning = PlanningJobs(None, self.fake.clock, self.events.append)
         self.session = Session(toolbox, Loop(self.fake), planning, self.events.append)
@@ -72,7 +72,7 @@ def fake_model():
 @pytest.fixture
 def fake_stage(fake_model):
     """Make a stage; without things there are a red and a blue cup on the table."""
-    yield lambda *things: FakeStage(
-        fake_model, *(things or (cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))))
+    yield lambda *things, **more: FakeStage(
+        fake_model, *(things or (cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2)))), **more
     )
     Blackboard.clear()

@@ -11,6 +11,7 @@ from kinematics import poses
 from kinematics.shapes import Cylinder
 from robots.fake.fake_world import cup, person
 from robots.perception.truth_view import TrueObject
+from robots.scene_description import Region
 from trees.events import NodeChanged
 from trees.tasks import (
     DescribeTask,
@@ -24,6 +25,7 @@ from trees.tasks import (
     PlaceTask,
     PointAtTask,
     Relation,
+    WalkToTask,
     WaveTask,
 )
 
@@ -265,3 +267,50 @@ def test_of_several_things_none_is_in_a_hand_already(stage):
 
     assert result.outcome == "failed"
     assert "the red cup is in the hand already" in result.failure.message
+
+
+@pytest.mark.requirement("F1")
+@pytest.mark.parametrize(
+    ("rooms", "told"),
+    [
+        ((), "there is no kitchen on the map; it has no rooms"),
+        (("hall", "bedroom"), "there is no kitchen on the map; it has the bedroom and the hall"),
+    ],
+)
+@pytest.mark.parametrize(
+    "task", [WalkToTask("go", "kitchen"), DescribeTask("what is there", source="kitchen")]
+)
+def test_a_room_that_is_not_on_the_map_is_told_before_anything_moves(fake_stage, rooms, told, task):
+    places = {name: Region(name, (0.0, 0.0), (4.0, 4.0)) for name in rooms}
+    on = Stage(fake_stage(LEFT, places=places))
+
+    [result] = on.run(task)
+
+    assert (result.outcome, result.failure.message) == ("failed", told)
+    assert on.fake.session.now_s == 0.0
+
+
+def test_a_room_that_is_also_furniture_may_be_looked_for(stage):
+    [result] = stage(LEFT).run(DescribeTask("what is on it", source="table"))
+
+    assert result.outcome == "done"
+
+
+@pytest.mark.requirement("L3")
+def test_the_other_one_is_not_the_one_in_the_hand(stage):
+    on = stage(LEFT, RIGHT)
+    other = ObjectDescription(relation=Relation("next_to", ObjectDescription("cup", ordinal="other")))
+
+    [result] = on.run(
+        PlaceTask("put the red cup next to the other one", ObjectDescription("cup", "red"), to=other)
+    )
+
+    assert result.outcome == "done"
+
+
+def test_a_can_is_no_place_to_put_things_on(stage):
+    on = stage(LEFT, CAN)
+
+    [result] = on.run(PlaceTask("put it on the can", ObjectDescription("cup"), on=ObjectDescription("can")))
+
+    assert "things are put on furniture, not on a can" in result.failure.message
