@@ -210,7 +210,7 @@ class Notes:
     now_s = 0.0
 
     def __init__(self, fails=""):
-        self.toolbox = SimpleNamespace(can_walk=True)
+        self.toolbox = SimpleNamespace(can_walk=True, places=("kitchen", "living room"))
         self.told, self.fails = [], fails
 
     def task_steps(self, command, _timeout_s):

@@ -42,7 +42,7 @@ class TellCount(TellingLeaf):
         said = f"there {'is' if count == 1 else 'are'}"
         if self.region(task.source) is not None:  # not all of a room is seen from one place
             said = f"in the {task.source} I see"
-        elif task.object.kind == PERSON:
+        elif task.object.kind == PERSON or (self.toolbox.places and task.source is None):
             said = "from here I see"
         return self.say(f"{said} {plural(noun, count)}", {"count": count, **self.confidence(names)})
 

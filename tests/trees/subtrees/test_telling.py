@@ -104,6 +104,7 @@ def test_people_are_told_who_stand_farther_away_than_hands_reach(stage_with, tas
         ),
         (CountTask("how many people", PEOPLE, "kitchen"), "in the kitchen I see one person"),
         (CountTask("how many people", PEOPLE, "hall"), "in the hall I see no people"),
+        (CountTask("how many cups", ObjectDescription("cup")), "from here I see one cup"),
     ],
 )
 def test_of_a_room_what_stands_in_it_is_told(stage_with, task, words):
