@@ -34,6 +34,9 @@ class FindSpots(LookAround):
         """Search the surfaces of the world model."""
         del seen  # what was believed before counts as well
         task, toolbox = self.get_input("task"), self.toolbox
+        room = task.on if task.on is not None else task.to
+        if isinstance(room, str) and room in toolbox.places:
+            return Failure.infeasible(f"say on what in the {room} it is to be put")
         base = toolbox.model.frame_pose(toolbox.sensing.state().q, toolbox.model.description.base_link)
         policy = toolbox.policy
         sight = SightOfTops(

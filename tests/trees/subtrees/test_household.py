@@ -1,5 +1,6 @@
 """The household skills on the fake robot: what is done, what is said, and what is never claimed."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -16,6 +17,7 @@ from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.fake.fake_world import bowl, cup, person, table
 from robots.furniture import floor_pose, solids
 from robots.perception.truth_view import TrueObject
+from robots.scene_description import Region
 from robots.scene_file import load_scene
 from trees.build import build_tree
 from trees.events import LeafFailed, NotSo, Said
@@ -238,6 +240,17 @@ def test_a_table_that_seemed_higher_does_not_bar_the_way_farther_down(stage):
     # already for the first step down: where it comes to nothing is, or it is felt
     assert tops_m[0] < top_m(stage.told.scene.objects["table"]) - 0.005
     assert tops_m[-1] < top_m(stage.told.scene.objects["table"]) - 0.005
+
+
+def test_on_what_in_a_room_something_goes_has_to_be_said(stage):
+    stage.play(stage.pick())
+    rooms = {"kitchen": Region("kitchen", (0.0, 0.0), (4.0, 4.0))}
+
+    task = PlaceTask("put it into the kitchen", None, to="kitchen")
+    tree = stage.play(build_tree(task, dataclasses.replace(stage.toolbox, places=rooms)))
+
+    assert tree.failure.root.message == "say on what in the kitchen it is to be put"
+    assert stage.fake.grippers["right"].reading().holding
 
 
 def test_an_early_touch_leads_to_another_spot(stage):
