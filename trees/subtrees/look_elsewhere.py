@@ -23,7 +23,7 @@ from trees.subtrees.search_place import search_place
 from trees.subtrees.with_room import with_room
 from trees.toolbox import Toolbox
 
-_FURNITURE, _ROOMS, _FURNITURE_THERE, _OUTLOOKS = 2, 2, 2, 2
+_FURNITURE, _ROOMS, _FURNITURE_THERE, _OUTLOOKS = 3, 2, 2, 2
 """The robot goes to so much furniture that it saw, to so many rooms, to so much furniture that it saw there,
 and beside so many tall things that hide others."""
 _CHOOSING = (ChooseFurniture, ChooseRoom, ChooseOutlook)
