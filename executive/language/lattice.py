@@ -11,6 +11,8 @@ from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
 MANNER = "manner"
+AGAIN = "again"
+"""What is done again is done; said, it is a word like others: "see you again"."""
 """Meaning of those fillers that say how something is to be done."""
 
 TIME = "time"
@@ -95,6 +97,7 @@ class Lattice:
         self._own: list[list[Word]] = [[] for _ in range(size + 1)]
         self._covered = [False] * size
         self.ends = [False] * size + [True]
+        self._text_ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
         self._after_say = self._right_after("SAY", texts, vocabulary)
         for start in range(size - 1, -1, -1):
@@ -202,7 +205,9 @@ class Lattice:
                 at.setdefault(word.word_class, []).append(word)
         self._own[start] = found
         self.ends[start] = piece.is_mark and self.ends[start + 1]
+        self._text_ends[start] = piece.is_mark and self._text_ends[start + 1]
         passed = {word.end for word in fillers}
+        silent = {word.end for word in fillers if word.meaning != AGAIN}
         if piece.text == ",":  # a courtesy between two commas
             passed |= {
                 word.end + 1
@@ -215,6 +220,8 @@ class Lattice:
             passed.add(start + 1)
         for after in passed:
             self.ends[start] = self.ends[start] or self.ends[after]
+            if after in silent:
+                self._text_ends[start] = self._text_ends[start] or self._text_ends[after]
             for name, words in self._words[after].items():
                 known = at.setdefault(name, [])
                 known.extend(word for word in words if word not in known)
@@ -279,7 +286,7 @@ class Lattice:
         return len(self.pieces), ""
 
     def _may_end(self, end: int) -> bool:
-        return self.ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
+        return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
 
     def text(self, start: int, end: int) -> str:
         """The text of some pieces, as it was written."""

@@ -183,13 +183,36 @@ def test_what_stands_before_something_else_belongs_to_what_was_said_before_it():
     assert parse("go to the table before you take the fork, bring me the can, hand it to Tom").commands == ()
 
 
-def test_again_closes_what_was_opened_before_and_nothing_else():
+def test_again_closes_what_was_opened_before():
     assert tasks("open the fridge, take the milk and close it again")[-1] == {
         "action": "close",
         "object": {"ref": 0},
     }
-    assert tasks("close the door again") == []
-    assert tasks("open the fridge and close the drawer again") == []
+
+
+@pytest.mark.parametrize(
+    ("sentence", "same"),
+    [
+        ("close the door again", "close the door"),
+        ("open the fridge and close the drawer again", "open the fridge and close the drawer"),
+        ("wave once more", "wave"),
+        ("pick up the red cup and put it down again", "pick up the red cup and put it down"),
+        ("once again, move forward", "move forward"),
+    ],
+)
+def test_what_is_done_again_is_done(sentence, same):
+    assert tasks(sentence) == tasks(same) != []
+
+
+@pytest.mark.parametrize(
+    "sentence", ["say see you again", "tell Ana that I will be here again", "say it again"]
+)
+def test_again_is_not_dropped_from_what_is_said(sentence):
+    assert parse(sentence).commands == ()
+
+
+def test_again_is_said_where_it_is_clear_what_the_words_are():
+    assert tasks("say: hello again")[0]["text"] == "hello again"
 
 
 @pytest.mark.parametrize("sentence", ["take a third apple", "walk by the table", "go by the sofa"])

@@ -32,7 +32,7 @@ SENTENCES = (
 )
 _WORDS = """
 not never no nobody nothing nowhere except without unless hardly almost barely instead otherwise else if
-when whenever while until because since although whether before after once again twice thrice later
+when whenever while until because since although whether before after once twice thrice later
 tomorrow yesterday tonight soon always usually sometimes often ever yet slowly quickly quietly halfway
 sideways upside together apart aside around diagonally backwards forward straight maybe perhaps probably
 possibly might could should would may was were did had been has having myself yourself himself everyone
@@ -81,6 +81,7 @@ def _changes_nothing(said):
         "fourth",
         "leftmost left",
         "straight",
+        "take along all",
         "through to",
         "what else",
         "at once",
