@@ -33,12 +33,18 @@ _STEEPEST_RAD = math.radians(70)
 OPENING_RESERVE_M = 0.006
 # The pads reach at least this far over an object's edge, and a palm keeps this from its top.
 PAD_OVERLAP_M = 0.02
-# Over the edge of what is so low that fingers which reach over it like this come too near to its support.
-LEAST_OVERLAP_M = 0.016
 PALM_GAP_M = 0.012
 # Pointing down, the TCP stays this far above the object's foot: the fingertips reach 2 to 3 cm beyond,
 # and farther as they close.
 TIP_GAP_M = 0.057
+# The same over what is low, or a ball, whose sides are to be between the pads; more where it is tilted.
+LOW_TIP_GAP_M = 0.053
+LOW_TILT_GAP_M = 0.045
+# The TCP may be this far above the top of something low: half of the pads' length is beyond it.
+LOWEST_OVERLAP_M = -0.014
+SHALLOWER_M = 0.006
+# No farther above a ball's middle: its sides would be at the edges of the pads, 29 mm from their middle.
+LEAST_OVER_BALL_M = 0.032
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
 # Where else, when that does not go: nearer to the top over a high table, lower under an overhang.
@@ -46,6 +52,9 @@ NEAR_TOP = 0.4
 OTHER_HEIGHTS = (0.28, NEAR_TOP, 0.0)
 # Flat pads along the object hold it better than the edges of two pads that it stands between.
 STRADDLE_COST = 1.0
+# Across a narrower edge of a box the fingers have more room beside it than perception errs: worth a turn.
+ROOMY_M = 0.055
+TIGHT_COST_PER_M = 20.0
 # Half a turn about the approach: signs of a rotation's columns.
 _HALF_TURN = np.array([1.0, -1.0, -1.0])
 # A grasp as it is, and rolled by that: what its name gets, and what it costs.
@@ -202,9 +211,10 @@ def _round_spot(
     """Place of the TCP, opening and cost on something round, or None when it cannot be held so."""
     centre, shape = item.world_T_object[:3, 3], item.shape
     if isinstance(shape, Ball):
-        if gripper.pad_gap_m < 2.0 * shape.radius_m <= limit:
-            return centre, _straddled_opening(shape.radius_m, gripper), 0.0
-        return None
+        over_m = _over_ball(shape.radius_m, tilt, height)
+        if over_m is None or not gripper.pad_gap_m < 2.0 * shape.radius_m <= limit:
+            return None
+        return centre + np.array([0.0, 0.0, over_m]), _straddled_opening(shape.radius_m, gripper), 0.0
     if not isinstance(shape, Cylinder) or 2.0 * shape.radius_m > limit:
         return None
     place = centre + np.array([0.0, 0.0, _reach_in(shape.height_m, height, shape.radius_m, tilt, gripper)])
@@ -250,7 +260,8 @@ def _box_places(
         places[:, :, k, :, :3, 3] = item.world_T_object[:3, 3]
         places[:, :, k, :, 2, 3] += np.array(depths)[:, None]
         places[:, :, k, 0, :3, :3], places[:, :, k, 1, :3, :3] = turned, turned * _HALF_TURN
-        cost[:, :, k] = np.abs(turn)[..., None] + np.array(_ROLLED_COST)
+        tight = TIGHT_COST_PER_M * max(0.0, size[edge] - ROOMY_M)
+        cost[:, :, k] = np.abs(turn)[..., None] + np.array(_ROLLED_COST) + tight
     each = 2 * len(edges)
     return _Places(
         yaw=np.repeat(np.arange(yaws), count * each),
@@ -283,9 +294,9 @@ def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper:
     """
     side = at * height
     deepest = gripper.palm_distance_m - PALM_GAP_M
-    shallow = at == NEAR_TOP and tilt > _STEEPEST_RAD
-    least = LEAST_OVERLAP_M if shallow else PAD_OVERLAP_M
-    overlap = max(least, min(0.45 * height, height - TIP_GAP_M))
+    overlap = max(PAD_OVERLAP_M, min(0.45 * height, height - TIP_GAP_M))
+    if tilt > _STEEPEST_RAD and LOWEST_OVERLAP_M <= (low := height - _foot_gap(tilt, at)) < PAD_OVERLAP_M:
+        overlap = low
     above = 0.5 * height - min(overlap, deepest)
     share = math.sin(tilt) ** 2
     blended = (1.0 - share) * side + share * above
@@ -294,6 +305,22 @@ def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper:
     # the tilted palm stays clear of the near edge of the top
     lowest = 0.5 * height - (deepest - half_depth * math.cos(tilt)) / math.sin(tilt)
     return max(blended, lowest)
+
+
+def _foot_gap(tilt: float, at: float) -> float:
+    """Least height of the TCP above the foot of something low that is grasped from above."""
+    return LOW_TIP_GAP_M + LOW_TILT_GAP_M * math.cos(tilt) + (SHALLOWER_M if at == NEAR_TOP else 0.0)
+
+
+def _over_ball(radius: float, tilt: float, height: float) -> float | None:
+    """Height of the TCP above a ball's middle, or None where its sides would be at the edge of the pads.
+
+    From above the fingertips stay off what the ball lies on, and still reach below its middle.
+    """
+    if tilt <= _STEEPEST_RAD:
+        return 0.0
+    over_m = max(0.0, _foot_gap(tilt, height) - radius)
+    return over_m if over_m <= LEAST_OVER_BALL_M else None
 
 
 def _straddled(tilt: float, gripper: GripperDescription) -> bool:

@@ -2,8 +2,9 @@
 
 As with picks, it is the goals that fail: each spot is tried with several turns about the vertical, the
 most natural for the arm first, and only those whose way down and whose retreat are free are reached for.
-Where none is, all are tried again with less room and with the elbow elsewhere: over a high table it is
-the forearm that meets the edge. Last, the way down ends where the object should stand, not below.
+A wide berth of what may stand elsewhere than it was seen comes first. Where no way is free, all are tried
+again with less room and with the elbow elsewhere: over a high table it is the forearm that meets the edge.
+Last, the way down ends where the object should stand, not below.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from kinematics.place_requests import PlaceRequest
 from kinematics.place_task import PlaceGoal, PlaceTask
 from kinematics.requests import NoPlan, PlacePlan
 from kinematics.robot_model import RobotModel
+from kinematics.wide_berth import wide_berth
 
 RESERVE_M = 0.003
 # So many goals that only a detour may come to are kept.
@@ -34,6 +36,8 @@ class PlacePlanner:
     def plan(self, request: PlaceRequest) -> PlacePlan | NoPlan:
         """Plan transfer and lowering, or say honestly why there is no plan."""
         usual = PlaceTask(self._model, request, RESERVE_M, 0 if request.quick else None)
+        if (plan := self._with_berth(usual, request)) is not None:
+            return plan
         if (plan := self._first(usual, request)) is not None:
             return plan
         if request.quick:
@@ -51,6 +55,17 @@ class PlacePlanner:
                 return plan
             considered += high.considered
         return _no_plan(request, thorough, considered)
+
+    def _with_berth(self, usual: PlaceTask, request: PlaceRequest) -> PlacePlan | None:
+        """A plan that keeps farther from what may stand elsewhere than it was seen, to be judged as usual."""
+        if request.quick:
+            return None
+        wide = wide_berth(self._model, request.scene, request.q_start, RESERVE_M)
+        if wide is request.scene:
+            return None
+        task = PlaceTask(self._model, replace(request, scene=wide), RESERVE_M, 0, before=usual)
+        plan = self._first(task, request)
+        return None if plan is None else usual.judged_here(plan, request.spots[plan.spot])
 
     def _first(self, task: PlaceTask, request: PlaceRequest) -> PlacePlan | None:
         """The first spot and turn that a way leads to; straight ways before detours.

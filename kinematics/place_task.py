@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -196,6 +196,14 @@ class PlaceTask:
             transfer=PlannedStep("transfer", first, self._scene),
             lower=PlannedStep("lower", second, goal.lower_scene),
             considered=self.considered,
+        )
+
+    def judged_here(self, plan: PlacePlan, spot: Spot) -> PlacePlan:
+        """A plan that was made with wider margins, with this task's scenes to be checked in."""
+        return replace(
+            plan,
+            transfer=replace(plan.transfer, scene=self._scene),
+            lower=replace(plan.lower, scene=self._near(spot)[0]),
         )
 
     def _near(self, spot: Spot) -> tuple[PlanningScene, PathPlanner]:

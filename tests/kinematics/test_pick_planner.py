@@ -11,7 +11,7 @@ from kinematics.pick_planner import MOST_BLOCKED, PLANNING_RESERVE_M, PickPlanne
 from kinematics.pick_task import PickTask
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
+from kinematics.shapes import Ball, Box, Cylinder
 
 
 def plan(talos, stance, scene, **options):
@@ -95,6 +95,7 @@ def test_a_low_cup_is_grasped_with_less_room_before_it_is_given_up(talos, stance
     )
     low = SceneObject("cup", Cylinder(0.029, 0.07), poses.translation(0.55, -0.04, 0.936), margin_m=0.01)
     scene = PlanningScene().with_objects([top, low])
+    monkeypatch.setattr("kinematics.grasping.LOWEST_OVERLAP_M", PAD_OVERLAP_M)
 
     assert isinstance(plan(talos, stance, scene), PickPlan)
     monkeypatch.setattr("kinematics.pick_planner.LEAST_RESERVE_M", PLANNING_RESERVE_M)
@@ -228,5 +229,37 @@ def test_over_a_low_box_fingers_that_would_come_too_near_to_the_table_reach_less
     scene = PlanningScene().with_objects([top, low])
 
     assert isinstance(plan(talos, stance, scene), PickPlan)
-    monkeypatch.setattr("kinematics.grasping.LEAST_OVERLAP_M", PAD_OVERLAP_M)
+    monkeypatch.setattr("kinematics.grasping.LOWEST_OVERLAP_M", PAD_OVERLAP_M)
     assert isinstance(plan(talos, stance, scene), NoPlan)
+
+
+LYING = poses.rotation_y(0.5 * np.pi)
+
+
+@pytest.mark.requirement("M1")
+@pytest.mark.parametrize(
+    ("shape", "turned", "up_m"),
+    [
+        (Ball(0.024), np.eye(3), 0.024),
+        (Ball(0.033), np.eye(3), 0.033),
+        (Ball(0.039), np.eye(3), 0.039),
+        (Box((0.05, 0.06, 0.045)), np.eye(3), 0.0225),
+        (Cylinder(0.03, 0.12), LYING, 0.03),
+        (Cylinder(0.025, 0.12), LYING, 0.025),
+    ],
+    ids=str,
+)
+def test_balls_and_what_is_low_or_lies_are_taken_from_above(talos, stance, shape, turned, up_m):
+    top = SceneObject(
+        "table", Box((0.6, 1.4, 0.04)), poses.translation(0.65, 0.0, 0.86), 0.015, movable=False
+    )
+    thing = SceneObject("cup", shape, poses.transform(turned, (0.45, -0.2, 0.88 + up_m)), margin_m=0.01)
+
+    answer = plan(talos, stance, PlanningScene().with_objects([top, thing]))
+
+    assert isinstance(answer, PickPlan)
+    tcp, middle_m = answer.grasp.world_T_tcp, 0.88 + up_m
+    gripper = talos.description.grippers[answer.grasp.hand]
+    beyond_m = (tcp[2, 3] - middle_m) * -tcp[2, 0]  # how far before the fingertips its middle is
+    assert -tcp[2, 0] > np.sin(np.radians(70.0))
+    assert beyond_m < gripper.pad_half_size_m[0][2] + 0.004

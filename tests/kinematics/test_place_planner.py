@@ -13,7 +13,7 @@ from kinematics.place_task import TURNS_RAD
 from kinematics.reach_ik import ReachIk
 from kinematics.requests import NoPlan, PlacePlan
 from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
+from kinematics.shapes import Box, Cylinder
 
 BOX = Box((0.066, 0.050, 0.117))
 # The hand is level, and the fingers close 14 mm above the box's middle.
@@ -132,3 +132,22 @@ def test_later_rounds_do_not_search_again_what_the_first_has_found(talos, stance
 
     assert isinstance(answer, NoPlan)
     assert len(searches) == len(set(searches)) > len(TURNS_RAD)
+
+
+@pytest.mark.parametrize(("aside_m", "least_m"), [(0.10, 0.02), (-0.10, 0.0)])
+def test_a_wide_berth_is_kept_of_what_may_stand_elsewhere_where_there_is_room(
+    talos, stance, make, aside_m, least_m
+):
+    asked = request(talos, stance, make, 0.85, (0.42, -0.34))
+    other = SceneObject(
+        "can", Cylinder(0.03, 0.2), poses.translation(0.42, -0.34 + aside_m, 0.95), margin_m=0.01
+    )
+    beside = dataclasses.replace(asked, scene=asked.scene.with_objects([other]))
+
+    answer = PlacePlanner(talos).plan(beside)
+
+    assert isinstance(answer, PlacePlan)
+    assert answer.lower.scene.objects["can"].margin_m == 0.01
+    wide = answer.lower.scene.with_objects([dataclasses.replace(other, margin_m=least_m)])
+    world = CollisionWorld(talos, wide)
+    assert not any(world.collides(q) for q in answer.lower.trajectory.q[::10])

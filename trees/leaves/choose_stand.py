@@ -50,14 +50,16 @@ class ChooseStand(Leaf):
     OUTPUT_PORTS = ports(stand=Stand)
     CONTRACT = Contract(
         precondition="the place was seen",
-        postcondition="a pick has a plan from the chosen place and from beside it; or it is the usual one",
+        postcondition="a pick has a plan from the chosen place, and from beside it if that can be; or it is "
+        "the usual one",
         deadline_s=30.0,
     )
 
     TURNED_RAD: ClassVar[tuple[float, ...]] = TURNED_RAD
     """How far out of the usual heading the robot may stand."""
     BESIDE: ClassVar[tuple[PlanarPose, ...]] = (_BESIDE,)
-    """A place is taken only if those that are so far beside it do as well: nobody arrives exactly."""
+    """A place is taken if those that are so far beside it do as well, for nobody arrives exactly; where there
+    is no such place, the one with most of them."""
 
     _job: Job | None = None
 
@@ -72,6 +74,7 @@ class ChooseStand(Leaf):
         self._usual = self.usual(place, body)
         self._stands: Iterator[PlanarPose] = iter(())
         self._stand, self._sure = self._usual, 0
+        self._nearly: tuple[int, PlanarPose, str] | None = None
         self._above: tuple[Footprint, ...] = ()
         settings = self._settings = toolbox.model.description.walking
         thing = self.thing(place)
@@ -155,8 +158,11 @@ class ChooseStand(Leaf):
             answer = self._job.result()
             self._job = None
             if not isinstance(answer, NoPlan):
+                words = f"for the {_hand_of(answer)} hand"
                 if self._sure == len(self.BESIDE):
-                    return self._choose(self._stand, f"for the {_hand_of(answer)} hand")
+                    return self._choose(self._stand, words)
+                if self._nearly is None or self._sure > self._nearly[0]:
+                    self._nearly = self._sure, self._stand, words
                 self._ask(self._stand @ self.BESIDE[self._sure])
                 self._sure += 1
                 return RUNNING
@@ -164,6 +170,9 @@ class ChooseStand(Leaf):
         if following is None:
             self._stands = self.harder()
             following = next(self._stands, None)
+        if following is None and self._nearly is not None:
+            _, stand, words = self._nearly  # better than none: there it is planned anew, or told
+            return self._choose(stand, f"{words}, if it gets there exactly")
         if following is None:
             return self.without_any()
         self._stand, self._sure = following, 0

@@ -54,7 +54,7 @@ class ChooseStandToPut(ChooseStand):
     OUTPUT_PORTS = ports(stand=Stand)
     CONTRACT = Contract(
         precondition="the place was seen; the object is an attached body",
-        postcondition="a placing on a board has a plan from the chosen place and from beside it",
+        postcondition="a placing has a plan from the chosen place, and from beside it if that can be",
         deadline_s=30.0,
     )
 

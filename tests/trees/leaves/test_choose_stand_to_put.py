@@ -106,6 +106,22 @@ def test_a_place_has_to_serve_on_both_sides_of_where_one_arrives(before_the_frid
     assert stage.output("stand").body(place).distance_m(body_of(asked[0])) > 0.01
 
 
+def test_where_no_place_serves_on_all_sides_the_one_that_serves_on_most_is_taken(before_the_fridge):
+    stage, run = before_the_fridge
+    plan, served = stage.fake.planning.answer, []
+
+    def answers(request):  # one place serves, and what is beside it on one side; others serve nowhere
+        number = len(served)
+        served.append(body_of(request))
+        return plan(request) if number in (0, 2, 3) else NoPlan("out of reach", {})
+
+    status, asked, place = run(answers)
+
+    assert status is Status.SUCCESS
+    assert asked[-1].quick is False  # more patiently there was no better one
+    assert stage.output("stand").body(place).distance_m(served[2]) < 0.01
+
+
 def test_all_places_are_asked_about_quickly_before_any_is_asked_about_patiently(before_the_fridge):
     stage, run = before_the_fridge
     plan = stage.fake.planning.answer
