@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from executive.at_hand import is_near
+from executive.at_hand import Nearness, is_near
 from executive.attendant import Attendant
 from executive.clarification import (
     MAX_TRIES,
@@ -39,7 +39,7 @@ from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
 from trees.questions import OTHER
 from trees.report_words import listed
-from trees.tasks import ObjectDescription, ObjectOf, PickTask, Task, WalkToTask
+from trees.tasks import ObjectDescription, ObjectOf, PickTask, PlaceTask, Task, WalkToTask
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -104,7 +104,7 @@ class Errand:
                 if step.finds_speaker:
                     speaker = str(result.evidence.get("found", ""))
             if step.said is not None:
-                self._acted_on.append(tuple(names))
+                self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
         return tuple(results)
 
     def _is_needless(self, step: Prepared) -> bool:
@@ -152,6 +152,11 @@ class Errand:
             if isinstance(answered, Failure):
                 return replace(result, outcome="cancelled", failure=answered)
             command = answered
+            if (walk := self._walk_there(command, result.failure)) is not None:
+                walked = yield from _silent(self._session.task_steps(walk, self._timeout_s))
+                times = _sum(times, walked.times)
+                if walked.outcome != "done":
+                    return replace(result, outcome=walked.outcome, failure=walked.failure)
 
     def _asked(
         self, command: Command, failure: Failure
@@ -159,6 +164,8 @@ class Errand:
         """The command with the choice that was made; why it was withdrawn; None when nobody answered."""
         session, choices, names = self._session, failure.choices, failure.choice_names
         question = failure.root.message
+        if len(names) == 1:  # which it is, nobody has to be asked
+            return _answered(command, failure.choice_slot, names[0])
         session.tell(QuestionAsked(session.now_s, command.text, question, choices))
         if self._on_question == "fail" or not names:
             return None
@@ -182,6 +189,15 @@ class Errand:
                 case Unclear(message):
                     tried = message
         return None
+
+    def _walk_there(self, command: Command, asked: Failure) -> WalkToTask | None:
+        """The walk to the furniture in a room that something goes onto, if the robot is not before it."""
+        if not isinstance(command, PlaceTask) or asked.choice_slot != "on" or not self._walks():
+            return None
+        if command.to not in self._session.toolbox.places or not isinstance(command.on, ObjectDescription):
+            return None
+        near = self._known().is_near(Nearness(command.on))
+        return None if near else WalkToTask(f"walk to the {command.on}", command.on)
 
     def _around(self) -> Surroundings:
         toolbox = self._session.toolbox

@@ -4,7 +4,8 @@
 can walk goes to the fridge, opens it, comes within reach of the bottle, and walks back to who spoke; each of
 these is a task of its own, so that what fails is told as what it is. Where the map has rooms, what is spoken
 of may be anywhere in them: it is walked to as well when it is not at hand, and what is to be brought
-somewhere is picked up before the robot walks there. What is asked about a table is seen from before it.
+somewhere is picked up before the robot walks there. What is asked about a table is seen from before it. What
+is taken to a room and then put somewhere is only carried to the room.
 """
 
 from __future__ import annotations
@@ -51,6 +52,7 @@ class Prepared:
         unless_near: Left out while this is known.
         finds_for: Index of the said command whose object is the one that this task was about.
         may_fail: Whether the errand goes on without it.
+        carries: Index of the said command whose object this one only takes along.
     """
 
     command: Command
@@ -61,6 +63,7 @@ class Prepared:
     unless_near: Nearness | None = None
     finds_for: int | None = None
     may_fail: bool = False
+    carries: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +127,9 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
     for index, command in enumerate(commands):
         if isinstance(command, OpenTask):
             opened.add(str(command.object))
+        if (room := _carried_to(index, commands, known)) is not None:
+            yield room
+            continue
         inside = _inside(command)
         before: list[Prepared] = []
         thing = _to_be_picked(command, commands)
@@ -158,6 +164,20 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there), unless_near=near))
         yield from before
         yield Prepared(command, index)
+
+
+def _carried_to(index: int, commands: Sequence[Command], known: Known) -> Prepared | None:
+    """Walking to a room with what the next command puts somewhere there: "and put it on the counter"."""
+    command, after = commands[index], commands[index + 1] if index + 1 < len(commands) else None
+    if not isinstance(command, PlaceTask) or not isinstance(command.object, ObjectOf):
+        return None
+    if command.on is not None or not isinstance(command.to, str) or command.to not in known.rooms:
+        return None
+    if not isinstance(after, HandOverTask | PlaceTask | PutInTask):
+        return None
+    if after.object not in (None, command.object, ObjectOf(index)):
+        return None
+    return Prepared(WalkToTask(command.text, command.to), index, carries=command.object.task)
 
 
 def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator[Prepared]:

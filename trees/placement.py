@@ -37,7 +37,7 @@ _DIRECTIONS = {
     "behind": (0.0,),
     "next_to": (0.5 * math.pi, -0.5 * math.pi, math.pi, 0.0),
 }
-_SURFACES = ("table", "counter", "shelf", "desk", "floor")
+SURFACES = ("table", "counter", "shelf", "desk", "floor")
 
 
 def spots_for(
@@ -69,11 +69,8 @@ def spots_for(
             return found
         top, spots = found
     else:
-        named, slot = (on, "on") if on is not None else (to, "to")
-        if isinstance(named, ObjectDescription) and (named.name is not None or says_which(named)):
-            surface = _one_surface(named, slot, scene, surroundings(scene, odom_T_base, support_gap_m))
-        else:
-            surface = _surface(named, scene, wish)
+        around = surroundings(scene, odom_T_base, support_gap_m)
+        surface = _put_on(on, to, scene, around, wish)
         if isinstance(surface, Failure):
             return surface
         known = sight.about(surface, radius, odom_T_base)
@@ -86,21 +83,59 @@ def spots_for(
     return tuple(_resting(held, spot, top) for spot in spots)
 
 
+def why_not_there(
+    on: Destination | None,
+    to: Destination | None,
+    scene: PlanningScene,
+    around: Surroundings,
+    support_gap_m: float,
+) -> Failure | None:
+    """Why nobody could say where a thing goes, found out before it is picked up; None when it is known.
+
+    Args:
+        on: As for ``spots_for``.
+        to: As for ``spots_for``.
+        scene: What is believed to be around.
+        around: The same from where the robot stands, without what is going to be moved.
+        support_gap_m: As for ``spots_for``.
+    """
+    relation = _relation(to)
+    if relation is not None:
+        known: object = _compared_with(relation, scene, around, support_gap_m)
+    else:
+        known = _put_on(on, to, scene, around, lambda _place: 0.0)
+    return known if isinstance(known, Failure) else None
+
+
 def _relation(to: Destination | None) -> Relation | None:
     """What a destination says about where beside something else it is."""
     if isinstance(to, ObjectDescription):
         if to.relation is not None and to.relation.kind in _DIRECTIONS and to.kind is None:
             return to.relation
-        if to.kind is not None and to.kind not in _SURFACES:
+        if to.kind is not None and to.kind not in SURFACES:
             return Relation("next_to", to)
     return None
+
+
+def _put_on(
+    on: Destination | None,
+    to: Destination | None,
+    scene: PlanningScene,
+    around: Surroundings,
+    wish: Callable[[Array], float],
+) -> SceneObject | Failure:
+    """The surface that is named; of several that are not, the one that is wished for."""
+    named, slot = (on, "on") if on is not None else (to, "to")
+    if isinstance(named, ObjectDescription) and (named.name is not None or says_which(named)):
+        return _one_surface(named, slot, scene, around)
+    return _surface(named, scene, wish)
 
 
 def _surface(
     named: Destination | None, scene: PlanningScene, wish: Callable[[Array], float]
 ) -> SceneObject | Failure:
     kinds = _kinds(named, scene)
-    tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if _flat(item)]
+    tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if is_flat(item)]
     if not tops and any(
         item.movable and split_words(item.name)[0] in kinds for item in scene.objects.values()
     ):
@@ -130,10 +165,11 @@ def _kinds(named: Destination | None, scene: PlanningScene) -> list[str]:
     if isinstance(named, ObjectDescription) and named.kind is not None:
         return [named.kind]
     fixed = {kind_of(item.name) for item in scene.objects.values() if not item.movable}
-    return sorted(kind for kind in fixed if kind in _SURFACES)
+    return sorted(kind for kind in fixed if kind in SURFACES)
 
 
-def _flat(item: SceneObject) -> bool:
+def is_flat(item: SceneObject) -> bool:
+    """Whether it is much wider than high, as a top is: a leg is not."""
     return isinstance(item.shape, Box) and min(item.shape.size_m[:2]) > 2.0 * item.shape.height_m
 
 
@@ -147,17 +183,28 @@ def _beside(
     sight: SightOfTops,
 ) -> tuple[SceneObject, list[FreeSpot]] | Failure:
     around = surroundings(scene, odom_T_base, support_gap_m, held.name)  # "the other one" is not the held one
+    found = _compared_with(relation, scene, around, support_gap_m)
+    if isinstance(found, Failure):
+        return found
+    other, top = found
+    heading = poses.yaw_of(odom_T_base[:3, :3])
+    directions = [heading + angle for angle in _DIRECTIONS[relation.kind]]
+    radius = footprint_radius_m(held.shape)
+    known = sight.about(top, radius, odom_T_base)
+    return top, spots_beside(other, top, scene, radius, directions, wish, known)
+
+
+def _compared_with(
+    relation: Relation, scene: PlanningScene, around: Surroundings, support_gap_m: float
+) -> tuple[SceneObject, SceneObject] | Failure:
+    """What something goes beside, and what that stands on."""
     other = _other(relation.to, scene, around)
     if isinstance(other, Failure):
         return other
     top = support_of(other, scene, support_gap_m)
     if top is None:
         return Failure.postcondition(f"what the {other.name} stands on is not seen")
-    heading = poses.yaw_of(odom_T_base[:3, :3])
-    directions = [heading + angle for angle in _DIRECTIONS[relation.kind]]
-    radius = footprint_radius_m(held.shape)
-    known = sight.about(top, radius, odom_T_base)
-    return top, spots_beside(other, top, scene, radius, directions, wish, known)
+    return other, top
 
 
 def _other(to: Destination, scene: PlanningScene, around: Surroundings) -> SceneObject | Failure:

@@ -1,5 +1,7 @@
 """Several commands in order: references, several objects, questions, and nothing half done."""
 
+from dataclasses import replace
+
 import pytest
 
 from executive.clarification import OpenQuestion
@@ -8,8 +10,8 @@ from executive.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.meaning import StopCommand
 from executive.task_result import Provenance
 from kinematics import poses
-from kinematics.shapes import Cylinder
-from robots.fake.fake_world import cup, person
+from kinematics.shapes import Box, Cylinder
+from robots.fake.fake_world import bowl, cup, person
 from robots.perception.truth_view import TrueObject
 from robots.scene_description import Region
 from trees.events import NodeChanged
@@ -17,6 +19,7 @@ from trees.tasks import (
     DescribeTask,
     FindTask,
     GoHomeTask,
+    HandOverTask,
     LookAtTask,
     ObjectDescription,
     ObjectOf,
@@ -24,6 +27,7 @@ from trees.tasks import (
     PickTask,
     PlaceTask,
     PointAtTask,
+    PutInTask,
     Relation,
     WalkToTask,
     WaveTask,
@@ -34,6 +38,10 @@ RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
 LEFT, RIGHT = cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))
 CAN = TrueObject(
     "green can", "object", "can", "green", Cylinder(0.03, 0.1), poses.translation(0.5, 0.0, 0.95)
+)
+GUEST = ObjectDescription("guest")
+SHELF = TrueObject(
+    "shelf", "furniture", "shelf", None, Box((0.3, 0.5, 0.03)), poses.translation(0.6, 0.6, 1.1)
 )
 
 
@@ -49,8 +57,11 @@ class Stage:
         session = self.fake.session
         return drive(Errand(session, commands, **options).steps(), self, session)
 
+    def holds_something(self):
+        return any(gripper.reading().holding for gripper in self.fake.fake.grippers.values())
+
     def answer(self, question):
-        self.moved_when_asked.append(self.arms_moved())
+        self.moved_when_asked.append(self.arms_moved() or self.holds_something())
         self.questions.append(question)
         return self.answers.pop(0) if self.answers else None
 
@@ -308,9 +319,78 @@ def test_the_other_one_is_not_the_one_in_the_hand(stage):
     assert result.outcome == "done"
 
 
-def test_a_can_is_no_place_to_put_things_on(stage):
+@pytest.mark.requirement("L6")
+@pytest.mark.parametrize(
+    ("task", "choices"),
+    [
+        (
+            PlaceTask(
+                "put the can next to the cup",
+                ObjectDescription("can"),
+                to=ObjectDescription(relation=Relation("next_to", ObjectDescription("cup"))),
+            ),
+            ("red cup", "blue cup"),
+        ),
+        (
+            PutInTask("put the can in the bowl", ObjectDescription("can"), "bowl"),
+            ("left white bowl", "right white bowl"),
+        ),
+        (HandOverTask("give the can to a guest", ObjectDescription("can"), GUEST), ("Ben", "Ana")),
+    ],
+)
+def test_where_it_goes_is_asked_before_it_is_picked_up(stage, task, choices):
+    people = person("Ana", (1.5, -0.6)), person("Ben", (1.5, 0.6))
+    bowls = [replace(bowl((0.65, y_m)), name=f"bowl at {y_m}") for y_m in (0.4, -0.4)]
+    on = stage(LEFT, RIGHT, CAN, *bowls, *people)
+
+    [result] = on.run(task, answers=["2"])
+
+    assert [question.choices for question in on.questions] == [choices]
+    assert on.moved_when_asked == [False]
+    assert result.outcome == "done" or "nobody took" in result.failure.message
+
+
+@pytest.mark.parametrize(
+    ("task", "told"),
+    [
+        (
+            PlaceTask("put it on the can", ObjectDescription("cup"), on=ObjectDescription("can")),
+            "things are put on furniture, not on a can",
+        ),
+        (
+            PlaceTask(
+                "put it next to the lamp",
+                ObjectDescription("cup"),
+                to=ObjectDescription(relation=Relation("next_to", ObjectDescription("lamp"))),
+            ),
+            "no lamp seen",
+        ),
+        (
+            PutInTask("put it in the can", ObjectDescription("cup"), ObjectDescription("can")),
+            "the red cup is too wide for the green can",
+        ),
+        (HandOverTask("give it to Zoe", ObjectDescription("cup"), "Zoe"), "no Zoe seen"),
+    ],
+)
+def test_what_has_nowhere_to_go_is_not_picked_up(stage, task, told):
     on = stage(LEFT, CAN)
 
-    [result] = on.run(PlaceTask("put it on the can", ObjectDescription("cup"), on=ObjectDescription("can")))
+    [result] = on.run(task)
 
-    assert "things are put on furniture, not on a can" in result.failure.message
+    assert told in result.failure.message
+    assert not on.arms_moved()
+    assert not on.holds_something()
+
+
+@pytest.mark.parametrize(("more", "asked"), [((), []), ((SHELF,), [("the table", "the shelf")])])
+def test_on_what_in_a_room_a_thing_is_put_is_asked_where_there_is_a_choice(fake_stage, more, asked):
+    kitchen = Region("kitchen", (0.0, 0.0), (4.0, 4.0))
+    on = Stage(fake_stage(LEFT, *more, places={"kitchen": kitchen}))
+
+    [result] = on.run(
+        PlaceTask("bring the cup to the kitchen", ObjectDescription("cup"), to="kitchen"), answers=["table"]
+    )
+
+    assert [question.choices for question in on.questions] == asked
+    assert result.outcome == "done"
+    assert result.evidence["on"] == "table"

@@ -312,3 +312,26 @@ def test_what_fails_on_the_way_ends_the_errand_with_its_own_reason():
     assert results[-1].action == "open"
     assert results[-1].failure.message == "the door is stuck"
     assert PickTask not in [type(command) for command in notes.told]
+
+
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    "then", ["put it on the counter", "give it to Ben", "put it in the bowl", "put it next to the sink"]
+)
+def test_what_is_taken_to_a_room_and_then_put_somewhere_is_only_carried_there(then):
+    commands = parse(f"take the red cup to the kitchen and {then}").commands
+
+    carried = [step for step in prepared(commands, True, FLAT) if step.said == 1]
+
+    assert [(step.command.action, step.command.to, step.carries) for step in carried] == [
+        ("walk_to", "kitchen", 0)
+    ]
+
+
+@pytest.mark.parametrize("then", ["wave to Ben", "pick up the box", "put the box on the counter"])
+def test_what_is_taken_to_a_room_and_left_is_put_down_there(then):
+    commands = parse(f"take the red cup to the kitchen and {then}").commands
+
+    said = [step.command for step in prepared(commands, True, FLAT) if step.said == 1]
+
+    assert [command.action for command in said] == ["place"]

@@ -9,9 +9,8 @@ from py_trees.common import Status
 
 from kinematics import poses
 from kinematics.place_requests import Spot
-from kinematics.placing_spots import footprint_radius_m
-from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
+from trees.container_room import room_beside_m
 from trees.contract import Contract
 from trees.destination import Place, resolve
 from trees.drawer_inside import inside_of_drawer, spots_in_drawer
@@ -29,8 +28,6 @@ _DEPTHS_M = (0.08, 0.06, 0.045, 0.03, 0.015, 0.0)
 # Beside the middle, when the middle does not go: a share of the room that is left.
 _ASIDE = (0.0, 0.5, -0.5)
 _HOVER_M = 0.08
-# Left between the object and the walls: a perception error.
-_ROOM_M = 0.01
 
 
 class FindContainer(LookAround):
@@ -71,10 +68,7 @@ class FindContainer(LookAround):
 
 
 def _spots(held: HeldObject, place: Place) -> tuple[Spot, ...]:
-    radius = footprint_radius_m(held.shape)
-    shape = place.shape
-    half = np.array(shape.size_m[:2]) * 0.5 if isinstance(shape, Box) else np.full(2, shape_radius(place))
-    room = half - radius - _ROOM_M
+    shape, room = place.shape, room_beside_m(place.shape, held.shape)
     if float(room.min()) < 0.0:
         return ()
     rim = 0.5 * shape.height_m
@@ -88,8 +82,3 @@ def _spots(held: HeldObject, place: Place) -> tuple[Spot, ...]:
             pose = poses.translation(x, y, z)
             spots.append(Spot(pose, (place.name,), hover_m=_HOVER_M, below_m=0.0))
     return tuple(spots)
-
-
-def shape_radius(place: Place) -> float:
-    """Of a round container."""
-    return footprint_radius_m(place.shape)

@@ -14,6 +14,7 @@ from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.placement import spots_for
 from trees.ports import ports
+from trees.room_tops import on_what
 from trees.sight_of_tops import SightOfTops
 from trees.tasks import PlaceTask
 
@@ -36,7 +37,7 @@ class FindSpots(LookAround):
         task, toolbox = self.get_input("task"), self.toolbox
         room = task.on if task.on is not None else task.to
         if isinstance(room, str) and room in toolbox.places:
-            return Failure.infeasible(f"say on what in the {room} it is to be put")
+            return on_what(room, toolbox.places[room], toolbox.world.scene)
         base = toolbox.model.frame_pose(toolbox.sensing.state().q, toolbox.model.description.base_link)
         policy = toolbox.policy
         sight = SightOfTops(

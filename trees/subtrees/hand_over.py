@@ -29,8 +29,9 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     policy = toolbox.policy
     gazes = (*policy.level_gazes, *policy.level_gazes[:1])
+    know_who = search_place("know the person", toolbox, gazes, slots=("to",))
     children: list[Behaviour] = [
-        have_it(toolbox),
+        have_it(toolbox, know_who),
         search_place("find the person", toolbox, gazes, slots=("to",)),
         NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),

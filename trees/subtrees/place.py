@@ -30,7 +30,7 @@ from trees.leaves.still_held import StillHeld
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.verify_placed import VerifyPlaced
 from trees.retry import Retry
-from trees.subtrees.have_it import have_it, rewired
+from trees.subtrees.have_it import have_it, know_destination, rewired
 from trees.subtrees.look_over import look_over
 from trees.subtrees.look_past_hands import look_past_hands
 from trees.subtrees.regrasp import regrasping
@@ -49,7 +49,7 @@ def place(toolbox: Toolbox) -> Behaviour:
     ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
     either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
     either.transparent = True
-    carry: list[Behaviour] = [have_it(toolbox), either]
+    carry: list[Behaviour] = [have_it(toolbox, know_destination(toolbox)), either]
     children: list[Behaviour] = [
         look_over(toolbox),
         regrasping(carry, toolbox),

@@ -26,7 +26,7 @@ from trees.leaves.still_held import StillHeld
 from trees.leaves.verify_put_in import VerifyPutIn
 from trees.policy import Gaze
 from trees.retry import Retry
-from trees.subtrees.have_it import have_it
+from trees.subtrees.have_it import have_it, know_destination
 from trees.subtrees.look_over import look_over
 from trees.subtrees.look_past_hands import look_past_hands
 from trees.subtrees.place import over_the_spot, set_down
@@ -60,7 +60,7 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         _nothing_else_helps,
     )
     carry: list[Behaviour] = [
-        have_it(toolbox),
+        have_it(toolbox, know_destination(toolbox)),
         _find_container(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,

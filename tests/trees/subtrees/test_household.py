@@ -249,7 +249,9 @@ def test_on_what_in_a_room_something_goes_has_to_be_said(stage):
     task = PlaceTask("put it into the kitchen", None, to="kitchen")
     tree = stage.play(build_tree(task, dataclasses.replace(stage.toolbox, places=rooms)))
 
-    assert tree.failure.root.message == "say on what in the kitchen it is to be put"
+    assert tree.failure.root.message == "on what in the kitchen shall it be put?"
+    assert tree.failure.choices == ("the table",)
+    assert tree.failure.choice_slot == "on"
     assert stage.fake.grippers["right"].reading().holding
 
 

@@ -1,0 +1,33 @@
+"""What a thing that goes into a room can be put on there."""
+
+from __future__ import annotations
+
+from kinematics.scene import PlanningScene, SceneObject
+from robots.scene_description import Region
+from trees.destination import furniture_named
+from trees.failures import Failure
+from trees.grounding import Ambiguous, Choice
+from trees.placement import SURFACES, is_flat
+from trees.questions import which_is_meant
+
+
+def on_what(room: str, region: Region, scene: PlanningScene) -> Failure:
+    """The question on what it is to be put; its choices are the furniture that was seen in the room.
+
+    Args:
+        room: Its name.
+        region: Where it is on the map.
+        scene: What is believed to be around.
+    """
+
+    def is_there(item: SceneObject) -> bool:
+        x_m, y_m, _ = item.world_T_object[:3, 3].tolist()
+        return is_flat(item) and region.contains(x_m, y_m)
+
+    found = {kind: filter(is_there, furniture_named(kind, scene)) for kind in SURFACES}
+    largest = {kind: next(tops, None) for kind, tops in found.items()}
+    choices = tuple(Choice(top.name, f"the {kind}") for kind, top in largest.items() if top is not None)
+    message = f"on what in the {room} shall it be put?"
+    if not choices:
+        return Failure.infeasible(f"{message} nothing that things are put on was seen there")
+    return which_is_meant(Ambiguous(message, choices), "on")
