@@ -117,6 +117,19 @@ class GraspTable:
         return GraspCandidate(grasp, float(self.cost[row]))
 
 
+def widest_between_pads_m(gripper: GripperDescription) -> float:
+    """Width of what a gripper takes hold of at most, as far as perception can be trusted."""
+    return gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
+
+
+def least_width_m(item: SceneObject) -> float:
+    """Least distance between two opposite upright faces of an object: what is to fit between the pads."""
+    if not isinstance(item.shape, Box):
+        return 2.0 * item.shape.radius_m
+    upright = int(np.argmax(np.abs(item.world_T_object[2, :3])))
+    return float(min(size for axis, size in enumerate(item.shape.size_m) if axis != upright))
+
+
 def grasp_table(
     item: SceneObject,
     gripper: GripperDescription,
@@ -137,7 +150,7 @@ def grasp_table(
     """
     # the arm prefers to come from its own outer side: the elbow stays off the trunk
     outward = 1.0 if gripper.hand == "right" else -1.0
-    widest = gripper.max_opening_m - 2.0 * OPENING_RESERVE_M
+    widest = widest_between_pads_m(gripper)
     kinds = tuple(
         (tilt, height)
         for tilt, height in product(TILTS_RAD, heights)

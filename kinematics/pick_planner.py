@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinematics.curves import Curve
-from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS
+from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, least_width_m, widest_between_pads_m
 from kinematics.pick_task import Goal, PickTask, Way
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.robot_model import RobotModel
@@ -46,11 +46,28 @@ class PickPlanner:
         thorough = PickTask(self._model, request, heights, LEAST_RESERVE_M, upright=False)
         if (plan := self._best(thorough)) is not None:
             return plan
+        considered = usual.considered + thorough.considered
+        if considered == 0 and (too_wide := self._too_wide(request)) is not None:
+            return too_wide
         hands = " or ".join(request.hands)
         return NoPlan(
             f"no way to grasp the {request.target} with the {hands} hand was found",
             dict(thorough.reasons),
-            {"grasps_considered": float(usual.considered + thorough.considered)},
+            {"grasps_considered": float(considered)},
+        )
+
+    def _too_wide(self, request: PickRequest) -> NoPlan | None:
+        """That no hand opens so far; None for what is not too wide."""
+        width_m = least_width_m(request.scene.objects[request.target])
+        grippers = self._model.description.grippers
+        widest_m = max(widest_between_pads_m(grippers[hand]) for hand in request.hands)
+        if width_m <= widest_m:
+            return None
+        return NoPlan(
+            f"the {request.target} is too wide for the hand: {1000 * width_m:.0f} mm, "
+            f"and at most {1000 * widest_m:.0f} mm fit between the fingers",
+            {},
+            {"width_m": width_m, "widest_m": widest_m},
         )
 
     def _best(self, task: PickTask) -> PickPlan | None:

@@ -112,6 +112,21 @@ def test_a_grasp_that_was_excluded_is_not_chosen_again(talos, stance, tabletop):
     assert (second.grasp.hand, second.grasp.label) != (first.grasp.hand, first.grasp.label)
 
 
+@pytest.mark.requirement("S9")
+@pytest.mark.parametrize(
+    ("shape", "width_mm"),
+    [(Cylinder(0.0634, 0.06), 127), (Box((0.1, 0.2, 0.05)), 100), (Box((0.2, 0.11, 0.3)), 110)],
+)
+def test_what_no_hand_opens_for_is_said_to_be_too_wide(talos, stance, make, shape, width_mm):
+    height_m = make.table().world_T_object[2, 3] + 0.02 + 0.5 * shape.height_m
+    wide = SceneObject("cup", shape, poses.translation(0.5, -0.2, height_m), margin_m=0.01)
+
+    answer = plan(talos, stance, PlanningScene().with_objects([make.table(), wide]))
+
+    assert isinstance(answer, NoPlan)
+    assert f"the cup is too wide for the hand: {width_mm} mm, and at most 80 mm fit" in answer.message
+
+
 def test_what_is_out_of_reach_is_said_to_be(talos, stance, make):
     scene = PlanningScene().with_objects([make.table(depth_m=2.0), make.cup(x=1.7)])
 
