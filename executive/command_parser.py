@@ -40,17 +40,18 @@ LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
 
 
-def parse(text: str, config: Path | None = None) -> Parsed:
+def parse(text: str, config: Path | None = None, *, remembers: bool = False) -> Parsed:
     """Understand one text. It is untrusted: any string gives an answer.
 
     Args:
         text: What was said.
         config: A file with words of the user's own, besides that of the configuration folder.
+        remembers: Whether who does it will remember where things were that it picked up: "put it back".
 
     Raises:
         VocabularyError: A file of words is malformed.
     """
-    parsed = parser_with(config_files(config)).parse(text)
+    parsed = parser_with(config_files(config)).parse(text, remembers)
     if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
         from trees.extensions import extensions  # it looks through all packages: only when it is asked
 
@@ -91,27 +92,27 @@ class CommandParser:
         self._rules = rules
         self._explainer = Explainer(vocabulary, self._is_valid)
 
-    def parse(self, text: str) -> Parsed:
+    def parse(self, text: str, remembers: bool = False) -> Parsed:
         """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
-        parsed = self._parsed(text)
+        parsed = self._parsed(text, remembers)
         sentences = lines_as_sentences(text)
         if sentences is None:
             return parsed
-        of_lines = self._parsed(sentences)
+        of_lines = self._parsed(sentences, remembers)
         if not of_lines.commands:
             return parsed
         if not parsed.commands or _alike(parsed, of_lines):
             return replace(of_lines, text=text)
         return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
 
-    def _parsed(self, text: str) -> Parsed:
+    def _parsed(self, text: str, remembers: bool) -> Parsed:
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
         chart = self._chart(lattice)
         try:
-            outcomes = _outcomes(chart.meanings(), self._people_in, self._is_valid)
+            outcomes = _outcomes(chart.meanings(), self._people_in, self._is_valid, remembers)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
@@ -213,6 +214,7 @@ def _outcomes(
     meanings: Iterable[object],
     people_in: Callable[[str], Sequence[Nominal]],
     is_command: Callable[[str], bool] = lambda _text: False,
+    remembers: bool = False,
 ) -> list[Outcome]:
     """What each meaning of the whole sentence comes to, without doubles.
 
@@ -227,7 +229,7 @@ def _outcomes(
             troubles[meaning] = None
         elif isinstance(meaning, Sentence):
             try:
-                commands = Resolver(people_in).commands(meaning.clauses)
+                commands = Resolver(people_in, remembers).commands(meaning.clauses)
             except UnresolvedError as unresolved:
                 troubles[unresolved.trouble] = None
                 asked += [meaning.unseparated] if unresolved.trouble.asks else []

@@ -123,7 +123,14 @@ class Errand:
             opening is not None and opening >= LEAST_OPEN_RAD,
             lambda wanted: is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m),
             frozenset(toolbox.places),
+            self._stood_on,
         )
+
+    def _stood_on(self, task: PlaceTask) -> str | None:
+        """What the object of a task stood on before it came into a hand."""
+        held = held_object(self._session.toolbox, task.object, task.hand)
+        origins = self._session.toolbox.world.taken_from
+        return origins[held.name].support if isinstance(held, HeldObject) and held.name in origins else None
 
     def _in_view(self, pick: PickTask) -> bool:
         """Whether the object of a pick is believed to be where it is said to be."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from trees.scene_update import kind_of
+from trees.tasks import WHERE_IT_WAS
 
 _SAID = {
     "hand_over": ("give", "to"),
@@ -47,6 +48,8 @@ def meaning_words(meaning: Mapping[str, Any]) -> str:
 
 def _aim(before: str, value: Any) -> str:
     """Where something goes or comes from; a spot that only a relation tells needs no word before it."""
+    if value == WHERE_IT_WAS:
+        return f"back {value}"
     if isinstance(value, Mapping) and set(value) == {"relation"}:
         return _relation(value["relation"])
     return f"{before} {_called(value)}".lstrip()

@@ -18,6 +18,7 @@ from executive.meaning import Command
 from trees.fridge_inside import is_behind_door
 from trees.handles import MEANT_BY
 from trees.tasks import (
+    WHERE_IT_WAS,
     CountTask,
     DescribeTask,
     Destination,
@@ -75,6 +76,7 @@ class Known:
         in_hand: Tells of what is to be put somewhere whether a hand holds it already.
         is_open: Whether the door that is known stands open.
         is_near: Tells whether a walk is needless.
+        stood_on: Tells of what is to be put back what it stood on, by its name in the planning scene.
         rooms: Names of the rooms on the map; where there are any, not all that is spoken of is at hand.
     """
 
@@ -83,6 +85,7 @@ class Known:
     is_open: bool = False
     is_near: Callable[[Nearness], bool] = lambda _nearness: False
     rooms: frozenset[str] = frozenset()
+    stood_on: Callable[[PlaceTask], str | None] = lambda _task: None
 
 
 NOTHING_KNOWN = Known()
@@ -158,7 +161,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         if seen_from is not None:
             beside = Nearness(_described(seen_from))
             before.append(Prepared(WalkToTask(f"walk to the {seen_from}", seen_from), unless_near=beside))
-        there = _there(command, commands)
+        there = _there(command, commands, known)
         if away and there is not None and not walked:
             near = Nearness(_described(there)) if known.rooms and not _is_person(there) else None
             before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there), unless_near=near))
@@ -246,10 +249,13 @@ def _inside(command: Command) -> str | None:
     return word if isinstance(word, str) and word in MEANT_BY else None
 
 
-def _there(command: Command, commands: Sequence[Command]) -> Destination | None:
+def _there(command: Command, commands: Sequence[Command], known: Known) -> Destination | None:
     """Where what is held is to go; what puts things behind a door comes within reach of it by itself."""
     if isinstance(command, HandOverTask):
         return command.to
+    if isinstance(command, PlaceTask) and command.to == WHERE_IT_WAS:
+        before = known.stood_on(command)
+        return None if before is None else ObjectDescription(name=before)
     if isinstance(command, PlaceTask):
         to = command.on or command.to
         beside = to.relation if isinstance(to, ObjectDescription) and to.kind is None else None

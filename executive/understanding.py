@@ -141,7 +141,7 @@ def read_after(sentence: str, said: Sequence[str]) -> tuple[tuple[Command, ...],
     """
     if not said:
         return (), ()
-    earlier, whole = parse(", then ".join(said)), parse(", then ".join([*said, sentence]))
+    earlier, whole = (parse(", then ".join(each), remembers=True) for each in (said, [*said, sentence]))
     count = len(earlier.commands)
     alike = [command.action for command in whole.commands[:count]] == [
         command.action for command in earlier.commands

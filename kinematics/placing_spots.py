@@ -77,6 +77,7 @@ def spots_on(
     radius_m: float,
     wish: Callable[[Array], float],
     known: Callable[[Array], bool] = lambda _place: True,
+    at: Sequence[Array] = (),
 ) -> list[FreeSpot]:
     """Free spots anywhere on a top, the most wished for first.
 
@@ -86,12 +87,14 @@ def spots_on(
         radius_m: Of the object's foot.
         wish: Cost of a place, shape (3,).
         known: Whether all that stands about a place, shape (3,), is in the scene.
+        at: Places that are tried besides those of a grid, each of shape (2,), in the top's frame.
     """
     for room in (_ENOUGH, _TIGHT):
         half = _half_m(top, radius_m, room)
         if np.all(half >= 0.0):
             axes = [np.linspace(-h, h, max(1, int(2.0 * h / GRID_M)) + 1) for h in half]
             places = [_on(top, x, y) for x in axes[0] for y in axes[1]]
+            places += [_on(top, x, y) for x, y in at if np.all(np.abs((x, y)) <= half)]
             if free := _free(places, top, scene, radius_m, room, wish):
                 return _chosen(free, known)
     return []

@@ -20,11 +20,12 @@ from trees.destination import furniture_named
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture, says_which
 from trees.held import HeldObject
+from trees.origin import Origin
 from trees.questions import OTHER, which_is_meant
 from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.sight_of_tops import SightOfTops
-from trees.tasks import Destination, ObjectDescription, Relation
+from trees.tasks import WHERE_IT_WAS, Destination, ObjectDescription, Relation
 
 Array = NDArray[np.float64]
 
@@ -37,6 +38,9 @@ _DIRECTIONS = {
     "behind": (0.0,),
     "next_to": (0.5 * math.pi, -0.5 * math.pi, math.pi, 0.0),
 }
+# What is put back stands this near to where it was; else something else stands there now.
+_BACK_WITHIN_M = 0.10
+_SAME_PLACE_M = 0.005
 SURFACES = ("table", "counter", "shelf", "desk", "floor")
 
 
@@ -48,6 +52,7 @@ def spots_for(
     odom_T_base: Transform,
     support_gap_m: float,
     sight: SightOfTops,
+    origin: Origin | None = None,
 ) -> tuple[Spot, ...] | Failure:
     """Free spots for a held object, the best first.
 
@@ -59,7 +64,10 @@ def spots_for(
         odom_T_base: Pose of the robot's base, shape (4, 4).
         support_gap_m: Between an object's lowest point and what it stands on, at most.
         sight: What has been looked at; only there is anything free.
+        origin: Where a hand took it from, where that is known.
     """
+    if to == WHERE_IT_WAS:
+        return _back(held, origin, scene, odom_T_base, sight)
     relation = _relation(to)
     wish = _comfort(held, odom_T_base)
     radius = footprint_radius_m(held.shape)
@@ -192,6 +200,45 @@ def _beside(
     radius = footprint_radius_m(held.shape)
     known = sight.about(top, radius, odom_T_base)
     return top, spots_beside(other, top, scene, radius, directions, wish, known)
+
+
+def _back(
+    held: HeldObject,
+    origin: Origin | None,
+    scene: PlanningScene,
+    odom_T_base: Transform,
+    sight: SightOfTops,
+) -> tuple[Spot, ...] | Failure:
+    """Spots about the place that it was taken from, the nearest first."""
+    if origin is None:
+        return not_taken(held.name)
+    top = scene.objects.get(origin.support)
+    if top is None:
+        return Failure.postcondition(f"the {origin.support} that it stood on is not seen")
+    if (kind := kind_of(top.name)) not in SURFACES:
+        return Failure.infeasible(f"the {held.name} was in the {kind}: say what it is to be put into")
+    before = origin.odom_T_object[:3, 3]
+    radius = footprint_radius_m(held.shape)
+    seen = sight.about(top, radius, odom_T_base)
+
+    def away_m(place: Array) -> float:
+        return float(np.linalg.norm(place[:2] - before[:2]))
+
+    def known(place: Array) -> bool:
+        """What stands about the very place does not bar a hand, which took it from there."""
+        return away_m(place) <= _SAME_PLACE_M or seen(place)
+
+    there = (before - top.world_T_object[:3, 3]) @ top.world_T_object[:3, :3]
+    spots = spots_on(top, scene, radius, away_m, known, at=(there[:2],))
+    near = [spot for spot in spots if away_m(spot.place_m) <= _BACK_WITHIN_M]
+    if not near:
+        return Failure.infeasible(f"there is no room where the {held.name} was, as far as was seen")
+    return tuple(_resting(held, spot, top) for spot in near)
+
+
+def not_taken(thing: object) -> Failure:
+    """Why something cannot be put back."""
+    return Failure.infeasible(f"where the {thing} was is not known: no hand has taken it from anywhere")
 
 
 def _compared_with(

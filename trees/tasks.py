@@ -66,6 +66,9 @@ Thing = ObjectDescription | ObjectOf
 Destination = Thing | str
 """An object, or the name of a place, a piece of furniture or a person; "me" is who speaks."""
 
+WHERE_IT_WAS = "where it was"
+"""The destination of what goes back to where a hand took it from."""
+
 
 @dataclass(frozen=True, slots=True)
 class Relation:

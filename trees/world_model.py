@@ -9,6 +9,7 @@ import numpy as np
 from kinematics.scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.hand_at_handle import HandAtHandle
+from trees.origin import Origin
 from trees.sight import Glimpse
 
 # Looks taken from elsewhere, before a walk, say little in a frame that has drifted since.
@@ -28,7 +29,7 @@ class WorldModel:
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
         put_down: What a hand of this robot let go of, by its name, until a hand takes it up again: where a
             look has shown it since, else where the hand had it.
-        taken_from: What it stood on, of each thing in a hand, by the names of both.
+        taken_from: Where it stood, of each thing that a hand has or that this task put down, by its name.
         at_handle: A hand that is about the handle of a door or drawer; None once it has drawn back. A task
             that was cancelled leaves it there, and the next one has to let go first.
     """
@@ -39,7 +40,7 @@ class WorldModel:
         self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
-        self.taken_from: Mapping[str, str] = {}
+        self.taken_from: Mapping[str, Origin] = {}
         self.at_handle: HandAtHandle | None = None
 
     @property
@@ -48,8 +49,10 @@ class WorldModel:
         return self._scene
 
     def begin_task(self) -> None:
-        """What was seen in another task is believed, and no more."""
+        """What was seen in another task is believed, and no more; what that put down is where it goes."""
         self.sightings = {}
+        held = self._scene.attached
+        self.taken_from = {name: origin for name, origin in self.taken_from.items() if name in held}
 
     def note_sightings(self, seen: Mapping[str, ObjectEstimate]) -> None:
         """Remember what a look saw, and forget what is no longer believed."""
@@ -70,9 +73,9 @@ class WorldModel:
         """Remember that a hand let go of something; the scene has it already."""
         self.put_down = {**self.put_down, name: self._scene.objects[name]}
 
-    def note_taken(self, name: str, support: str) -> None:
-        """Remember what a thing stood on before a hand took it; the scene has it in the hand already."""
-        self.taken_from = {**self.taken_from, name: support}
+    def note_taken(self, name: str, origin: Origin) -> None:
+        """Remember where a thing stood before a task took it, though that puts it down and takes it again."""
+        self.taken_from = {name: origin, **self.taken_from}
 
     def update(self, scene: PlanningScene) -> None:
         """Replace the scene by a newer one.
@@ -90,4 +93,3 @@ class WorldModel:
             for name, item in self.put_down.items()
             if name not in scene.attached
         }
-        self.taken_from = {name: on for name, on in self.taken_from.items() if name in scene.attached}

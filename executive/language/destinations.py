@@ -156,6 +156,8 @@ class Destinations(Antecedents):
     def _there(self, where: Where, root: int) -> dict[str, Any]:
         """Slots of a place task whose place was named before."""
         is_back = where.of.name == "back"
+        if is_back and self._remembers and root not in self._sources:
+            return {"to": tasks.WHERE_IT_WAS}
         place = self._sources.get(root) if is_back else self._only_place(where.of, root)
         value = self._there_place(where.of, root)
         if place is not None and place.sort in ("thing", "any"):

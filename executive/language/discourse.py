@@ -66,6 +66,7 @@ class Discourse:
         self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._clause = 0
+        self._remembers = False
 
     def _again(self, root: int) -> None:
         entity = next((one for one in self._entities if one.task == root), None)

@@ -69,11 +69,14 @@ class Resolver(StatedThings, Doubts):
 
     Args:
         people_in: Who is named in words that are to be said.
+        remembers: Whether "back" may be where a thing was before it was picked up, wherever that was.
     """
 
-    def __init__(self, people_in: Callable[[str], Sequence[Nominal]] = lambda _text: ()) -> None:
+    def __init__(
+        self, people_in: Callable[[str], Sequence[Nominal]] = lambda _text: (), remembers: bool = False
+    ) -> None:
         super().__init__()
-        self._people_in = people_in
+        self._people_in, self._remembers = people_in, remembers
 
     def commands(self, clauses: Sequence[Clause]) -> tuple[Command, ...]:
         """The commands, in order.

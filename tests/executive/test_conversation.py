@@ -6,7 +6,7 @@ from executive.conversation import Conversation
 from executive.references import PREVIOUS
 from executive.task_script import load_script
 from robots.fake.fake_world import cup
-from trees.tasks import HandOverTask, ObjectDescription, PickTask, PlaceTask
+from trees.tasks import WHERE_IT_WAS, HandOverTask, ObjectDescription, PickTask, PlaceTask
 
 RED_CUP = ObjectDescription("cup", "red")
 
@@ -33,6 +33,33 @@ def test_it_is_what_was_spoken_of_before(said):
     assert isinstance(place, PlaceTask)
     assert (place.object, place.on) == (RED_CUP, "table")
     assert place.text == "put it on the table"
+
+
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        (["take the red cup", "put it back"], RED_CUP),
+        (["take the red cup", "wave to Ana", "put it back where it was"], RED_CUP),
+        (["take the red cup", "put the cup back where you found it"], ObjectDescription("cup")),
+        (["take the can", "put it back", "take the red cup", "put it back in its place"], RED_CUP),
+    ],
+)
+def test_back_is_where_it_was_taken_from_wherever_that_was(said, meant):
+    (place,) = heard(*said).commands
+
+    assert (place.object, place.on, place.to) == (meant, None, WHERE_IT_WAS)
+
+
+def test_back_is_a_place_that_was_named_where_one_was():
+    (place,) = heard("take the red cup from the counter", "put it back").commands
+
+    assert (place.on, place.to) == ("counter", None)
+
+
+@pytest.mark.parametrize("said", ["put it back", "put the cup back where it was", "take it and put it back"])
+def test_back_alone_is_asked(said):
+    assert heard(said).question is not None
 
 
 def test_what_leans_on_a_sentence_may_be_leant_on():

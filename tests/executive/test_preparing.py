@@ -11,6 +11,7 @@ from executive.preparing import Known, prepared, spoken_by
 from executive.task_result import TaskResult, TaskTimes
 from trees.failures import Failure
 from trees.tasks import (
+    WHERE_IT_WAS,
     FindTask,
     HandOverTask,
     ObjectDescription,
@@ -335,3 +336,17 @@ def test_what_is_taken_to_a_room_and_left_is_put_down_there(then):
     said = [step.command for step in prepared(commands, True, FLAT) if step.said == 1]
 
     assert [command.action for command in said] == ["place"]
+
+
+@pytest.mark.requirement("L2")
+def test_what_is_put_back_is_carried_to_what_it_stood_on():
+    back = PlaceTask("put it back", ObjectDescription("cup"), to=WHERE_IT_WAS)
+    in_hand = replace(FLAT, in_hand=lambda _task: True, stood_on=lambda _task: "shelf 2")
+
+    walk, place = prepared([back], True, in_hand)
+
+    assert walk.command.to == ObjectDescription(name="shelf 2")
+    assert place.command == back
+    assert [
+        step.command for step in prepared([back], True, replace(in_hand, stood_on=lambda _task: None))
+    ] == [back]

@@ -10,6 +10,7 @@ from kinematics.support import support_of
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
+from trees.origin import Origin
 from trees.ports import ports
 from trees.steps import Step, Target
 
@@ -34,12 +35,13 @@ class Attach(Leaf):
         tcp_T_object = poses.inverse(world_T_tcp) @ target.odom_T_object
         tcp_T_object[1, 3] = 0.0  # the closing fingers have centred it along the opening
         world = self.toolbox.world
-        support = support_of(world.scene.objects[target.name], world.scene, self.toolbox.policy.support_gap_m)
+        before = world.scene.objects[target.name]
+        support = support_of(before, world.scene, self.toolbox.policy.support_gap_m)
         world.update(
             world.scene.with_attached(target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         )
         if support is not None:
-            world.note_taken(target.name, support.name)
+            world.note_taken(target.name, Origin(support.name, before.world_T_object))
         scene = world.scene.allowing((min(pair), max(pair)) for pair in lift.scene.allowed)
         self._set_output("held_lift", Step(lift.name, lift.trajectory, scene, world.scene.version))
         return DONE

@@ -44,7 +44,8 @@ class FindSpots(LookAround):
             toolbox.world.glimpses, toolbox.model.description.camera, policy.blocked_by_hand_m
         )
         held, scene = self.get_input("held"), toolbox.world.scene
-        spots = spots_for(held, task.on, task.to, scene, base, policy.support_gap_m, sight)
+        origin = toolbox.world.taken_from.get(held.name)
+        spots = spots_for(held, task.on, task.to, scene, base, policy.support_gap_m, sight, origin)
         if isinstance(spots, Failure):
             return spots
         self._set_output("spots", spots)

@@ -72,8 +72,8 @@ class HandForIt(Leaf):
 
     def _is_from(self, held: HeldObject, source: Destination | None) -> bool:
         """Whether it was taken from where what is meant is said to be."""
-        support = self.toolbox.world.taken_from.get(held.name)
-        named = isinstance(source, str) and support is not None and is_called(support, source)
+        origin = self.toolbox.world.taken_from.get(held.name)
+        named = isinstance(source, str) and origin is not None and is_called(origin.support, source)
         return source is None or named
 
     def _told(self, held: HeldObject) -> Status:

@@ -15,12 +15,12 @@ from trees.grounding import Ambiguous, Found, Missing, ground
 from trees.handles import MEANT_BY
 from trees.leaf import DONE
 from trees.look_around import LookAround
-from trees.placement import why_not_there
+from trees.placement import not_taken, why_not_there
 from trees.ports import ports
 from trees.questions import which_is_meant
 from trees.report_words import kinds_in
 from trees.scene_update import kind_of
-from trees.tasks import ObjectDescription, ObjectOf, PlaceTask, PutInTask
+from trees.tasks import WHERE_IT_WAS, ObjectDescription, ObjectOf, PlaceTask, PutInTask
 
 
 class KnowDestination(LookAround):
@@ -76,6 +76,8 @@ class KnowDestination(LookAround):
         toolbox = self.toolbox
         if isinstance(task.to, ObjectOf) or isinstance(task.on, ObjectOf):
             raise TypeError("the object of an earlier task was not filled in")
+        if task.to == WHERE_IT_WAS:
+            return not_taken(task.object)
         if task.on is None and (task.to is None or task.to in toolbox.places):
             return None
         return why_not_there(task.on, task.to, toolbox.world.scene, around, toolbox.policy.support_gap_m)

@@ -23,6 +23,7 @@ from trees.build import build_tree
 from trees.events import LeafFailed, NotSo, Said
 from trees.failures import FailureKind
 from trees.tasks import (
+    WHERE_IT_WAS,
     DescribeTask,
     FindTask,
     HandOverTask,
@@ -253,6 +254,44 @@ def test_on_what_in_a_room_something_goes_has_to_be_said(stage):
     assert tree.failure.choices == ("the table",)
     assert tree.failure.choice_slot == "on"
     assert stage.fake.grippers["right"].reading().holding
+
+
+@pytest.mark.requirement("L2")
+def test_what_is_put_back_stands_where_it_was_taken_from(stage):
+    before = stage.fake.world.object("red cup").world_T_object[:2, 3].copy()
+    stage.play(stage.pick())
+
+    tree = run(stage, PlaceTask("put it back", RED_CUP, to=WHERE_IT_WAS))
+
+    assert tree.status == "success"
+    assert stage.fake.world.object("red cup").world_T_object[:2, 3] == pytest.approx(before, abs=0.01)
+
+
+def test_what_is_put_back_with_the_other_hand_does_not_go_to_where_it_was_put_between(stage):
+    stage.play(stage.pick())
+    first = stage.toolbox.world.taken_from["red cup"]
+    stage.toolbox.world.note_taken("red cup", dataclasses.replace(first, support="shelf"))
+
+    assert stage.toolbox.world.taken_from["red cup"] == first
+
+
+def test_what_no_hand_has_taken_is_not_put_back(stage):
+    tree = run(stage, PlaceTask("put it back", RED_CUP, to=WHERE_IT_WAS))
+
+    assert "where the red cup was is not known" in tree.failure.root.message
+    assert stage.fake.world.carried_by("red cup") is None
+
+
+def test_there_may_be_no_room_any_more_where_something_was(stage):
+    x, y, _ = stage.fake.world.object("red cup").world_T_object[:3, 3]
+    stage.play(stage.pick())
+    box = dataclasses.replace(BOX_BEFORE_IT, shape=Box((0.15, 0.15, 0.3)))
+    stage.fake.world.put(dataclasses.replace(box, world_T_object=poses.translation(x, y, 1.05)))
+
+    tree = run(stage, PlaceTask("put it back", RED_CUP, to=WHERE_IT_WAS))
+
+    assert "there is no room where the red cup was" in tree.failure.root.message
+    assert stage.fake.world.carried_by("red cup") == "right"
 
 
 def test_an_early_touch_leads_to_another_spot(stage):
