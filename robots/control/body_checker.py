@@ -14,6 +14,10 @@ from kinematics.validity import Validity, validity
 from robots.control.body_motion import BodyMotion
 from robots.control.refusal import Limit, Refusal
 
+RESERVE_M = 0.004
+"""Kept between the robot's own links, where the motion begins with so much: it brakes within that, and what
+comes to rest in collision is not planned for again."""
+
 _LEGS_RAD = 1e-3
 """Legs may be so far from where base and stance put them: more would move a sole by a millimetre."""
 
@@ -27,18 +31,30 @@ class BodyChecker:
         self._polygon = SupportPolygon(stance, model.description.soles)
         self._scene: PlanningScene | None = None
         self._judge: Validity | None = None
+        self._reserve_m: float | None = None
 
     def judge(self) -> Refusal | None:
         """Judge the motion's last sample."""
         scene, body = self._motion.scene, self._motion.body
-        if self._judge is None or scene is not self._scene:
-            self._scene, self._judge = scene, validity(self._model, self._stance, scene)
         x = self._space.from_q(body.q)[None, :]
         if not np.isfinite(x).all():
             return Refusal(Limit.NOT_FINITE, "base", 0.0, 0.0)
+        if self._judge is None or scene is not self._scene:
+            self._scene, self._judge = scene, self._judge_of(scene, x)
         if self._judge.points_are_free(x):
             return self._stance_refusal(body, x)
         return self._explain(x, body)
+
+    def _judge_of(
+        self, scene: PlanningScene, x: np.ndarray[tuple[int, int], np.dtype[np.float64]]
+    ) -> Validity:
+        """With the reserve, unless the first sample of all has none."""
+        if self._reserve_m is None:
+            kept = validity(self._model, self._stance, scene, self_margin_m=RESERVE_M)
+            self._reserve_m = RESERVE_M if kept.points_are_free(x) else 0.0
+            if self._reserve_m > 0.0:
+                return kept
+        return validity(self._model, self._stance, scene, self_margin_m=self._reserve_m)
 
     def _stance_refusal(
         self, body: MotionSample, x: np.ndarray[tuple[int, int], np.dtype[np.float64]]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from kinematics import poses
+from kinematics.collision import CollisionWorld
 from kinematics.opening_path import DrawerLine
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
@@ -70,3 +71,37 @@ def test_legs_that_do_not_hold_the_feet_are_refused(talos):
     motion.body = replace(motion.body, q=q)
 
     assert checker.judge().limit is Limit.STANCE
+
+
+def hand_at_body(model, gap_m):
+    """On the way from home to a posture in collision, where the robot's own links are so far apart."""
+    inside, kept = model.q_home.copy(), CollisionWorld(model, PlanningScene(), self_margin_m=gap_m)
+    inside[7 + model.joint_index("arm_left_3_joint")] -= 1.75
+    assert kept.collides(inside)
+    low, high = 0.0, 1.0
+    for _ in range(30):
+        middle = 0.5 * (low + high)
+        hit = kept.collides(model.q_home + middle * (inside - model.q_home))
+        low, high = (low, middle) if hit else (middle, high)
+    return model.q_home + low * (inside - model.q_home)
+
+
+@pytest.mark.requirement("S6")
+def test_a_motion_is_stopped_before_its_own_links_touch(talos):
+    motion = led_home(talos, PlanningScene())
+    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    assert checker.judge() is None
+
+    motion.body = replace(motion.body, q=hand_at_body(talos, 0.003))
+
+    assert checker.judge().limit is Limit.COLLISION
+
+
+def test_what_begins_nearer_than_the_reserve_may_go_on(talos):
+    motion = led_home(talos, PlanningScene())
+    motion.body = replace(motion.body, q=hand_at_body(talos, 0.002))
+    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+
+    assert checker.judge() is None
+    motion.body = replace(motion.body, q=hand_at_body(talos, 0.001))
+    assert checker.judge() is None
