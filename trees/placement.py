@@ -21,6 +21,7 @@ from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture, says_which
 from trees.held import HeldObject
 from trees.origin import Origin
+from trees.places_by_people import person_compared_with, spots_by_person
 from trees.questions import OTHER, which_is_meant
 from trees.report_words import kinds_in
 from trees.scene_update import kind_of
@@ -85,10 +86,12 @@ def spots_for(
         top, spots = surface, spots_on(surface, scene, radius, wish, known)
     if not spots:
         where = f"on the {top.name}" if relation is None else str(relation)
-        return Failure.infeasible(
-            f"there is no spot {where} for the {held.name} that is free as far as was seen"
-        )
+        return _no_spot(where, held)
     return tuple(_resting(held, spot, top) for spot in spots)
+
+
+def _no_spot(where: str, held: HeldObject) -> Failure:
+    return Failure.infeasible(f"there is no spot {where} for the {held.name} that is free as far as was seen")
 
 
 def why_not_there(
@@ -109,7 +112,8 @@ def why_not_there(
     """
     relation = _relation(to)
     if relation is not None:
-        known: object = _compared_with(relation, scene, around, support_gap_m)
+        person = person_compared_with(relation.to, scene, around)
+        known: object = person or _compared_with(relation, scene, around, support_gap_m)
     else:
         known = _put_on(on, to, scene, around, lambda _place: 0.0)
     return known if isinstance(known, Failure) else None
@@ -191,7 +195,13 @@ def _beside(
     sight: SightOfTops,
 ) -> tuple[SceneObject, list[FreeSpot]] | Failure:
     around = surroundings(scene, odom_T_base, support_gap_m, held.name)  # "the other one" is not the held one
-    found = _compared_with(relation, scene, around, support_gap_m)
+    person = person_compared_with(relation.to, scene, around)
+    if isinstance(person, SceneObject):
+        tops = [item for item in scene.objects.values() if kind_of(item.name) in SURFACES and is_flat(item)]
+        angles = _DIRECTIONS[relation.kind]
+        by = spots_by_person(person, tops, angles, held.shape, scene, odom_T_base, wish, sight)
+        return by or _no_spot(str(relation), held)
+    found = person or _compared_with(relation, scene, around, support_gap_m)
     if isinstance(found, Failure):
         return found
     other, top = found

@@ -36,7 +36,7 @@ def have_it(toolbox: Toolbox, know_goal: Behaviour | None = None) -> Behaviour:
 def know_destination(toolbox: Toolbox) -> Behaviour:
     """Looks until what it is put on, beside or into is seen. Reads "task"."""
     looks: list[Behaviour] = [KnowDestination("as seen from here", toolbox)]
-    for gaze in toolbox.policy.search_gazes:
+    for gaze in (*toolbox.policy.search_gazes, *toolbox.policy.level_gazes):
         children: list[Behaviour] = [
             LookAt("look", toolbox, gaze),
             KnowDestination("know destination", toolbox),

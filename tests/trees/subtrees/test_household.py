@@ -256,6 +256,40 @@ def test_on_what_in_a_room_something_goes_has_to_be_said(stage):
     assert stage.fake.grippers["right"].reading().holding
 
 
+@pytest.mark.requirement("L3")
+@pytest.mark.parametrize(
+    ("who", "y_m"),
+    [("Ana", 0.3), ("Ben", -0.3), (ObjectDescription("person", ordinal="rightmost"), -0.3), ("me", 0.3)],
+)
+def test_in_front_of_somebody_is_on_the_table_between(stage_with, who, y_m):
+    stage = stage_with(table(), cup(), person("Ana", (1.25, 0.3)), person("Ben", (1.3, -0.3)))
+    before = ObjectDescription(relation=Relation("in_front_of", who))
+
+    tree = run(stage, PlaceTask("put it there", RED_CUP, to=before))
+
+    x, y, _ = stage.fake.world.object("red cup").world_T_object[:3, 3]
+    assert tree.status == "success"
+    assert abs(y - y_m) < math.tan(math.radians(40)) * (1.25 - x)
+    assert abs(y - y_m) < abs(y + y_m)
+    assert 0.35 < x < 0.95
+
+
+@pytest.mark.parametrize(
+    ("who", "told"),
+    [
+        ("Zoe", "no Zoe seen"),
+        ("Ana", "there is no spot in front of Ana"),
+    ],
+)
+def test_who_is_not_there_or_stands_far_from_every_table_gets_nothing_put_before_them(stage_with, who, told):
+    stage = stage_with(table(), cup(), person("Ana", (2.4, 0.3)))
+    before = ObjectDescription(relation=Relation("in_front_of", who))
+
+    tree = run(stage, PlaceTask("put it there", RED_CUP, to=before))
+
+    assert told in tree.failure.root.message
+
+
 @pytest.mark.requirement("L2")
 def test_what_is_put_back_stands_where_it_was_taken_from(stage):
     before = stage.fake.world.object("red cup").world_T_object[:2, 3].copy()
