@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+UPRIGHT_RAD = 0.05
+"""A pelvis that leans more than this does not start to walk: go home first."""
+
 
 @dataclass(frozen=True, slots=True)
 class TuckedArms:

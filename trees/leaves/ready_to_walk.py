@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.gesture_requests import CarryRequest, GestureRequest
 from kinematics.requests import MoveRequest
+from kinematics.walking.settings import UPRIGHT_RAD
 from trees.contract import Contract
 from trees.empty_arms import are_at, arms_are_tucked, home_joints, tucked_joints
 from trees.failures import Failure, FailureKind
@@ -19,6 +21,7 @@ from trees.leaf import DONE, RUNNING
 from trees.leaves.go_home import GoHome
 from trees.move_here import move_from_here
 from trees.ports import ports
+from trees.toolbox import Toolbox
 
 Array = NDArray[np.float64]
 
@@ -42,6 +45,25 @@ class ReadyToWalk(GoHome):
         "arms are drawn in",
     )
 
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        wiring: Mapping[str, str] | None = None,
+        *,
+        only_if_it_leans: bool = False,
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            wiring: As for every leaf.
+            only_if_it_leans: Leave everything as it is where the pelvis is upright enough to set out.
+        """
+        super().__init__(name, toolbox, wiring)
+        self._only_if_it_leans = only_if_it_leans
+
     def begin(self) -> None:
         """Plan the way home first."""
         self._barred: Failure | None = None
@@ -50,6 +72,8 @@ class ReadyToWalk(GoHome):
     def goal(self) -> MoveRequest | GestureRequest | None:
         """Home with empty hands; else the carrying posture, unless it is taken already."""
         toolbox = self.toolbox
+        if self._only_if_it_leans and not self._leans():
+            return None
         held = held_object(toolbox, None, None)
         if isinstance(held, Failure):
             return super().goal() if self._barred is None else self._drawn_in()
@@ -62,6 +86,10 @@ class ReadyToWalk(GoHome):
             held=held.name,
             seed=int(toolbox.rng.integers(2**31)),
         )
+
+    def _leans(self) -> bool:
+        up = poses.rotation_from_quaternion(self.toolbox.motion.reference()[3:7])[2, 2]
+        return bool(up < math.cos(UPRIGHT_RAD))
 
     def step(self) -> Status | Failure:
         """Where hands have no room at home, arms that are drawn in are ready as well."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence as Many
+
 from py_trees.behaviour import Behaviour
 
 from trees.alternatives import Alternatives, defect
@@ -19,6 +21,7 @@ from trees.leaves.names_door import NamesDoor
 from trees.leaves.reach_watching import ReachWatching
 from trees.leaves.step_back import StepBack
 from trees.leaves.touch_front import TouchFront
+from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.come_to_handle import come_to_handle
 from trees.subtrees.open import (
@@ -33,6 +36,7 @@ from trees.subtrees.open import (
     tidying_helps,
     verify,
 )
+from trees.subtrees.seen_from_elsewhere import seen_from_elsewhere
 from trees.toolbox import Toolbox
 
 
@@ -44,16 +48,20 @@ def close(toolbox: Toolbox) -> Behaviour:
 def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    main = sequence("push the front", _search("search", toolbox), come, attempts)
+    main = sequence("push the front", _search_about(toolbox), come, attempts)
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
     return sequence("push", NamesDoor("names a door", toolbox), tidy)
 
 
-def _search(name: str, toolbox: Toolbox) -> Alternatives:
+def _search_about(toolbox: Toolbox) -> Alternatives:
+    return seen_from_elsewhere("search", toolbox, lambda name, gazes: _search(name, toolbox, gazes), GAZES)
+
+
+def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternatives:
     looks = [
         sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectFront("detect front", toolbox))
-        for gaze in GAZES
+        for gaze in gazes
     ]
     return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence as Many
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
@@ -28,6 +30,7 @@ from trees.leaves.verify_opening import VerifyOpening
 from trees.policy import Gaze
 from trees.retry import Retry
 from trees.subtrees.come_to_handle import come_to_handle
+from trees.subtrees.seen_from_elsewhere import seen_from_elsewhere
 from trees.toolbox import Toolbox
 
 ATTEMPTS = 3
@@ -54,7 +57,7 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     do.transparent = True
     ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])
     ways.transparent = True
-    main = _Sequence("move the handle", memory=True, children=[_search("search", toolbox), ways])
+    main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), ways])
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=tidying_helps)
@@ -71,7 +74,12 @@ def sequence(name: str, *children: Behaviour) -> _Sequence:
     return _Sequence(name, memory=True, children=list(children))
 
 
-def _search(name: str, toolbox: Toolbox) -> Alternatives:
+def _search_about(toolbox: Toolbox) -> Alternatives:
+    """Look from here, and from elsewhere where the robot can walk."""
+    return seen_from_elsewhere("search", toolbox, lambda name, gazes: _search(name, toolbox, gazes), GAZES)
+
+
+def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternatives:
     """Look until the handle is seen; where one is known to be first."""
     looks = [
         sequence(
@@ -81,7 +89,7 @@ def _search(name: str, toolbox: Toolbox) -> Alternatives:
             sequence(
                 f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectHandle("detect handle", toolbox)
             )
-            for gaze in GAZES
+            for gaze in gazes
         ),
     ]
     return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from kinematics import poses
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance
+from kinematics.walking.settings import UPRIGHT_RAD
 from kinematics.walking.steering import Steering
 from robots.clock import Clock
 from robots.control.authority import HOLD, STOP, Authority, together
@@ -23,8 +24,6 @@ from robots.sensed_state import SensedState
 
 Array = NDArray[np.float64]
 
-_UPRIGHT_RAD = 0.05
-"""A pelvis that leans more than this does not start to walk: go home first."""
 _GYRO_TIME_S = 4.0
 """What the gyro shows at rest is averaged over this."""
 _STOPPING = f"{STOP} of a walk"
@@ -245,7 +244,7 @@ class Walker:
         if not self._streamer.resting:
             return "the body is moving"
         lean = poses.rotation_from_quaternion(self._streamer.reference()[3:7])[2, 2]
-        if lean < np.cos(_UPRIGHT_RAD):
+        if lean < np.cos(UPRIGHT_RAD):
             return f"the pelvis leans by {float(np.degrees(np.arccos(lean))):.1f} degrees; go home first"
         return None
 

@@ -1,5 +1,6 @@
 """Ready to walk: at home, or with the arms drawn in where there is no room for hands at home."""
 
+import numpy as np
 import pytest
 from py_trees.common import Status
 
@@ -29,3 +30,12 @@ def test_arms_are_drawn_in_where_the_way_home_is_barred(stage):
 
     assert stage.run(ReadyToWalk("ready", stage.toolbox)) is Status.SUCCESS
     assert arms_are_tucked(stage.toolbox)
+
+
+@pytest.mark.parametrize(("lean_rad", "moves"), [(0.0, False), (0.03, False), (0.12, True)])
+def test_who_only_has_to_be_upright_keeps_the_arms_where_they_are(stage, lean_rad, moves):
+    stage.fake.motion._q[7 + stage.toolbox.model.joint_index("arm_left_4_joint")] += 0.3
+    stage.fake.motion._q[3:7] = (0.0, np.sin(0.5 * lean_rad), 0.0, np.cos(0.5 * lean_rad))
+
+    assert stage.run(ReadyToWalk("ready", stage.toolbox, only_if_it_leans=True)) is Status.SUCCESS
+    assert bool(stage.fake.motion.started) is moves

@@ -1,0 +1,22 @@
+"""A handle that is not seen from here is looked for a step back, and all around."""
+
+import pytest
+
+from trees.alternatives import Alternatives
+from trees.leaves.change_viewpoint import ChangeViewpoint
+from trees.subtrees.close import close
+from trees.subtrees.open import open_or_close
+
+
+@pytest.mark.parametrize("skill", [open_or_close, close])
+def test_a_robot_that_walks_steps_back_and_turns_before_it_says_that_nothing_is_there(stage, skill):
+    tree = skill(stage.toolbox)
+
+    searches = [node for node in tree.iterate() if isinstance(node, Alternatives) and node.name == "search"]
+    ways = [
+        [leaf.settings["way"] for leaf in search.iterate() if isinstance(leaf, ChangeViewpoint)]
+        for search in searches
+    ]
+
+    assert ways
+    assert all(way[0] == "back" and way.count("around") >= 3 for way in ways)
