@@ -30,9 +30,10 @@ class Reach(Protocol):
 class FakeYieldingMotion:
     """One hand that leads, or stays until told to finish; satisfies ``trees.toolbox.YieldingMotion``."""
 
-    def __init__(self, order: YieldOrder, handle: MotionHandle) -> None:
-        """Begin where the order does."""
+    def __init__(self, order: YieldOrder, handle: MotionHandle, pull_n: float = 0.0) -> None:
+        """Begin where the order does; the hand tells that it pulled so much."""
         self._order, self._handle = order, handle
+        self._pull_n = pull_n
         self._made = 0
         self._finishing = False
         self._outcome: Outcome = "running"
@@ -55,8 +56,8 @@ class FakeYieldingMotion:
 
     @property
     def report(self) -> YieldReport:
-        """No force was felt."""
-        return YieldReport(self._outcome, self.s, 0.0, 0.0, np.zeros(6))
+        """No force was felt, but for what it was told to have pulled with."""
+        return YieldReport(self._outcome, self.s, self._pull_n, self._pull_n, np.zeros(6))
 
     def finish(self) -> None:
         """Come to rest where the hand is."""
@@ -87,17 +88,19 @@ class FakeYielding:
 
     Attributes:
         hangs: While true, no hand moves.
+        pull_n: What hands tell that they pulled with.
     """
 
     def __init__(self, motion: FakeMotion, grippers: Mapping[Hand, FakeGripper], reach: Reach) -> None:
         """Hands of one robot."""
         self.hangs = False
+        self.pull_n = 0.0
         self._motion, self._grippers, self._reach = motion, grippers, reach
         self._active: FakeYieldingMotion | None = None
 
     def start(self, order: YieldOrder) -> FakeYieldingMotion:
         """Begin where the robot is."""
-        moving = FakeYieldingMotion(order, self._motion.note(f"yield {order.hand} hand"))
+        moving = FakeYieldingMotion(order, self._motion.note(f"yield {order.hand} hand"), self.pull_n)
         self._active = moving
         return moving
 

@@ -23,10 +23,11 @@ from trees.scene_update import kind_of
 from trees.yielding_leaf import YieldingLeaf
 
 _MOST_S = 40.0
-_SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.25
-"""A hand that loses its hold at such a pull, with so little of the way made, slipped off what stood.
+_SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.4
+"""A hand that loses its hold of what was shut at such a pull, with so little of the way made, slipped off it.
 
-Off locked drawers it went on for 5.3 to 6.5 cm of 30 until the fingers read empty.
+Off locked drawers it went on for 5.3 to 8.2 cm of 30 until the fingers read empty. What was seen shut before
+the pull and is seen shut before the next has not moved: two such slips say that it is stuck.
 """
 
 
@@ -100,7 +101,8 @@ class LeadHandle(YieldingLeaf):
         self.feedback_message = f"{target.shown(opening):.2f} {target.unit}, {report.peak_pull_n:.0f} N"
         if report.outcome == "stuck":
             return Failure.execution(f"the {target.part} {_STUCK}", **shown, **felt)
-        slipped = report.peak_pull_n >= _SLIPPED_AT_N and opening < _SLIPPED_SHARE * OPEN_TO[target.kind]
+        shut, near = SHUT[target.kind], _SLIPPED_SHARE * OPEN_TO[target.kind]
+        slipped = report.peak_pull_n >= _SLIPPED_AT_N and target.opening <= shut and opening < near
         if report.outcome == "lost" and slipped:
             return Failure.execution(f"the {target.part} {_STUCK}: {_SLIPS_OFF} it", **shown, **felt)
         if report.outcome == "lost":
