@@ -27,7 +27,7 @@ from kinematics.lead_in import lead_in
 from kinematics.opening_path import DoorArc
 from kinematics.opening_rehearsal import rehearse
 from kinematics.path_planner import PathPlanner
-from kinematics.pushing import outward_of, push_grasps
+from kinematics.pushing import assumed_bars, outward_of, push_grasps
 from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -62,8 +62,24 @@ class HandlePlanner:
         self._model = model
 
     def plan(self, request: HandleRequest) -> HandlePlan | NoPlan:
-        """Plan reach and approach, or say honestly why there is no plan."""
-        task = _HandleTask(self._model, request)
+        """Plan reach and approach, or say honestly why there is no plan.
+
+        A bar that is out of sight is kept clear of where one would be; where that leaves no way, what is
+        seen alone counts, and the hand will feel what it meets.
+        """
+        for bar in assumed_bars(request):
+            scene, parts = request.scene.with_object(bar), (*request.parts, bar.name)
+            careful = _HandleTask(self._model, dataclasses.replace(request, scene=scene, parts=parts))
+            if careful.starts_free:
+                plan = self._first(careful)
+                if isinstance(plan, HandlePlan):
+                    return plan
+                break
+        return self._first(_HandleTask(self._model, request))
+
+    def _first(self, task: _HandleTask) -> HandlePlan | NoPlan:
+        """The first grasp's plan that holds."""
+        request = task.request
         for grasp in task.grasps():
             if (plan := task.planned(grasp)) is not None:
                 return plan
@@ -79,7 +95,7 @@ class _HandleTask:
     """The state of one planning problem."""
 
     def __init__(self, model: RobotModel, request: HandleRequest) -> None:
-        self._model, self._request = model, request
+        self._model, self.request = model, request
         self._space = free_coordinates(model, request.stance)
         self.reasons: Counter[str] = Counter()
         self.considered = 0
@@ -88,9 +104,14 @@ class _HandleTask:
         self._reach_scene = start
         self._reach_planner = self._planner(start)
 
+    @property
+    def starts_free(self) -> bool:
+        """Whether the robot is inside nothing where it stands."""
+        return self._reach_planner.is_free(self._space.from_q(self.request.q_start))
+
     def grasps(self) -> Iterator[Grasp]:
         """Candidates, the most promising first."""
-        request = self._request
+        request = self.request
         if request.pushed:
             yield from push_grasps(self._model, request)
             return
@@ -106,7 +127,7 @@ class _HandleTask:
     def _turned(
         self, hand: Hand, turn: float, heading: float, place: Array, diameter: float
     ) -> Iterator[Grasp]:
-        path, s = self._request.path, self._request.s_from
+        path, s = self.request.path, self.request.s_from
         if isinstance(path, DoorArc):
             yaw = heading + path.side * (_FLOATED * s - turn)
             rolls = [("", 0.0)]
@@ -116,7 +137,7 @@ class _HandleTask:
         for name, roll in rolls:
             rotation = poses.rotation_z(yaw) @ poses.rotation_x(roll)
             label = f"bar {math.degrees(turn):+.0f}{' ' + name if name else ''}"
-            if key_of(hand, label) in self._request.excluded:
+            if key_of(hand, label) in self.request.excluded:
                 continue
             pose = poses.transform(rotation, place - SHORT_M * rotation[:, 0])
             yield Grasp(hand, label, pose, APPROACH_M, diameter)
@@ -131,7 +152,7 @@ class _HandleTask:
         return plan
 
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
-        request, model = self._request, self._model
+        request, model = self.request, self._model
         ik = inverse_kinematics(model, request.stance, grasp.hand)
         found = ik.solve(grasp.world_T_tcp, request.q_start)
         if not found.within(_TOLERANCE):
@@ -161,16 +182,16 @@ class _HandleTask:
 
     def _before(self, grasp: Grasp) -> Array:
         """Pose of the TCP from which the hand goes straight to a grasp, shape (4, 4)."""
-        if not self._request.pushed:
+        if not self.request.pushed:
             return np.asarray(grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0))
         before = grasp.world_T_tcp.copy()
-        before[:3, 3] += grasp.approach_m * outward_of(self._request)
+        before[:3, 3] += grasp.approach_m * outward_of(self.request)
         return before
 
     def _timed(
         self, grasp: Grasp, x_pregrasp: Array, approach: Curve, scene: PlanningScene, farthest_s: float
     ) -> HandlePlan | str:
-        request, model = self._request, self._model
+        request, model = self.request, self._model
         groups = model.description.groups
         arms = [joint for hand in ("left", "right") for joint in groups[f"{hand}_arm"]]
         moving = [self._space.index(joint) for joint in (*arms, *groups["torso"])]
@@ -188,13 +209,13 @@ class _HandleTask:
         )
 
     def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
-        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
+        trajectory = time_in_balance(self._model, self._space, self.request.stance, curve, pace)
         return None if trajectory is None else PlannedStep(name, trajectory, scene)
 
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""
         links = self._model.description.grippers[hand].touch_links
-        return self._request.scene.allowing((link, part) for link in links for part in self._request.parts)
+        return self.request.scene.allowing((link, part) for link in links for part in self.request.parts)
 
     def _gazing(self, configurations: Array, place: Array) -> Array:
         x = np.array([self._space.from_q(q) for q in configurations])
@@ -203,5 +224,5 @@ class _HandleTask:
         return x
 
     def _planner(self, scene: PlanningScene) -> PathPlanner:
-        judge = validity(self._model, self._request.stance, scene, _RESERVE_M, _SELF_MARGIN_M)
+        judge = validity(self._model, self.request.stance, scene, _RESERVE_M, _SELF_MARGIN_M)
         return PathPlanner(self._model, self._space, judge)

@@ -20,6 +20,7 @@ from kinematics.opening_path import DoorArc
 from kinematics.requests import Grasp, HandleRequest
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
+from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 
 Array = NDArray[np.float64]
@@ -29,6 +30,9 @@ _PLACES_M = ((0.40, 1.05), (0.30, 1.05), (0.48, 1.38), (0.36, 1.25), (0.24, 1.05
 """Distance from the hinge and height, m: clear of where handles are, far out first."""
 _FOLLOWED = (0.8, 0.6, 1.0, 0.4)
 """Of the door's angle: the hand is turned by so much less than square to the front."""
+_BAR_DEPTH_M, _BAR_WIDE_M, _BAR_INSET_M, _BAR_BOTTOM_M = 0.07, 0.08, 0.07, 0.75
+_BAR_TOPS_M = (1.30, 1.25, 1.20)
+"""Where a bar can be that is not seen: so far out, so wide about so far from the free edge, so high."""
 
 
 def outward_of(request: HandleRequest) -> Array:
@@ -47,7 +51,7 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
     if not isinstance(path, DoorArc) or not isinstance(front.shape, Box):
         return
     inward_yaw = math.atan2(-outward[1], -outward[0])
-    along = path.side * np.array([math.sin(inward_yaw), -math.cos(inward_yaw), 0.0])
+    along = _along(path, outward)
     hinge = np.array([*path.hinge_m, 0.0])
     thickness_m, width_m, _ = front.shape.size_m
     for hand in request.hands:
@@ -62,6 +66,35 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
                 place = hinge + away_m * along + stands_off_m * outward
                 place[2] = height_m
                 yield Grasp(hand, label, poses.transform(rotation, place), APPROACH_M, 0.0)
+
+
+def _along(path: DoorArc, outward: Array) -> Array:
+    """Unit vector from the hinge to the free edge, shape (3,)."""
+    return np.asarray(path.side * np.array([-outward[1], outward[0], 0.0]))
+
+
+def assumed_bars(request: HandleRequest) -> Iterator[SceneObject]:
+    """Where the bar of a front may be that is out of sight, the longest first; none where it is known.
+
+    Bars of household doors stand off by up to 7 cm, near the free edge, between hip and chest. Where the
+    hand is already, no bar is: that one ends below it.
+    """
+    front, path = request.scene.objects.get(request.pushed), request.path
+    if front is None or request.handle != request.pushed or not isinstance(front.shape, Box):
+        return
+    if not isinstance(path, DoorArc):
+        return
+    outward = outward_of(request)
+    thickness_m, width_m, _ = front.shape.size_m
+    pose = front.world_T_object.copy()
+    pose[:2, 3] = path.hinge_m
+    pose[:3, 3] += (width_m - _BAR_INSET_M) * _along(path, outward)
+    pose[:3, 3] += 0.5 * (thickness_m + _BAR_DEPTH_M) * outward
+    for top_m in _BAR_TOPS_M:
+        bar = pose.copy()
+        bar[2, 3] = 0.5 * (_BAR_BOTTOM_M + top_m)
+        shape = Box((_BAR_DEPTH_M, _BAR_WIDE_M, top_m - _BAR_BOTTOM_M))
+        yield SceneObject(f"{request.pushed} handle", shape, bar, movable=False)
 
 
 def hand_points(model: RobotModel, hand: Hand, q: Array) -> Array:

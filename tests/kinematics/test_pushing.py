@@ -6,13 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from kinematics.handle_planner import HandlePlanner
 from kinematics.opening_path import DoorArc
-from kinematics.pushing import hand_points, outward_of, push_grasps
-from kinematics.requests import HandleRequest
+from kinematics.pushing import assumed_bars, hand_points, outward_of, push_grasps
+from kinematics.requests import HandlePlan, HandleRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.stance import stance_at
+from kinematics.validity import validity
 from robots.description import load_description
 
 THICK_M, WIDE_M = 0.04, 0.60
@@ -72,3 +74,42 @@ def test_a_place_that_was_tried_in_vain_is_left_out(model):
     again = next(push_grasps(model, replace(asked, excluded=frozenset({f"left {first.label}"}))))
 
     assert again.label != first.label
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("opening", [0.5, 1.1])
+def test_a_bar_that_is_out_of_sight_is_taken_to_be_outside_near_the_free_edge(model, side, opening):
+    asked = request(model, side, opening)
+    panel_T_world = np.linalg.inv(asked.scene.objects["door"].world_T_object)
+    hinge = panel_T_world @ np.array([*asked.path.hinge_m, 0.0, 1.0])
+
+    bars = list(assumed_bars(asked))
+
+    assert bars
+    tops = []
+    for bar in bars:
+        middle = panel_T_world @ bar.world_T_object[:, 3]
+        depth_m, wide_m, high_m = bar.shape.size_m
+        assert middle[0] + 0.5 * depth_m == pytest.approx(-0.5 * THICK_M, abs=1e-6), "outside, on the front"
+        assert abs(middle[1]) + 0.5 * wide_m < 0.5 * WIDE_M, "on the door"
+        assert abs(middle[1] - hinge[1]) - 0.5 * wide_m > 0.75 * WIDE_M, "by the free edge"
+        tops.append(bar.world_T_object[2, 3] + 0.5 * high_m)
+    assert tops == sorted(tops, reverse=True)
+
+
+def test_a_bar_that_was_seen_is_not_guessed(model):
+    asked = request(model, 1.0, 1.1)
+    assert not list(assumed_bars(replace(asked, handle="bar")))
+    assert not list(assumed_bars(replace(asked, pushed="")))
+
+
+def test_the_way_to_a_push_keeps_clear_of_where_the_bar_may_be(model):
+    asked = request(model, -1.0, 1.1)
+    bar = next(assumed_bars(asked))
+
+    plan = HandlePlanner(model).plan(asked)
+
+    assert isinstance(plan, HandlePlan)
+    assert bar.name in plan.reach.scene.objects
+    judge = validity(model, asked.stance, PlanningScene().with_object(replace(bar, margin_m=0.0)), 0.0, 0.0)
+    assert all(judge.colliding_pair(q) is None for q in plan.reach.trajectory.q)

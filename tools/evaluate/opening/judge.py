@@ -3,10 +3,37 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robots.simulated.truth import SimulatorTruth
 
 _EVERY = 5
+_LIFTED_M, _LANDED_S = 0.003, 0.2
+"""A sole higher than this steps, and stands anew this long after it came down."""
+
+
+class Footing:
+    """Where a sole stands on the floor; one that steps does not slip."""
+
+    def __init__(self, place: NDArray[np.float64]) -> None:
+        """It stands.
+
+        Args:
+            place: Of the sole, m, shape (3,).
+        """
+        self._floor_m = float(place[2])
+        self._stood: NDArray[np.float64] | None = place[:2].copy()
+        self._lifted_s = -np.inf
+
+    def slip_m(self, place: NDArray[np.float64], time_s: float) -> float:
+        """How far it has come from where it stood, m; 0 while it steps."""
+        if place[2] - self._floor_m > _LIFTED_M:
+            self._stood, self._lifted_s = None, time_s
+        if self._stood is None:
+            if time_s - self._lifted_s < _LANDED_S:
+                return 0.0
+            self._stood = place[:2].copy()
+        return float(np.linalg.norm(place[:2] - self._stood))
 
 
 class OpeningJudge:
@@ -15,7 +42,7 @@ class OpeningJudge:
     Attributes:
         fell: Whether the robot fell.
         peak_force_n: Largest force between the robot and the furniture.
-        feet_slip_m: Farthest that a sole came from where it stood.
+        feet_slip_m: Farthest that a sole slid from where it stood; a foot that was lifted stands anew.
         com_margin_m: Least margin so far.
         touched: Pairs "link and solid" that touched, handles left out.
     """
@@ -37,7 +64,7 @@ class OpeningJudge:
         """
         self._truth, self._soles, self._furniture = truth, soles, furniture
         self._pushing = pushing
-        self._stood = [truth.world_T_link(sole)[:3, 3].copy() for sole in soles]
+        self._footing = [Footing(truth.world_T_link(sole)[:3, 3]) for sole in soles]
         self._periods = 0
         self.fell = False
         self.peak_force_n = 0.0
@@ -57,8 +84,8 @@ class OpeningJudge:
             self.fell = self.fell or self._truth.fallen()
             self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
             slips = [
-                float(np.linalg.norm(self._truth.world_T_link(sole)[:2, 3] - stood[:2]))
-                for sole, stood in zip(self._soles, self._stood, strict=True)
+                footing.slip_m(self._truth.world_T_link(sole)[:3, 3], self._truth.time_s)
+                for sole, footing in zip(self._soles, self._footing, strict=True)
             ]
             self.feet_slip_m = max(self.feet_slip_m, *slips)
         self._periods += 1
