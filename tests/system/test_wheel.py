@@ -12,6 +12,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 # The first use compiles for two minutes, and for ten where others compute on the same cores.
 PATIENCE_S = 1500
+pytestmark = pytest.mark.minutes
 PACKAGES = ("executive", "trees", "robots", "kinematics")
 
 
