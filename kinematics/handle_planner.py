@@ -78,8 +78,7 @@ class HandlePlanner:
         return self._first(_HandleTask(self._model, request))
 
     def _first(self, task: _HandleTask) -> HandlePlan | NoPlan:
-        """The first grasp's plan that holds."""
-        request = task.request
+        """The plan for the first grasp that has one."""
         for grasp in task.grasps():
             if (plan := task.planned(grasp)) is not None:
                 return plan
@@ -87,8 +86,10 @@ class HandlePlanner:
         numbers = {"grasps_considered": float(task.considered)}
         if farthest is not None:
             numbers["reached"] = farthest
-            numbers["wanted"] = request.s_to
-        return NoPlan(f"no way to move the {request.handle} from here was found", dict(task.reasons), numbers)
+            numbers["wanted"] = task.request.s_to
+        return NoPlan(
+            f"no way to move the {task.request.handle} from here was found", dict(task.reasons), numbers
+        )
 
 
 class _HandleTask:

@@ -26,7 +26,7 @@ from trees.toolbox import Toolbox
 Array = NDArray[np.float64]
 
 _LEVEL_RAD = 0.035
-_UPRIGHT_RAD = 0.03
+_TALL_RAD = 0.03
 _HEIGHT_M = 0.02
 
 
@@ -72,7 +72,7 @@ class ReadyToWalk(GoHome):
     def goal(self) -> MoveRequest | GestureRequest | None:
         """Home with empty hands; else the carrying posture, unless it is taken already."""
         toolbox = self.toolbox
-        if self._only_if_it_leans and not self._leans():
+        if self._only_if_it_leans and _leans_by_at_most(UPRIGHT_RAD, toolbox.motion.reference()):
             return None
         held = held_object(toolbox, None, None)
         if isinstance(held, Failure):
@@ -86,10 +86,6 @@ class ReadyToWalk(GoHome):
             held=held.name,
             seed=int(toolbox.rng.integers(2**31)),
         )
-
-    def _leans(self) -> bool:
-        up = poses.rotation_from_quaternion(self.toolbox.motion.reference()[3:7])[2, 2]
-        return bool(up < math.cos(UPRIGHT_RAD))
 
     def step(self) -> Status | Failure:
         """Where hands have no room at home, arms that are drawn in are ready as well."""
@@ -118,6 +114,10 @@ class ReadyToWalk(GoHome):
 
     def _stands_tall(self, q: Array) -> bool:
         toolbox = self.toolbox
-        upright = poses.rotation_from_quaternion(q[3:7])[2, 2] >= math.cos(_UPRIGHT_RAD)
         home_m = float(toolbox.model.home_over(toolbox.motion.stance())[2])
-        return bool(upright and abs(float(q[2]) - home_m) <= _HEIGHT_M)
+        return _leans_by_at_most(_TALL_RAD, q) and abs(float(q[2]) - home_m) <= _HEIGHT_M
+
+
+def _leans_by_at_most(angle_rad: float, q: Array) -> bool:
+    """Whether the pelvis of a configuration is so upright."""
+    return bool(poses.rotation_from_quaternion(q[3:7])[2, 2] >= math.cos(angle_rad))
