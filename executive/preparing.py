@@ -155,7 +155,8 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         if known.rooms and inside is None and _behind_of(command, commands) is None:
             before += _fetching(index, commands, known)
         elif away and thing is not None and not held:
-            reach = WalkToTask(f"come within reach of the {thing}", thing)
+            inside_it = replace(thing, relation=thing.relation or Relation("on", inside)) if inside else thing
+            reach = WalkToTask(f"come within reach of the {thing}", inside_it)
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
         seen_from = _seen_from(command) if known.rooms and not walked else None
         if seen_from is not None:

@@ -83,8 +83,8 @@ class Relation:
     to: Destination
 
     def __str__(self) -> str:
-        to = self.to if isinstance(self.to, str) else f"the {self.to}"
-        return f"{self.kind.replace('_', ' ')} {to}"
+        somebody = isinstance(self.to, str) and (self.to == "me" or not self.to.islower())
+        return f"{self.kind.replace('_', ' ')} {'' if somebody else 'the '}{self.to}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -148,11 +148,15 @@ def walked(sentence, known=FLAT):
 def test_among_rooms_what_is_to_be_brought_is_walked_to_and_the_way_back_as_well():
     assert walked("bring Ana the red cup from the table") == [
         ("walk_to", "table"),
-        ("walk_to", "red cup on table"),
+        ("walk_to", "red cup on the table"),
         ("pick", ""),
         ("walk_to", "Ana"),
         ("hand_over", "Ana"),
     ]
+
+
+def test_what_is_taken_out_of_a_fridge_is_looked_for_there_alone():
+    assert ("walk_to", "bottle on the fridge") in walked("take the bottle out of the fridge")
 
 
 def test_what_is_to_be_put_somewhere_else_is_picked_up_before_the_robot_goes_there():
@@ -187,7 +191,7 @@ def test_for_what_has_no_place_or_is_behind_a_door_nobody_walks(sentence):
 def test_a_room_is_no_place_from_which_things_are_reached():
     said = "go to the kitchen and take the cup from the counter"
 
-    assert walked(said)[1:] == [("walk_to", "counter"), ("walk_to", "cup on counter"), ("pick", "")]
+    assert walked(said)[1:] == [("walk_to", "counter"), ("walk_to", "cup on the counter"), ("pick", "")]
 
 
 def test_what_a_hand_holds_is_brought_and_not_fetched():

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 from py_trees.common import Status
 
 from kinematics.scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
-from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.grounding import Ambiguous, Found, Missing, ground
 from trees.handles import INSIDE_KINDS, MEANT_BY, PART_KINDS, HandleTarget, handles_in
 from trees.in_hand import not_in_hand
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.meant_part import meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.questions import which_is_meant
 from trees.scene_update import kind_of, updated_scene
 from trees.sight import in_view
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -73,35 +70,13 @@ class DetectHandle(LookLeaf):
         chosen = before.objects.get(named) if named is not None else None
         if chosen is not None:  # an answer: names may have changed with this look, places have not
             handle = min(fitting, key=lambda item: self._away_m(item, chosen))
-        elif isinstance(meant := self._meant(wanted, fitting), Failure):
+        elif isinstance(meant := meant_part(wanted, fitting, self.toolbox), Failure):
             return meant
         else:
             handle = meant
         self._set_output("handle", handle)
         self.feedback_message = f"{handle.part}, open by {handle.shown(handle.opening):.2f} {handle.unit}"
         return DONE
-
-    def _meant(self, wanted: object, fitting: list[HandleTarget]) -> HandleTarget | Failure:
-        """The one that is described: "the top drawer", "the left door"; a question where several are."""
-        if len(fitting) == 1:
-            return fitting[0]
-        toolbox = self.toolbox
-        here, gap_m = feet_pose(toolbox).transform(), toolbox.policy.support_gap_m
-        around = surroundings(toolbox.world.scene, here, gap_m)
-        parts = {item.part: item for item in fitting}
-        described = wanted if isinstance(wanted, ObjectDescription) else ObjectDescription()
-        answer = ground(
-            replace(described, name=None),
-            around,
-            among=[thing for thing in around.things if thing.name in parts],
-        )
-        match answer:
-            case Ambiguous() as unclear:
-                return which_is_meant(unclear)
-            case Missing(message):
-                return Failure.postcondition(message)
-            case Found(names):
-                return parts[names[0]]
 
     def _away_m(self, item: HandleTarget, known: SceneObject) -> float:
         """How far a part is from where something was known to be."""

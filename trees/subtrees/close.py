@@ -55,7 +55,9 @@ def _push_shut(toolbox: Toolbox) -> Behaviour:
 
 
 def _search_about(toolbox: Toolbox) -> Alternatives:
-    return seen_from_elsewhere("search", toolbox, lambda name, gazes: _search(name, toolbox, gazes), GAZES)
+    return seen_from_elsewhere(
+        "search", toolbox, lambda name, gazes: _search(name, toolbox, gazes), GAZES, pushed=True
+    )
 
 
 def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternatives:

@@ -76,7 +76,9 @@ def sequence(name: str, *children: Behaviour) -> _Sequence:
 
 def _search_about(toolbox: Toolbox) -> Alternatives:
     """Look from here, and from elsewhere where the robot can walk."""
-    return seen_from_elsewhere("search", toolbox, lambda name, gazes: _search(name, toolbox, gazes), GAZES)
+    return seen_from_elsewhere(
+        "search", toolbox, lambda name, gazes: _search(name, toolbox, gazes), GAZES, pushed=False
+    )
 
 
 def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternatives:

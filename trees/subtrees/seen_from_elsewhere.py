@@ -12,7 +12,10 @@ from trees.alternatives import Alternatives
 from trees.failures import Failure
 from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.leaves.recall_handle import RecallHandle
+from trees.leaves.walk_to_handle import WalkToHandle
 from trees.policy import Gaze
+from trees.subtrees.come_to_handle import come_to_handle
 from trees.subtrees.look_elsewhere import change_viewpoint
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.toolbox import Toolbox
@@ -23,19 +26,28 @@ _AHEAD = 3
 
 
 def seen_from_elsewhere(
-    name: str, toolbox: Toolbox, search: Callable[[str, Many[Gaze]], Behaviour], gazes: Many[Gaze]
+    name: str,
+    toolbox: Toolbox,
+    search: Callable[[str, Many[Gaze]], Behaviour],
+    gazes: Many[Gaze],
+    *,
+    pushed: bool,
 ) -> Alternatives:
     """From here, a step back, and turned once around; a robot that cannot walk looks from here.
 
-    An arm, or the picture's lower edge, hides what is close before the body.
+    To what was seen before, and is far away now, it walks first. An arm, or the picture's lower edge, hides
+    what is close before the body.
 
     Args:
         name: Of the whole.
         toolbox: What leaves may call.
         search: Makes what looks with some gazes, one after the other.
         gazes: All of them.
+        pushed: Whether a door's front is enough, without its handle.
     """
-    ways = [search("look from here", gazes)]
+    recall = RecallHandle("recall it", toolbox, pushed)
+    come = come_to_handle(toolbox, search("look again", gazes))
+    ways = [Sequence("back to it", memory=True, children=[recall, come]), search("look from here", gazes)]
     for k, way in enumerate(_WAYS):
         steps = [
             ReadyToWalk("stand upright", toolbox),
@@ -47,5 +59,5 @@ def seen_from_elsewhere(
 
 
 def _can_walk(way: Behaviour, _failure: Failure | None) -> bool:
-    walks = [leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint)]
+    walks = [leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint | WalkToHandle)]
     return not walks or walks[0].toolbox.can_walk

@@ -10,6 +10,7 @@ from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import Viewpoint
 from trees.leaves.choose_stand import ChooseStand
 from trees.leaves.know_place import KnowPlace
+from trees.leaves.may_be_elsewhere import MayBeElsewhere
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.recall_place import RecallPlace
 from trees.leaves.see_front import SeeFront
@@ -78,10 +79,13 @@ def find_place(toolbox: Toolbox) -> Behaviour:
     ]
     ways.append(RecallPlace("recall it", toolbox))
     around = turned_around(toolbox, _level_first(far))
-    ways += [*around, *where_it_may_be(toolbox)]
+    farther = where_it_may_be(toolbox)
     for k, way in enumerate(_ON, start=len(around) + 1):
-        ways.append(viewpoint(toolbox, k, way, _level_first(far)))
-    ways.append(RecallPlace("recall anything", toolbox, anything=True))
+        farther.append(viewpoint(toolbox, k, way, _level_first(far)))
+    farther.append(RecallPlace("recall anything", toolbox, anything=True))
+    elsewhere = Alternatives("go and look", farther, looking_elsewhere_is_useless, worth_going)
+    may_be = MayBeElsewhere("may be elsewhere", toolbox)
+    ways += [*around, Sequence("elsewhere", memory=True, children=[may_be, elsewhere])]
     return Alternatives("find it", ways, looking_elsewhere_is_useless, worth_going)
 
 

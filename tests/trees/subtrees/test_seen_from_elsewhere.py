@@ -3,7 +3,9 @@
 import pytest
 
 from trees.alternatives import Alternatives
+from trees.leaf import Leaf
 from trees.leaves.change_viewpoint import ChangeViewpoint
+from trees.leaves.recall_handle import RecallHandle
 from trees.subtrees.close import close
 from trees.subtrees.open import open_or_close
 
@@ -20,3 +22,17 @@ def test_a_robot_that_walks_steps_back_and_turns_before_it_says_that_nothing_is_
 
     assert ways
     assert all(way[0] == "back" and way.count("around") >= 3 for way in ways)
+
+
+@pytest.mark.parametrize("skill", [open_or_close, close])
+def test_what_was_seen_before_and_is_far_away_is_gone_back_to_first(stage, skill):
+    tree = skill(stage.toolbox)
+
+    searches = [node for node in tree.iterate() if isinstance(node, Alternatives) and node.name == "search"]
+
+    assert searches
+    assert all(isinstance(next(_leaves(search)), RecallHandle) for search in searches)
+
+
+def _leaves(node):
+    return (item for item in node.iterate() if isinstance(item, Leaf))

@@ -1,0 +1,87 @@
+"""Recall where a door or drawer was seen that is too far away to be looked at from here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.common import Status
+
+from robots.perception.object_estimate import ObjectEstimate
+from trees.contract import Contract
+from trees.failures import Failure
+from trees.handle_standing import handle_standing_place
+from trees.handles import BODY_OF, MEANT_BY, PART_KINDS, HandleTarget, handles_in
+from trees.leaf import DONE, Leaf
+from trees.meant_part import meant_part
+from trees.odometry import feet_pose
+from trees.ports import ports
+from trees.pushed_front import fronts_in
+from trees.scene_update import kind_of
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.toolbox import Toolbox
+
+_FAR_M = 1.0
+"""From so far beside the place for it on, whether it is seen depends on where the robot happens to stand."""
+
+
+class RecallHandle(Leaf):
+    """Take what the task names from the world model: where to go, and look again.
+
+    A wide-open door is edge-on to whoever stands before what it belongs to, but not from where it is moved.
+    """
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports(handle=HandleTarget)
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the one handle that fits, where it was last seen, and far from the robot",
+        deadline_s=1.0,
+    )
+
+    def __init__(
+        self, name: str, toolbox: Toolbox, pushed: bool, wiring: Mapping[str, str] | None = None
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            pushed: Whether a door's front is enough, without its handle.
+            wiring: Other names of its ports.
+        """
+        super().__init__(name, toolbox, wiring)
+        self._pushed = pushed
+
+    def step(self) -> Status | Failure:
+        """Look it up."""
+        toolbox = self.toolbox
+        task: OpenTask | CloseTask = self.get_input("task")
+        wanted = task.object
+        noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
+        kind = MEANT_BY.get(noun) if noun is not None else None
+        body = feet_pose(toolbox)
+        known = self._known()
+        targets = fronts_in(known) if self._pushed else handles_in(known, body)
+        fitting = [item for item in targets if kind in (None, item.kind)]
+        if not fitting:
+            return Failure.postcondition(f"no {noun or 'door or drawer'} was seen before")
+        chosen = meant_part(wanted, fitting, toolbox)
+        if isinstance(chosen, Failure):
+            return Failure.postcondition(f"which {noun} was meant has to be seen")
+        away_m = body.distance_m(handle_standing_place(chosen, body))
+        if away_m < _FAR_M:
+            return Failure.postcondition("it is near enough to be looked at from here", away_m=away_m)
+        self._set_output("handle", chosen)
+        self.feedback_message = f"{chosen.part} where it was seen"
+        return DONE
+
+    def _known(self) -> Mapping[str, ObjectEstimate]:
+        parts = {*PART_KINDS, *BODY_OF.values()}
+        return {
+            name: ObjectEstimate(
+                "furniture", kind_of(name), None, item.world_T_object, item.shape, 0.5, 0, 0.0
+            )
+            for name, item in self.toolbox.world.scene.objects.items()
+            if kind_of(name) in parts
+        }
