@@ -220,7 +220,11 @@ def _related(
         kept = [thing for thing in fitting if lies_from_robot(relation.kind, thing)]
     else:
         references = _references(relation.to, around, fitting)
-        kept = [thing for thing in fitting if any(lies(relation.kind, thing, other) for other in references)]
+        kept = [
+            thing
+            for thing in fitting
+            if _stands_on(thing, relation) or any(lies(relation.kind, thing, other) for other in references)
+        ]
     if not kept:
         raise NoneFitsError(f"no {noun} seen", True)
     if relation.kind != "nearest":
@@ -231,6 +235,14 @@ def _related(
             (between_m(thing, other) for other in references if other is not thing), default=thing.distance_m
         ),
     )
+
+
+def _stands_on(thing: BelievedThing, relation: Relation) -> bool:
+    """Whether it stands on any board of the piece that is meant; a reference is only the largest of them."""
+    to = relation.to
+    if relation.kind not in ("on", "in") or not isinstance(to, str) or thing.support is None:
+        return False
+    return is_called(thing.support, to)
 
 
 def _references(to: Destination, around: Surroundings, fitting: list[BelievedThing]) -> list[BelievedThing]:

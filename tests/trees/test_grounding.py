@@ -245,6 +245,16 @@ def test_relation_and_ordinal_go_together():
     assert found(wanted, RED, left, TWIN, BOTTLE) == "red cup 3"
 
 
+@pytest.mark.parametrize("kind", ["on", "in"])
+def test_what_stands_on_any_board_of_a_piece_is_on_it(kind):
+    lower = SceneObject("shelf 2", Box((0.3, 0.5, 0.02)), poses.translation(0.8, 2.0, 0.6), movable=False)
+    below = thing("red cup", 0.8, 2.0, on_m=0.61)
+
+    assert (
+        found(cup(relation=Relation(kind, "shelf")), lower, below, thing("red cup 2", 0.6, 0.0)) == "red cup"
+    )
+
+
 def test_the_source_is_the_furniture_that_it_stands_on():
     high = thing("red cup 2", 0.8, 2.0, on_m=1.11)
 
