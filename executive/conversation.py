@@ -10,7 +10,7 @@ from executive.preparing import Bringing
 from executive.references import PREVIOUS, references, with_references
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding import Understood, is_model_output, read_after, understand
-from trees.tasks import ObjectDescription, ObjectOf, Thing
+from trees.tasks import CloseTask, ObjectDescription, ObjectOf, OpenTask, Thing
 
 _REMEMBERED = 4
 """So many sentences back people still say "it"."""
@@ -65,9 +65,14 @@ def _filled_in(earlier: Sequence[Command], leaning: Sequence[Command]) -> tuple[
 
 
 def _thing_of(commands: Sequence[Command], index: int) -> Thing | None:
-    """What stands for the object of a command: its description, if that still fits when it has moved."""
+    """What stands for the object of a command: its description, if that still fits when it has moved.
+
+    A drawer that is opened stays the top one.
+    """
     described = _described(commands, index)
     if described is None or described == replace(described, ordinal=None, relation=None, size=None):
+        return described
+    if isinstance(commands[index], OpenTask | CloseTask):
         return described
     moved = [i for i, command in enumerate(commands) if isinstance(command, Bringing)]
     return PREVIOUS if moved and _described(commands, moved[-1]) == described else None

@@ -6,7 +6,7 @@ from executive.conversation import Conversation
 from executive.references import PREVIOUS
 from executive.task_script import load_script
 from robots.fake.fake_world import cup
-from trees.tasks import WHERE_IT_WAS, HandOverTask, ObjectDescription, PickTask, PlaceTask
+from trees.tasks import WHERE_IT_WAS, CloseTask, HandOverTask, ObjectDescription, PickTask, PlaceTask
 
 RED_CUP = ObjectDescription("cup", "red")
 
@@ -110,6 +110,22 @@ def test_the_thing_that_was_moved_last_is_the_one_that_is_moved_again(fake_stage
 
     assert taken[-1].acted_on == put[-1].evidence["object"] == "red cup"
     assert put[-1].outcome == "done"
+
+
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    "said",
+    [
+        ["open the top drawer", "close it"],
+        ["pick up the left cup", "open the top drawer", "close it again"],
+        ["open the top drawer", "put the can in it", "close it"],
+    ],
+)
+def test_a_drawer_that_was_opened_stays_the_top_one(said):
+    (close,) = heard(*said).commands
+
+    assert isinstance(close, CloseTask)
+    assert close.object == ObjectDescription("drawer", ordinal="top")
 
 
 def test_what_stands_for_itself_is_read_by_itself():
