@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from executive.meaning import Command
+from executive.meaning import Command, Parsed
 from executive.preparing import Bringing
 from executive.references import PREVIOUS, references, with_references
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding import Understood, is_model_output, read_after, understand
 from trees.tasks import CloseTask, ObjectDescription, ObjectOf, OpenTask, Thing
 
+_ONE = re.compile(r"\bones?\b", re.IGNORECASE)
 _REMEMBERED = 4
 """So many sentences back people still say "it"."""
 
@@ -33,7 +35,7 @@ class Conversation:
         if is_model_output(text):
             self._said.clear()
             return understood
-        if understood.parsed.question is not None and not understood.parsed.question.choices:
+        if _asks(understood.parsed) or _says_one(understood.parsed):
             commands = _filled_in(*read_after(text, self._said))
             if commands:
                 understood = Understood(replace(understood.parsed, question=None, commands=commands))
@@ -46,6 +48,16 @@ class Conversation:
         self._said = [*self._said, text][-_REMEMBERED:]
         while self._said and self._said[0] in self._leaning:  # nothing is left that it leans on
             del self._said[0]
+
+
+def _asks(parsed: Parsed) -> bool:
+    """Whether it is not clear what is meant; where choices are told, what was said before is none of them."""
+    return parsed.question is not None and not parsed.question.choices
+
+
+def _says_one(parsed: Parsed) -> bool:
+    """Whether it speaks of "the left one": of what kind, is said before or not at all."""
+    return bool(parsed.commands) and _ONE.search(parsed.text) is not None
 
 
 def _filled_in(earlier: Sequence[Command], leaning: Sequence[Command]) -> tuple[Command, ...]:

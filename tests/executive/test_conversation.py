@@ -128,6 +128,40 @@ def test_a_drawer_that_was_opened_stays_the_top_one(said):
     assert close.object == ObjectDescription("drawer", ordinal="top")
 
 
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        (["how many cups are there?", "pick up the left one"], ObjectDescription("cup", ordinal="leftmost")),
+        (
+            ["take the red cup", "put it down", "take the other one"],
+            ObjectDescription("cup", ordinal="other"),
+        ),
+        (["take the red cup", "take one bottle"], ObjectDescription("bottle")),
+        (["wave to Ana", "pick up the left one"], ObjectDescription(ordinal="leftmost")),
+        (["what is on the table?", "pick up the red one"], ObjectDescription(color="red")),
+    ],
+)
+def test_one_is_of_the_kind_that_was_spoken_of_before(said, meant):
+    (pick,) = heard(*said).commands
+
+    assert isinstance(pick, PickTask)
+    assert pick.object == meant
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "the blue one",
+        "don't touch the blue one",
+        "if there is a blue one take it",
+        "throw the blue one at Ana",
+    ],
+)
+def test_what_is_refused_by_itself_stays_refused(said):
+    assert heard("take the red cup", said).refusal is not None
+
+
 def test_what_stands_for_itself_is_read_by_itself():
     (pick,) = heard("take the red cup", "take the blue cup").commands
 
