@@ -20,10 +20,18 @@ def is_any(_entity: Entity) -> bool:
     return True
 
 
+def _is_alike(source: Any, place: Nominal) -> bool:
+    """Whether something is taken from what was named as a place."""
+    if not isinstance(source, Nominal) or source.kind is None:
+        return False
+    said = ("kind", "color", "size", "material", "ordinal")
+    return all(getattr(source, slot) in (None, getattr(place, slot)) for slot in said)
+
+
 class Antecedents(Discourse):
     """Finds the thing that a word refers to."""
 
-    def _it(self, nominal: Nominal, action: str) -> Any:
+    def _it(self, nominal: Nominal, action: str, out_of: Any = None) -> Any:
         if nominal.reference == "this":
             raise ask("which one is meant?")
         if nominal.reference == "him" or nominal.is_person:
@@ -40,7 +48,12 @@ class Antecedents(Discourse):
         if len(recent) > 1:
             raise ask("which of them does 'it' stand for?", [f"the {entity.of.kind}" for entity in recent])
         root = recent[0].task
-        if self._put_to is not None and self._put_to[0] == recent[0].clause and action in _MOVES:
+        if (
+            self._put_to is not None
+            and self._put_to[0] == recent[0].clause
+            and action in _MOVES
+            and not _is_alike(out_of, self._put_to[1])  # nothing is taken out of itself
+        ):
             names = [f"the {one.kind}" for one in (recent[0].of, self._put_to[1])]
             raise ask("which of them does 'it' stand for?", names)
         if action in PUTS_DOWN and self._held and root not in self._held:

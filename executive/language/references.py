@@ -200,7 +200,7 @@ class Resolver(StatedThings, Doubts):
         if not isinstance(thing, Nominal):
             return None, thing
         if thing.reference:
-            meant = self._it(thing, one.action)
+            meant = self._it(thing, one.action, one.get("source"))
             return (meant, self._description(meant)) if isinstance(meant, Nominal) else (None, meant)
         named = self._same_kind(thing)
         if _is_everything(one) and self._recent(lambda entity: entity.of.sort == "thing"):
