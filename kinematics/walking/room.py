@@ -25,6 +25,8 @@ _SPARE_M = 0.02
 """Left beside the body, at the least, wherever it walks."""
 BESIDE_HANDS_M = 0.06
 """Left beside an empty hand on a walk, where there is a choice."""
+_TURNED_RAD = 0.05
+"""Between two headings of a turn: less than a hand's breadth for the farthest hand."""
 _OUTLINE_M = 0.02
 """Between two points of an outline: no edge of a door fits between them."""
 
@@ -194,6 +196,26 @@ class WalkingRoom:
         """
         tall = footprints(scene, above_m=self._hands.from_m)
         return clearance_m(tall, body) >= self._hands.turning_m + spare_m
+
+    def turn_meets(self, points: Array, turn_rad: float, spare_m: float = _SPARE_M) -> str | None:
+        """What of the robot comes to something as it turns on the spot; None where all of it has room.
+
+        Args:
+            points: As for ``free_way_m``.
+            turn_rad: How far it turns, positive to the left.
+            spare_m: Left beside it, besides its sway.
+        """
+        away_m = np.hypot(points[:, 0], points[:, 1])
+        count = 1 + math.ceil(abs(turn_rad) / _TURNED_RAD)
+        turned = np.arctan2(points[:, 1], points[:, 0])[:, None] - np.linspace(0.0, turn_rad, count)
+        for layer in self._layers[1:]:
+            near = (points[:, 2] >= layer.from_m) & (away_m <= layer.turning_m + spare_m)
+            x, y = away_m[near, None] * np.cos(turned[near]), away_m[near, None] * np.sin(turned[near])
+            beside_m = self._settings.sway_m + spare_m
+            ahead = (x <= layer.front_m + beside_m) & (x >= -layer.back_m - beside_m)
+            if bool(np.any(ahead & (np.abs(y) <= layer.half_width_m + beside_m))):
+                return layer.part
+        return None
 
     def tightest_seen(self, points: Array) -> TightSpot:
         """Where there is least room to turn right here, by what is seen and may be known to nobody.

@@ -1,4 +1,4 @@
-"""Look from elsewhere: walk on a little, step back, or turn the whole body."""
+"""Look from elsewhere: walk on a little, step back, make room, or turn the whole body."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from py_trees.common import Status
 
 from kinematics.walking.planar import PlanarPose
+from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
 from trees.contract import Contract
@@ -31,14 +32,18 @@ _TURN_RAD = 1.9
 _SPEED_M_S = 0.3
 
 
-Viewpoint = Literal["ahead", "around", "back"]
+Viewpoint = Literal["ahead", "around", "back", "room"]
 
 
 class ChangeViewpoint(WalkingLeaf):
-    """Walk straight on or back as far as the way is free, or turn on the spot."""
+    """Walk straight on or back as far as the way is free, or turn on the spot.
+
+    "room" steps back, or ahead, where there is no room to turn; it stays where there is, or where no way is
+    free.
+    """
 
     INPUT_PORTS = ports()
-    OUTPUT_PORTS = ports()
+    OUTPUT_PORTS = ports(stepped_m=float)
     CONTRACT = Contract(
         precondition="the robot stands upright with its hands at home or drawn in, and there is room",
         postcondition="the robot stands elsewhere, or faces elsewhere",
@@ -65,14 +70,21 @@ class ChangeViewpoint(WalkingLeaf):
                 self.feedback_message = "waiting for the range sensor"
                 return RUNNING
             steering = self._steering(settings, without_held(toolbox, scan))
+            if steering is None:
+                return DONE
             if isinstance(steering, Failure):
                 return steering
+            self._from = feet_pose(toolbox)
             self._handle = toolbox.walking.walk(steering, "walk")
         if (ended := self.ended_early(self._handle)) is not None:
             return ended
-        return DONE if self._handle.finished else RUNNING
+        if not self._handle.finished:
+            return RUNNING
+        if self._way == "room":
+            self._set_output("stepped_m", self._from.to(feet_pose(toolbox)).x_m)
+        return DONE
 
-    def _steering(self, settings: WalkingSettings, scan: np.ndarray) -> Steering | Failure:
+    def _steering(self, settings: WalkingSettings, scan: np.ndarray) -> Steering | Failure | None:
         body, room = feet_pose(self.toolbox), walking_room(self.toolbox, settings)
         if self._way == "ahead":
             room_m = room.free_way_m(scan, 1.0) - _ROOM_M
@@ -86,7 +98,20 @@ class ChangeViewpoint(WalkingLeaf):
             return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
         found = room.tightest_seen(scan), room.tightest(self.toolbox.world.scene, body)
         tight = max(found, key=lambda spot: spot.lack_m)
+        if self._way == "room":
+            return _to_room(settings, body, room, scan) if tight.lack_m > 0.0 else None
         if tight.lack_m > 0.0:
             message = f"there is no room to turn for the {tight.part}"
             return Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
         return PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))
+
+
+def _to_room(
+    settings: WalkingSettings, body: PlanarPose, room: WalkingRoom, scan: np.ndarray
+) -> Steering | None:
+    """A step back, or ahead where something is behind; None where neither way is free."""
+    for sign in (-1.0, 1.0):
+        room_m = room.free_way_m(scan, sign) - _ROOM_BEHIND_M
+        if room_m >= _LEAST_BACK_M:
+            return StretchSteering(settings, body, sign * _SPEED_M_S, min(room_m, _BACK_M))
+    return None

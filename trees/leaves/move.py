@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.walking.planar import PlanarPose
+from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import Steering, StretchSteering, VelocitySteering
 from kinematics.walking.stopping import stopping_distance_m
@@ -15,7 +18,7 @@ from trees.failures import Failure
 from trees.leaf import DONE, RUNNING
 from trees.odometry import body_pose
 from trees.own_load import without_held
-from trees.ports import ports
+from trees.ports import optional, ports
 from trees.tasks import MoveTask
 from trees.walking_leaf import WalkingLeaf
 from trees.walking_room import walking_room
@@ -26,10 +29,11 @@ _LOOK_EVERY_S = 0.1
 class Move(WalkingLeaf):
     """Walk at the task's velocity for its time or distance, and stop before anything that is in the way.
 
-    A velocity beyond the limits is refused, never lowered.
+    A velocity beyond the limits is refused, never lowered. A turn on the spot for which the hands, or what
+    they hold, have no room is infeasible: a step away helps.
     """
 
-    INPUT_PORTS = ports(task=MoveTask)
+    INPUT_PORTS = ports(task=MoveTask, stepped_m=optional(float))
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the robot stands, its pelvis level, and the way is free beyond the stopping distance",
@@ -124,7 +128,7 @@ class Move(WalkingLeaf):
     def _blocked(self, settings: WalkingSettings) -> Failure | None:
         """Why it must not go on, from the range sensor's last scan."""
         task, sensor = self._task, self.toolbox.ranging
-        if sensor is None or task.linear_m_s == 0.0:
+        if sensor is None or (task.linear_m_s == 0.0 and (self._handle or task.angular_rad_s == 0.0)):
             self._seen = True
             return None
         if self.elapsed_s - self._looked_s >= _LOOK_EVERY_S:
@@ -132,8 +136,10 @@ class Move(WalkingLeaf):
             if points is None:
                 return Failure.execution("the range sensor has fallen silent") if self._seen else None
             self._looked_s, self._seen = self.elapsed_s, True
-            room = walking_room(self.toolbox, settings)
-            self._free_m = room.free_way_m(without_held(self.toolbox, points), task.linear_m_s)
+            points, room = without_held(self.toolbox, points), walking_room(self.toolbox, settings)
+            if task.linear_m_s == 0.0:
+                return self._no_room_to_turn(room, points)
+            self._free_m = room.free_way_m(points, task.linear_m_s)
         needed_m = stopping_distance_m(settings, task.linear_m_s)
         if self._free_m > needed_m:
             return None
@@ -144,6 +150,11 @@ class Move(WalkingLeaf):
             free_m=self._free_m,
             needed_m=needed_m,
         )
+
+    def _no_room_to_turn(self, room: WalkingRoom, points: NDArray[np.float64]) -> Failure | None:
+        turn_rad = self._task.angular_rad_s * self._duration_s
+        part = room.turn_meets(points, max(-math.tau, min(turn_rad, math.tau)))
+        return None if part is None else Failure.infeasible(f"there is no room to turn for the {part}")
 
     def _measure(self) -> None:
         now = body_pose(self.toolbox)
@@ -159,13 +170,12 @@ class Move(WalkingLeaf):
         return VelocitySteering(settings, task.linear_m_s, task.angular_rad_s)
 
     def _stood(self) -> Status:
-        took_s = self.elapsed_s
-        self._set_output(
-            "evidence",
-            {
-                "walked_m": self._gone_m,
-                "turned_rad": self._turned_rad,
-                "mean_m_s": self._gone_m / max(took_s, 1e-6),
-            },
-        )
+        evidence = {
+            "walked_m": self._gone_m,
+            "turned_rad": self._turned_rad,
+            "mean_m_s": self._gone_m / max(self.elapsed_s, 1e-6),
+        }
+        if (stepped_m := self.optional("stepped_m")) is not None:
+            evidence["stepped_before_m"] = stepped_m
+        self._set_output("evidence", evidence)
         return DONE

@@ -1,7 +1,8 @@
-"""Recall where a door or drawer was seen that is too far away to be looked at from here."""
+"""Recall where a door or drawer was seen that cannot be looked at well from here."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from py_trees.common import Status
@@ -22,6 +23,9 @@ from trees.toolbox import Toolbox
 
 _FAR_M = 1.0
 """From so far beside the place for it on, whether it is seen depends on where the robot happens to stand."""
+_TURNED_AWAY_RAD = math.radians(60.0)
+"""Turned farther from how it is stood before, the robot has it beside or behind itself: no turn of the head
+shows it, and right before an open drawer there is no room for the feet to turn."""
 
 
 class RecallHandle(Leaf):
@@ -35,7 +39,7 @@ class RecallHandle(Leaf):
     OUTPUT_PORTS = ports(handle=HandleTarget)
     CONTRACT = Contract(
         precondition="none",
-        postcondition="the one handle that fits, where it was last seen, and far from the robot",
+        postcondition="the one handle that fits, where it was last seen: far from the robot, or behind it",
         deadline_s=1.0,
     )
 
@@ -69,8 +73,9 @@ class RecallHandle(Leaf):
         chosen = meant_part(wanted, fitting, toolbox)
         if isinstance(chosen, Failure):
             return Failure.postcondition(f"which {noun} was meant has to be seen")
-        away_m = body.distance_m(handle_standing_place(chosen, body))
-        if away_m < _FAR_M:
+        place = body.to(handle_standing_place(chosen, body))
+        away_m = math.hypot(place.x_m, place.y_m)
+        if away_m < _FAR_M and abs(place.yaw_rad) < _TURNED_AWAY_RAD:
             return Failure.postcondition("it is near enough to be looked at from here", away_m=away_m)
         self._set_output("handle", chosen)
         self.feedback_message = f"{chosen.part} where it was seen"

@@ -27,7 +27,7 @@ _FURNITURE, _ROOMS, _FURNITURE_THERE, _OUTLOOKS = 3, 2, 2, 2
 """The robot goes to so much furniture that it saw, to so many rooms, to so much furniture that it saw there,
 and beside so many tall things that hide others."""
 _CHOOSING = (ChooseFurniture, ChooseRoom, ChooseOutlook)
-_NAMES = {"ahead": "go on", "around": "turn around", "back": "step back"}
+_NAMES = {"ahead": "go on", "around": "turn around", "back": "step back", "room": "make room"}
 _ALL_AROUND: tuple[Viewpoint, ...] = ("around", "back", "around", "around")
 
 
@@ -76,7 +76,7 @@ def where_it_may_be(toolbox: Toolbox, outlooks: int = _OUTLOOKS) -> list[Behavio
 
 
 def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
-    """Go on, step back, or turn, with the arms drawn in where they have no room to turn."""
+    """Go on, step back, make room, or turn, with the arms drawn in where they have no room to turn."""
 
     def leaf() -> Behaviour:
         return ChangeViewpoint(_NAMES[way], toolbox, way)

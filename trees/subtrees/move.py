@@ -5,12 +5,25 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from trees.alternatives import Alternatives
 from trees.leaves.move import Move
 from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.subtrees.look_elsewhere import change_viewpoint
+from trees.subtrees.with_room import narrower_arms_are_useless
 from trees.toolbox import Toolbox
 
 
 def move(toolbox: Toolbox) -> Behaviour:
-    """Stand upright where the body leans, walk at a velocity for a time or a distance, then stand."""
+    """Stand upright where the body leans, walk at a velocity for a time or a distance, then stand.
+
+    Where the hands have no room to turn on the spot, a step away comes first.
+    """
     upright = ReadyToWalk("stand upright", toolbox, only_if_it_leans=True)
-    return Sequence("move", memory=True, children=[upright, Move("walk", toolbox)])
+    away = [
+        ReadyToWalk("hands at home", toolbox),
+        change_viewpoint(toolbox, "room"),
+        Move("walk", toolbox),
+    ]
+    ways = [Move("walk", toolbox), Sequence("from a step away", memory=True, children=away)]
+    walk = Alternatives("walk or turn", ways, narrower_arms_are_useless)
+    return Sequence("move", memory=True, children=[upright, walk])

@@ -35,8 +35,8 @@ def seen_from_elsewhere(
 ) -> Alternatives:
     """From here, a step back, and turned once around; a robot that cannot walk looks from here.
 
-    To what was seen before, and is far away now, it walks first. An arm, or the picture's lower edge, hides
-    what is close before the body.
+    To what was seen before, and is far away or behind now, it walks first. An arm, or the picture's lower
+    edge, hides what is close before the body.
 
     Args:
         name: Of the whole.
@@ -47,7 +47,9 @@ def seen_from_elsewhere(
     """
     recall = RecallHandle("recall it", toolbox, pushed)
     come = come_to_handle(toolbox, search("look again", gazes))
-    ways = [Sequence("back to it", memory=True, children=[recall, come]), search("look from here", gazes)]
+    upright = ReadyToWalk("stand upright", toolbox)
+    back = [recall, upright, change_viewpoint(toolbox, "room"), come]
+    ways = [Sequence("back to it", memory=True, children=back), search("look from here", gazes)]
     for k, way in enumerate(_WAYS):
         steps = [
             ReadyToWalk("stand upright", toolbox),

@@ -101,6 +101,30 @@ def test_what_is_seen_bars_a_turn_at_its_own_height_though_nobody_knows_it(room,
     assert room.tightest_seen(1.5 * np.array([point])).lack_m < 0.0
 
 
+@pytest.mark.parametrize("angle_rad", [-3.0, -1.5, 0.0, 1.0, 2.9])
+@pytest.mark.parametrize("turn_rad", [-1.3, 0.4, 3.1])
+def test_a_turn_meets_just_what_is_met_at_one_of_its_headings(angle_rad, turn_rad):
+    spare_m = 0.02 + SETTINGS.sway_m
+    hands_m = SETTINGS.hands_radius_m + spare_m
+    sides_m = SETTINGS.hands_half_width_m + spare_m
+    for away_m in np.arange(0.3, 1.1, 0.05):
+        point = np.array([[away_m * np.cos(angle_rad), away_m * np.sin(angle_rad), 1.2]])
+        seen = angle_rad - np.linspace(0.0, turn_rad, 500)
+        x, y = away_m * np.cos(seen), away_m * np.sin(seen)
+        meets = (x <= SETTINGS.front_m + spare_m) & (-x <= SETTINGS.back_m + spare_m) & (np.abs(y) <= sides_m)
+        met = bool(away_m <= hands_m and meets.any())
+
+        assert (EMPTY.turn_meets(point, turn_rad) is not None) == met
+
+
+def test_a_load_that_stands_out_meets_more_in_a_turn_than_hands_do():
+    ahead = np.array([[0.68, 0.1, 1.0]])
+
+    assert EMPTY.turn_meets(ahead, 0.4) is None
+    assert LADEN.turn_meets(ahead, 0.4) == "load"
+    assert LADEN.turn_meets(ahead - (0.0, 0.0, 0.5), 0.4) is None
+
+
 def test_who_can_choose_keeps_from_low_things_what_a_walk_keeps_from_them():
     table = scene(0.80, 0.5)
 

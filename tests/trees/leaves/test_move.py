@@ -160,3 +160,36 @@ def test_an_obstacle_ahead_does_not_keep_it_from_going_back(move):
     leaf.tick_once()
 
     assert leaf.status is Status.RUNNING
+
+
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize(
+    ("angular", "duration_s", "seen_m", "status"),
+    [
+        (0.5, 2.5, (0.66, 0.0, 1.2), Status.FAILURE),  # a shelf ahead, where the right hand comes by
+        (-0.5, 2.5, (0.66, 0.0, 1.2), Status.FAILURE),
+        (0.5, 2.5, (0.66, 0.0, 0.7), Status.RUNNING),  # lower than the hands
+        (0.5, 2.5, (1.1, 0.0, 1.2), Status.RUNNING),  # farther than the hands
+        (0.5, 0.4, (-0.7, 0.0, 1.2), Status.RUNNING),  # behind, and no hand comes as far
+        (0.5, 6.2, (-0.7, 0.0, 1.2), Status.FAILURE),
+    ],
+)
+def test_a_turn_for_which_the_hands_have_no_room_is_not_begun(move, angular, duration_s, seen_m, status):
+    leaf, walking = move(MoveTask("turn", 0.0, angular, duration_s), Ranges(seen_m))
+
+    leaf.tick_once()
+
+    assert leaf.status is status
+    if status is Status.FAILURE:
+        assert leaf.failure.kind is FailureKind.INFEASIBLE  # a step away helps
+        assert leaf.failure.message == "there is no room to turn for the hands"
+        assert walking.handle is None
+
+
+def test_what_the_robot_holds_does_not_bar_its_own_turn(move, hold_level):
+    hold_level(Box((0.06, 0.06, 0.10)))
+    leaf, _ = move(MoveTask("turn", 0.0, 0.5, 2.5), Ranges((0.5, -0.35, 0.3)))
+
+    leaf.tick_once()
+
+    assert leaf.status is Status.RUNNING

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from py_trees.common import Status
 
-from kinematics.poses import translation
+from kinematics.poses import rotation_z, transform, translation
 from kinematics.scene import SceneObject
 from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.furniture import floor_pose, solids
@@ -55,6 +55,14 @@ def test_what_is_near_is_looked_at_from_here(recall):
     failure = recall(seen_once("drawers", 1.1, 0.0, 0.2), kind="drawer")
 
     assert "near enough" in failure.message
+
+
+@pytest.mark.parametrize("away_rad", [1.3, 3.1, -2.0])
+def test_what_the_robot_stands_before_with_its_back_to_it_is_gone_back_to(recall, away_rad):
+    turn = transform(rotation_z(away_rad), (0.0, 0.0, 0.0))
+    things = [(kind, shape, turn @ pose) for kind, shape, pose in seen_once("drawers", 1.1, 0.0, 0.2)]
+
+    assert recall(things, kind="drawer").part == "drawer"
 
 
 def test_a_door_whose_handle_was_not_seen_can_be_pushed_but_not_pulled(recall):
