@@ -1,6 +1,6 @@
 """``python -m tools.control_flow [--trees 500] FILE``: record what BehaviorTree.CPP does with random trees.
 
-Needs its Python wheel: ``pip install behaviortreepy`` into an environment beside the project's.
+Needs its Python wheel ``behaviortreepy``, which ``make setup`` installs where there is one.
 """
 
 from __future__ import annotations
