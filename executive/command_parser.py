@@ -36,6 +36,9 @@ Outcome = tuple[Command, ...] | Trouble
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
 
+_PRAISE = frozenset({"good", "great", "well", "nice", "excellent", "perfect", "fine", "thanks", "thank"})
+"""Words of what is said to whoever has done something, as well as before a command."""
+
 LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
 
@@ -124,6 +127,8 @@ class CommandParser:
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
         if _asks_about_doing(lattice):
             return Parsed(text, question=Question("is that asked about, or shall it be done?"))
+        if _praises(lattice):
+            return Parsed(text, question=Question("is that praise for it, or shall it be done?"))
         return self._answer(text, outcomes, lattice.manners())
 
     def parse_selection(self, text: str) -> ObjectDescription | None:
@@ -202,6 +207,22 @@ def _asks_about_doing(lattice: Lattice) -> bool:
     """Whether it is an -ing form with a question mark: "opening the fridge?"."""
     asks = lattice.plain.rstrip().endswith("?")
     return asks and any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
+
+
+def _praises(lattice: Lattice) -> bool:
+    """Whether an -ing form stands right behind praise or thanks: "good job picking up the cup"."""
+    size = len(lattice.pieces)
+    for start in range(size):
+        for praise in lattice.phrase(start):
+            if praise.word_class not in ("OPENING", "FILLER") or _PRAISE.isdisjoint(praise.said.split()):
+                continue
+            following = [*lattice.phrase(praise.end)] if praise.end < size else []
+            for one in tuple(following):
+                if one.word_class == "ADDRESSED" and one.end < size:  # "good job, robot"
+                    following += lattice.phrase(one.end)
+            if any(one.meaning.endswith(":ing") for one in following):
+                return True
+    return False
 
 
 def _alike(one: Parsed, other: Parsed) -> bool:

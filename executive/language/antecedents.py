@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from executive.language.discourse import Discourse, Entity, ask
@@ -41,7 +42,12 @@ class Antecedents(Discourse):
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
         if not recent and action in ("look_at", "point_at", "find", "describe"):
             recent = self._recent(is_any)
+        ahead = [one for one in self._said_before if one.sort in ("thing", "any")]
+        if recent and ahead:
+            raise ask("which of them does 'it' stand for?", [f"the {one.of.kind}" for one in recent])
         if not recent:
+            if len(ahead) == 1 and not self._places and nominal.reference == "it":
+                return ahead[0]  # "before you give the cup to Ana, pick it up"
             raise ask("what does 'it' stand for?")
         if nominal.reference == "them":
             raise ask("what does 'them' stand for?")
@@ -61,6 +67,30 @@ class Antecedents(Discourse):
         if recent[0].is_several:
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
+
+    def _that(self, thing: Nominal) -> Any:
+        """What "that drawer" is after "the left drawer": a task's thing, or a place; None if none was named.
+
+        Raises:
+            UnresolvedError: It may be one of several.
+        """
+        if thing.whose not in ("that", "this") or thing.kind is None or not thing.is_plain or thing.plural:
+            return None
+        same = [one for one in self._entities if one.of.kind == thing.kind]
+        acted = {one.task: one.of for one in same}
+        beside = any(one.clause == self._clause for one in same)  # "this cup here and that cup there"
+        others = [
+            one
+            for one in dict.fromkeys((*self._places, *self._beside_places, *self._mentioned))
+            if one.kind == thing.kind and one not in acted.values()
+        ]
+        pointed = any(one.whose not in ("", thing.whose) for one in (*acted.values(), *others))
+        several = len(acted) + len(others) > 1 or any(not one.is_single for one in acted.values())
+        if several or pointed or beside:
+            raise ask(f"which {thing.kind} is meant by {thing.whose!r}?")
+        if acted:
+            return ObjectOf(next(iter(acted)))
+        return replace(others[0], whose="") if others else None
 
     def _opened(self) -> Any:
         """What is opened or closed: a door that a task acts on, or the only one that was named."""

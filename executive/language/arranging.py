@@ -134,7 +134,10 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
             each[index] = replace(one, goal=following.goal)
     for index in range(1, len(items)):
         if items[index].too and not items[index].details:
-            each[index] = replace(each[index], goal=each[index - 1].goal)
+            before = each[index - 1]
+            each[index] = replace(
+                each[index], goal=before.goal, source=before.source if before.goal else None
+            )
     return each
 
 

@@ -44,6 +44,24 @@ class Destinations(Antecedents):
             raise ask("what does 'it' stand for?")
         return self._same_it(recent[0].task)
 
+    def _out_of(self, root: int) -> dict[str, Any]:
+        """The slot of what "out" is out of where that is not said: the only container, if it is open."""
+        places = list(dict.fromkeys(one for one in self._places if one.sort in ("container", "furniture")))
+        if len(places) != 1 or places[0].sort != "container":
+            return {}
+        opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
+        if not opened:
+            if places[0] not in self._said_before:
+                return {}
+            self._sources[root] = places[0]  # "before you close the fridge, take out the milk"
+            return {"source": self._destination(places[0])}
+        since = {one.action for one in self._commands[opened[-1] :]}
+        inside = [one for one in self._entities if one.task in opened and one.of == places[0]]
+        if len(opened) > 1 or not inside or since & {"close", "walk_to", "go_home", "move"}:
+            return {}
+        self._sources[root] = places[0]
+        return {"source": ObjectOf(opened[0])}
+
     def _description(self, nominal: Nominal) -> Any:
         self._note_name(nominal)
         if nominal.owner is not None:
@@ -84,6 +102,10 @@ class Destinations(Antecedents):
 
     def _destination(self, nominal: Nominal) -> Any:
         """A place, a person or a thing as the value of a slot."""
+        before = self._that(nominal)
+        if isinstance(before, ObjectOf):
+            return before
+        nominal = before or nominal
         named = self._same_kind(nominal)
         if nominal.anaphoric and nominal.is_plain:
             raise ask("which one is meant?")  # "put the box in that one"
@@ -115,7 +137,7 @@ class Destinations(Antecedents):
         if isinstance(value, Relative):
             relation = tasks.Relation(value.kind, self._beside(value.to, root))
             return ObjectDescription(relation=relation)
-        if value.reference == "him":
+        if value.reference == "him" or (value.sort == "person" and value.whose):
             return self._person(value)
         if value.reference == "asker":
             if self._people:
@@ -176,6 +198,8 @@ class Destinations(Antecedents):
                 )
             self._walks.append(Nominal("room", "start"))
             return "start"
+        if is_them(value) and self._people and not self._recent(is_any):
+            return self._person(value)  # "find a person and go to them"
         if isinstance(value, Nominal) and value.reference in ("it", "them"):
             recent = self._recent(is_any)
             places = list(dict.fromkeys(self._places))
@@ -200,5 +224,10 @@ class Destinations(Antecedents):
             return self._destination(people[0])
         if value.reference in ("it", "this"):
             raise ask("who is meant?")
+        if value.sort == "person" and value.whose in ("that", "this") and value.is_plain:
+            same = [one for one in dict.fromkeys(self._people) if one.kind == value.kind]
+            if len(same) > 1:
+                raise ask(f"which {value.kind} is meant by {value.whose!r}?")
+            value = same[0] if same else value  # "find the man in the kitchen and wave to that man"
         self._name_place(value)
         return self._destination(value)

@@ -65,6 +65,7 @@ class Discourse:
         self._called: dict[str, str] = {}
         self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}
+        self._said_before: tuple[Nominal, ...] = ()
         self._clause = 0
         self._remembers = False
 

@@ -83,6 +83,9 @@ def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = Fa
 _TAKES = frozenset({"take", "taking"})
 """Verbs of which "take it there" is to carry it."""
 
+_CHOOSES = frozenset({"pick", "picking"})
+"""Verbs that with "out" mean to choose."""
+
 _FETCHES = frozenset({"grab", "go grab", "grabbing"})
 """Verbs that are "to fetch" as well, where it is said for whom."""
 
@@ -100,6 +103,9 @@ def _pick(parts: Parts) -> Clause:
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     bundles = [(_lifted(one),) for one in each]
+    verbs = [word.said.split() for word in words(parts, "PICK", "OUT")]
+    if any("out" in said and said[0] not in _CHOOSES for said in verbs):
+        bundles = [(one.with_slot("out", True),) if one.action == "pick" else (one,) for (one,) in bundles]
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)

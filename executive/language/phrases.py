@@ -135,7 +135,7 @@ class Nominal:
         return all(getattr(self, name) is None for name in _DESCRIBES)
 
 
-_SEATS = frozenset({"sofa", "armchair", "chair", "bed", "bench", "stool"})
+SEATS = frozenset({"sofa", "armchair", "chair", "bed", "bench", "stool"})
 
 
 def may_be_found(relation: Relative) -> bool:
@@ -143,7 +143,7 @@ def may_be_found(relation: Relative) -> bool:
     of = relation.to
     inside = relation.kind == "in" and of.sort == "room"
     beside = relation.kind == "next_to" and of.is_place
-    return inside or beside or (relation.kind == "on" and of.kind in _SEATS)
+    return inside or beside or (relation.kind == "on" and of.kind in SEATS)
 
 
 _DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
@@ -270,6 +270,8 @@ class Clause:
         revokes: The words that take back what was said before them, if these are such words.
         mention: What is stated, of a clause that is no command.
         about: Who and which places are named beside what is done: "Ana is in the kitchen", "for Ana".
+        said_before: What another clause names that is said before this one and done after it: "before you
+            close the drawer, put the ball in it".
         terse: Whether it stands only where a clause begins, because its first words could belong to what is
             said before it: "forward 2 m", "the cup, take it".
         number: Which one of a numbered list it is.
@@ -284,6 +286,7 @@ class Clause:
     revokes: str | None = None
     mention: Mention | None = None
     about: tuple[Nominal, ...] = ()
+    said_before: tuple[Nominal, ...] = ()
     terse: bool = False
     number: int | None = None
     question: bool = False

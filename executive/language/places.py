@@ -66,9 +66,14 @@ def _relation(role: Role) -> Meaning:
     return meaning
 
 
-def _left(parts: Parts) -> _LeftBy:
-    """Who left a thing where it is."""
+def _left(parts: Parts) -> _LeftBy | Trouble:
+    """Who left a thing where it is; who put it there may tell it from others, and nobody can see that."""
     (who,) = words(parts, "NAME", "PERSON")
+    (did,) = words(parts, "LEFT_IT")
+    if did.meaning != "left":
+        return Trouble(
+            f"who put it there ({who.said} {did.said}) cannot be seen: is it any that is there?", asks=True
+        )
     return _LeftBy(Nominal("name" if who.word_class == "NAME" else "person", who.meaning, determined=True))
 
 

@@ -10,11 +10,11 @@ from executive.language.antecedents import PUTS_DOWN
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
 from executive.language.doubts import Doubts
 from executive.language.handled_thing import PREVIOUS
-from executive.language.phrases import Bundle, Clause, Draft, Nominal, Trouble
+from executive.language.phrases import SEATS, Bundle, Clause, Draft, Nominal, Relative, Trouble
 from executive.language.stated_things import StatedThings
 from executive.meaning import Command, StopCommand
 from trees import tasks
-from trees.tasks import ObjectOf
+from trees.tasks import ObjectOf, RelationKind
 
 __all__ = ["Resolver", "UnresolvedError"]
 
@@ -38,7 +38,7 @@ _TYPES: dict[str, Any] = {
     "go_home": tasks.GoHomeTask,
     "stop": StopCommand,
 }
-_ASIDE = frozenset({"there_are", "again", "stays", "holds"})
+_ASIDE = frozenset({"there_are", "again", "stays", "holds", "out"})
 """Slots of a draft that are no slots of a task: how it was said."""
 
 
@@ -88,7 +88,8 @@ class Resolver(StatedThings, Doubts):
             if clause.mention is not None and self._mention is not None:
                 raise ask("which of them is meant?")
             self._mention = clause.mention or self._mention
-            for named in clause.about:
+            self._said_before = clause.said_before
+            for named in (*clause.about, *clause.said_before):
                 self._name_place(named)
             for bundle in clause.bundles:
                 for each in self._spread(self._with_mention(bundle)):
@@ -112,6 +113,11 @@ class Resolver(StatedThings, Doubts):
             yield bundle
             return
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
+        first = bundle[0]
+        if not recent and self._people and first.action in ("look_at", "point_at") and thing.said != "both":
+            slots = tuple(("person" if name == "object" else name, value) for name, value in first.slots)
+            yield (replace(first, slots=slots), *bundle[1:])  # "find a person and look at them"
+            return
         roots = list(dict.fromkeys(entity.task for entity in recent))
         if not roots or (len(roots) == 1 and recent[0].of.is_single):
             raise ask("what does 'them' stand for?")
@@ -168,6 +174,8 @@ class Resolver(StatedThings, Doubts):
             self._take_back(root)
         self._doubt(one, named, resolved, root)
         action, slots = self._slots(one, resolved, root)
+        if one.get("out") and "source" not in slots and named is not None:
+            slots.update(self._out_of(root))  # "open the fridge, take out the can"
         if self._was_put_there(action, slots, root):
             return ObjectOf(root)  # "carry it to the hall and leave it there"
         if isinstance(slots.get("object"), str):
@@ -202,6 +210,10 @@ class Resolver(StatedThings, Doubts):
         if thing.reference:
             meant = self._it(thing, one.action, one.get("source"))
             return (meant, self._description(meant)) if isinstance(meant, Nominal) else (None, meant)
+        before = self._that(thing)
+        if isinstance(before, ObjectOf):
+            return None, before
+        thing = before or thing
         named = self._same_kind(thing)
         if _is_everything(one) and self._recent(lambda entity: entity.of.sort == "thing"):
             raise ask("all that was named, or everything there is?")
@@ -231,8 +243,18 @@ class Resolver(StatedThings, Doubts):
                 slots["words"] = value
             else:
                 slots[name] = value
+        if one.action == "find" and one.get("person") is not None and one.get("source") is not None:
+            self._found_somebody(one.get("person"), one.get("source"))
         self._people += self._people_in(slots.get("words", ""))  # "her" who is told is none of them
         return slots.pop("action", one.action), slots
+
+    def _found_somebody(self, person: Nominal, place: Nominal) -> None:
+        """Remember where somebody is who is told by that alone: "a person in the kitchen", then "them"."""
+        if person.sort != "person" or person.relation is not None or place.reference or not place.is_place:
+            return
+        kind: RelationKind = "in" if place.sort == "room" else "on" if place.kind in SEATS else "next_to"
+        relation = Relative(kind, place)
+        self._people = [replace(one, relation=relation) if one == person else one for one in self._people]
 
     def _source(self, value: Any, root: int) -> Any:
         place = self._only_place(value, root) if value.reference == "there" else value

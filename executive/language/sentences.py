@@ -24,7 +24,7 @@ from executive.language import (
 from executive.language.fronted import fronted
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Draft, Hand, Meaning, Trouble, Where
+from executive.language.phrases import Clause, Draft, Hand, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
 from executive.language.statements import is_statement, may_be_said, with_places
@@ -173,6 +173,10 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         if scope.endswith("last") and apart and not but_first:
             return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
         others = tuple(replace(clause, form="base") for clause in clauses)
+        if scope == "before_first":
+            main = _said_after(main, others)
+        if scope == "after_last" and not but_first:
+            others = tuple(_said_after(one, (main,)) for one in others)
         return Group(
             others if scope.startswith("after") else (main,),
             (main,) if scope.startswith("after") else others,
@@ -182,6 +186,21 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         )
 
     return meaning
+
+
+def _said_after(done_first: Clause, said_first: tuple[Clause, ...]) -> Clause:
+    """A clause with what "it" may stand for that is named before it, in what is done after it."""
+    opens = any(bundle[0].action == "open" for bundle in done_first.bundles)
+    named = [
+        value
+        for clause in said_first
+        for bundle in clause.bundles
+        for one in bundle
+        for _, value in one.slots
+        if isinstance(value, Nominal) and (one.action == "close" or opens or value.sort in ("thing", "any"))
+    ]
+    fitting = (one for one in named if one.is_single and not one.reference and not one.is_person)
+    return replace(done_first, said_before=tuple(dict.fromkeys(fitting)))
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:

@@ -35,9 +35,13 @@ def test_the_glasses_of_somebody_are_those_to_see_with():
     assert task["object"]["kind"] == "glasses"
 
 
-@pytest.mark.parametrize("who", ["that Ana left", "which Ana has put", "Ana forgot", "that my son dropped"])
+@pytest.mark.parametrize("who", ["that Ana left", "which Ana has left", "Ana forgot", "that my son dropped"])
 def test_where_somebody_left_a_thing_is_where_it_is(who):
     assert tasks_of(f"take the cup {who} on the table") == tasks_of("take the cup from the table")
+
+
+def test_who_put_a_thing_there_cannot_be_seen():
+    assert parse("take the cup that Ana put on the table").question is not None
 
 
 def test_who_left_a_thing_may_be_meant_after_it():
