@@ -144,7 +144,7 @@ QUALIFIED = (
     *("{a} before dinner", "after breakfast {a}", "{a} when it gets dark", "{a} whenever you like"),
     *("someday {a}", "{a} eventually", "{a} in a while", "{a} in a minute", "{a} after ten seconds"),
     *("ten seconds from now {a}", "{a} every ten minutes", "{a} all day", "{a} again and again"),
-    *("{a} over and over", "{a} exactly twice", "{a} two times", "{a} again"),
+    *("{a} over and over", "{a} exactly twice", "{a} two times"),
     *("{a} with your eyes closed", "{a} like a dancer", "{a} backwards"),
     *("{a} without looking", "{a} quietly", "{a} gracefully", "{a} for ten seconds", "{a} at 2 m/s"),
     *("{a} with the tongs", "{a} using a stick", "{a} as Ana does", "{a} was the plan"),
