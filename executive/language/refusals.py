@@ -140,7 +140,7 @@ class Explainer:
         before = [word for word in phrases if word.start < chart.furthest and word.word_class in _NEVER_USED]
         rest = [word for word in phrases if word.start == chart.furthest]
         for word in (*harmful, *here, *before, *rest):
-            if word.word_class in self._vocabulary.classes and (only is None or word.word_class in only):
+            if only is None or word.word_class in only:
                 said = printable(word.said)
                 message = self._vocabulary.refusal_of(word.word_class, word.meaning, said)
                 if message is not None:

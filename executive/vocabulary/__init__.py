@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import importlib.resources
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -18,7 +18,7 @@ from typing import Any
 from executive.errors import VocabularyError
 from executive.vocabulary.inflection import gerund, participle, plural
 from executive.vocabulary.outside import outside_words
-from executive.vocabulary.prepared import Table, digest_of, keep, kept
+from executive.vocabulary.prepared import Head, Prepared, digest_of, keep, kept
 from executive.vocabulary.written import expand
 from robots.outside import VOCABULARY, outside_files
 
@@ -64,14 +64,24 @@ class Vocabulary:
     """Every word class, with a look-up by phrase."""
 
     def __init__(self, classes: Sequence[WordClass]) -> None:
-        self.classes = {word_class.name: word_class for word_class in classes}
-        self._beginnings: dict[str, list[tuple[str, Reading]]] = {}
-        for word_class in classes:
-            for meaning, phrases in word_class.words.items():
-                reading = Reading(word_class.name, meaning)
-                for phrase in phrases:
-                    self._beginnings.setdefault(phrase.partition(" ")[0], []).append((phrase, reading))
+        self._begin(_prepared(classes), lambda: classes)
+
+    @classmethod
+    def of_prepared(cls, prepared: Prepared, classes: Callable[[], Sequence[WordClass]]) -> Vocabulary:
+        """A vocabulary whose classes are written out only when somebody asks for them all."""
+        vocabulary = cls.__new__(cls)
+        vocabulary._begin(prepared, classes)
+        return vocabulary
+
+    def _begin(self, prepared: Prepared, classes: Callable[[], Sequence[WordClass]]) -> None:
+        self._prepared, self._all_classes = prepared, classes
+        self._heads = {head[0]: head for head in prepared.heads}
         self._readings: dict[str, _Beginning] = {}
+
+    @cached_property
+    def classes(self) -> Mapping[str, WordClass]:
+        """The word classes by name."""
+        return {word_class.name: word_class for word_class in self._all_classes()}
 
     def matches(self, words: Sequence[str], start: int) -> Iterator[tuple[int, Reading]]:
         """Every phrase that begins at ``start``: its length, and one reading of it."""
@@ -90,8 +100,11 @@ class Vocabulary:
         if found is not None:
             return found
         readings: dict[Words, list[Reading]] = {}
-        for phrase, reading in self._beginnings.get(word, ()):
+        lines = self._prepared.beginnings.get(word)
+        for line in lines.split("\n") if lines else ():
+            phrase, word_class, meaning = line.split("\t")
             known = readings.setdefault(tuple(phrase.split(" ")), [])
+            reading = Reading(word_class, meaning or phrase)
             if reading not in known:
                 known.append(reading)
         found = tuple(dict.fromkeys(map(len, readings))), readings
@@ -108,8 +121,7 @@ class Vocabulary:
     @cached_property
     def single_words(self) -> frozenset[str]:
         """Every word that occurs in some phrase."""
-        phrases = itertools.chain.from_iterable(self._beginnings.values())
-        return frozenset(word for phrase, _ in phrases for word in phrase.split(" "))
+        return frozenset(self._prepared.words.split())
 
     def phrases(self, class_name: str) -> list[str]:
         """Every phrase of a class, sorted."""
@@ -120,11 +132,11 @@ class Vocabulary:
         return self.refusal_of(reading.word_class, reading.meaning, word)
 
     def refusal_of(self, class_name: str, meaning: str, word: str) -> str | None:
-        """Why a phrase of a class is not acted on; None when the grammar uses the class."""
-        word_class = self.classes[class_name]
-        if word_class.refusal is None:
+        """Why a phrase of a class is not acted on; None when the grammar uses the class, or there is none."""
+        head = self._heads.get(class_name)
+        if head is None or head[1] is None:
             return None
-        return word_class.refusal.format(word=word, meaning=word_class.meanings.get(meaning, meaning))
+        return head[1].format(word=word, meaning=head[2].get(meaning, meaning))
 
 
 def load_vocabulary(user_files: Sequence[Path] = (), cache: Path | None = None) -> Vocabulary:
@@ -142,11 +154,12 @@ def load_vocabulary(user_files: Sequence[Path] = (), cache: Path | None = None) 
     digest = None if cache is None else _digest(own, user_files)
     if cache is None or digest is None:
         return Vocabulary(_read_classes(own, user_files))
-    tables = kept(cache, digest)
-    if tables is not None:
-        return Vocabulary([_restored(table) for table in tables])
+    found = kept(cache, digest)
+    if found is not None:
+        prepared, words = found
+        return Vocabulary.of_prepared(prepared, lambda: _restored(prepared.heads, words()))
     classes = _read_classes(own, user_files)
-    keep(cache, digest, [_stored(one) for one in classes])
+    keep(cache, digest, _prepared(classes), {one.name: one.words for one in classes})
     return Vocabulary(classes)
 
 
@@ -171,15 +184,30 @@ def _digest(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> str |
     return digest_of([*(text.encode() for _, text in own), *rules, b"given", *given, b"brought", *brought])
 
 
-def _stored(one: WordClass) -> Table:
-    words = {meaning: list(phrases) for meaning, phrases in one.words.items()}
-    return (one.name, words, one.refusal, dict(one.meanings), one.derived)
+def _prepared(classes: Sequence[WordClass]) -> Prepared:
+    heads = tuple((one.name, one.refusal, dict(one.meanings), one.derived) for one in classes)
+    beginnings: dict[str, list[str]] = {}
+    words: dict[str, None] = {}
+    for one in classes:
+        for meaning, phrases in one.words.items():
+            for phrase in phrases:
+                line = f"{phrase}\t{one.name}\t{meaning if meaning != phrase else ''}"
+                beginnings.setdefault(phrase.partition(" ")[0], []).append(line)
+                words.update(dict.fromkeys(phrase.split(" ")))
+    return Prepared(heads, {first: "\n".join(lines) for first, lines in beginnings.items()}, " ".join(words))
 
 
-def _restored(table: Table) -> WordClass:
-    name, words, refusal, meanings, derived = table
-    phrases = {meaning: tuple(each) for meaning, each in words.items()}
-    return WordClass(name, phrases, refusal, meanings, derived=derived)
+def _restored(heads: Sequence[Head], words: Mapping[str, Mapping[str, Sequence[str]]]) -> list[WordClass]:
+    return [
+        WordClass(
+            name,
+            {meaning: tuple(phrases) for meaning, phrases in words[name].items()},
+            refusal,
+            meanings,
+            derived=derived,
+        )
+        for name, refusal, meanings, derived in heads
+    ]
 
 
 def _read_classes(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> list[WordClass]:
@@ -250,7 +278,8 @@ def _listed(table: Mapping[str, Any], source: str, name: str) -> dict[str, list[
         )
     result = {meaning: list(phrases) for meaning, phrases in words.items()}
     for phrase in same:
-        result.setdefault(phrase, []).append(phrase)
+        for one in expand(phrase) if "(" in phrase or "[" in phrase else (phrase,):
+            result.setdefault(one, []).append(one)
     return result
 
 
@@ -281,4 +310,5 @@ def _classes(name: str, table: Mapping[str, Any], irregular: Mapping[str, str]) 
 
 
 def _meaning(meaning: str, table: Mapping[str, Any]) -> str:
+    meaning = " ".join(meaning.split())
     return meaning.title() if table.get("proper") else meaning

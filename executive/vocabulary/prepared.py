@@ -11,7 +11,8 @@ import contextlib
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,28 @@ _NAME = "vocabulary-{digest}.json"
 _KEPT = 4
 """Files that are kept: a person may use several lists of words of their own in turn."""
 
-Table = tuple[str, dict[str, list[str]], str | None, dict[str, str], bool]
-"""A word class: name, phrases by meaning, refusal, readings of the refusal's meanings, whether derived."""
+Head = tuple[str, str | None, dict[str, str], bool]
+"""A word class without its phrases: name, refusal, readings of the refusal's meanings, whether derived."""
+
+Words = Mapping[str, Mapping[str, Sequence[str]]]
+"""Phrases by word class and meaning."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prepared:
+    """What a process needs that parses a sentence.
+
+    Attributes:
+        heads: The word classes, without their phrases.
+        beginnings: For each first word of a phrase the phrases that begin with it, one a line: phrase, word
+            class and meaning, with tabs between; no meaning where it is the phrase itself. The lines are
+            cut up when the word is met.
+        words: Every word of any phrase, with spaces between.
+    """
+
+    heads: Sequence[Head]
+    beginnings: Mapping[str, str]
+    words: str
 
 
 def digest_of(sources: Iterable[bytes]) -> str:
@@ -32,26 +53,29 @@ def digest_of(sources: Iterable[bytes]) -> str:
     return digest.hexdigest()[:24]
 
 
-def kept(cache: Path, digest: str) -> list[Table] | None:
-    """The classes that were kept under a digest, or None."""
+def kept(cache: Path, digest: str) -> tuple[Prepared, Callable[[], Words]] | None:
+    """What was kept under a digest, with the phrases by class, which few need; or None."""
     try:
-        rows: Any = json.loads((cache / _NAME.format(digest=digest)).read_text("utf-8"))
-        return [
-            (str(name), dict(words), refusal, dict(meanings), bool(derived))
-            for name, words, refusal, meanings, derived in rows
+        first, words, phrases = (cache / _NAME.format(digest=digest)).read_text("utf-8").split("\n")
+        rows: Any = json.loads(first)
+        heads = [
+            (str(name), refusal, dict(meanings), bool(derived))
+            for name, refusal, meanings, derived in rows["heads"]
         ]
-    except (OSError, ValueError, TypeError):
+        return Prepared(heads, dict(rows["beginnings"]), words), lambda: json.loads(phrases)
+    except (OSError, ValueError, TypeError, KeyError):
         return None
 
 
-def keep(cache: Path, digest: str, tables: Sequence[Table]) -> None:
+def keep(cache: Path, digest: str, prepared: Prepared, phrases: Words) -> None:
     """Write the file whole or not at all; a folder that cannot be written is no reason to fail."""
     file = cache / _NAME.format(digest=digest)
     partial = file.with_suffix(f".{os.getpid()}.tmp")
+    first = json.dumps({"heads": list(prepared.heads), "beginnings": dict(prepared.beginnings)})
     with contextlib.suppress(OSError):
         cache.mkdir(parents=True, exist_ok=True)
         others = sorted(cache.glob(_NAME.format(digest="*")), key=lambda one: one.stat().st_mtime)
         for old in others[: -_KEPT + 1]:
             old.unlink()
-        partial.write_text(json.dumps(tables), "utf-8")
+        partial.write_text("\n".join((first, prepared.words, json.dumps(phrases))), "utf-8")
         partial.replace(file)
