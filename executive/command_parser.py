@@ -13,6 +13,7 @@ from executive.config import cache_directory, config_files
 from executive.language.chart import Chart, TooTangledError
 from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
+from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
 from executive.language.phrases import Nominal, Trouble
 from executive.language.references import Resolver, UnresolvedError
@@ -255,6 +256,9 @@ def _outcomes(
                 troubles[unresolved.trouble] = None
                 asked += [meaning.unseparated] if unresolved.trouble.asks else []
                 continue
+            harm = harm_in(commands)
+            if harm is not None:
+                return [harm]  # no other reading is worth the risk
             spoken = sum(len(one.words) for one in commands if isinstance(one, SayTask))
             rank = (meaning.unseparated, spoken, len(commands))  # the last among those that are the same
             key = repr([command_json(one) for one in commands])

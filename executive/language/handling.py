@@ -46,23 +46,6 @@ from executive.language.phrases import (
 )
 from executive.language.placing import put_draft
 
-_SHARP = frozenset(
-    {
-        "knife",
-        "scissors",
-        "screwdriver",
-        "drill",
-        "lighter",
-        "matches",
-        "axe",
-        "razor",
-        "needle",
-        "bread knife",
-        "steak knife",
-    }
-)
-_CHILDREN = frozenset({"child", "baby", "boy", "girl"})
-
 
 def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
     nominal = thing(one, doing)
@@ -149,7 +132,7 @@ def _fetch(parts: Parts) -> Clause:
             only_for(one, person)
         has_clear_place(one)
         taken = _pick_bundle(one)
-        bundles.append((taken,) if person is None else _handed(one, taken, person))
+        bundles.append((taken,) if person is None else _handed(taken, person))
     return clause(parts, bundles)
 
 
@@ -165,8 +148,7 @@ def _recipient(nominal: Nominal) -> Nominal:
     return nominal
 
 
-def _handed(one: Arranged, taken: Any, person: Nominal) -> Bundle:
-    _safe_for(one.object, person)
+def _handed(taken: Any, person: Nominal) -> Bundle:
     return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
 
 
@@ -181,10 +163,10 @@ def _transport(one: Arranged) -> Bundle:
         where = f"{relation.kind.replace('_', ' ')} {relation.to.kind}"
         raise trouble(f"is it {where}, or shall it go there?", asks=True)
     if goal is None:
-        return _handed(one, taken, one.person or ASKER)
+        return _handed(taken, one.person or ASKER)
     only_for(one, goal.of)
     if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
-        return _handed(one, taken, goal.of)
+        return _handed(taken, goal.of)
     if goal.of.reference == "there":
         return (taken, draft("place", object=PREVIOUS, there=goal))
     return (taken, put_draft(PREVIOUS, goal, None, None))
@@ -243,7 +225,7 @@ def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
 def _bring_pairs(parts: Parts) -> Clause:
     return clause(
         parts,
-        [_handed(one, _pick_bundle(one, fetched=True), person) for person, one in _pairs(parts)],
+        [_handed(_pick_bundle(one, fetched=True), person) for person, one in _pairs(parts)],
     )
 
 
@@ -301,15 +283,9 @@ def _give(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
-def _safe_for(nominal: Nominal, person: Nominal) -> None:
-    if nominal.kind in _SHARP and person.kind in _CHILDREN:
-        raise trouble(f"a {nominal.kind} is not handed to a {person.kind}", nominal.kind)
-
-
 def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
     nominal = thing(one, "handing over")
     has_clear_place(one)
-    _safe_for(nominal, person)
     return (
         draft(
             "hand_over",
