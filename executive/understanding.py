@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from executive.command_parser import parse
+from executive.language.hazards import harm_in
 from executive.meaning import Command, Parsed, Question, Refusal
 from executive.references import references, with_references
 from executive.task_result import Provenance
@@ -120,6 +121,9 @@ def _parts(text: str, steps: Sequence[ModelStep]) -> list[_Part] | Parsed:
         if wrong:
             message = f"step {part.provenance.step + 1}: ref {wrong[0]} is no earlier task"
             return Parsed(text, refusal=Refusal(message, str(wrong[0])))
+    harm = harm_in([part.command for part in parts])
+    if harm is not None:  # of all steps together: one alone does not know what "it" is
+        return Parsed(text, refusal=Refusal(harm.message, harm.word))
     return parts
 
 

@@ -126,3 +126,30 @@ def test_a_known_word_of_another_form_is_a_task_like_the_sentence():
 
     assert isinstance(sent.parsed.commands[0], PickTask)
     assert sent.parsed.commands[0].object == said.parsed.commands[0].object
+
+
+@pytest.mark.requirement("F1")
+@pytest.mark.parametrize(
+    "steps",
+    [
+        '[{"action": "put_in", "object": {"kind": "fork"}, "to": {"kind": "toaster"}, "confidence": 1.0}]',
+        '[{"action": "pick", "object": {"kind": "knife"}, "confidence": 1.0},'
+        ' {"action": "hand_over", "object": {"ref": 0}, "to": {"kind": "baby"}, "confidence": 1.0}]',
+        '[{"action": "pick", "object": {"kind": "knife"}, "confidence": 1.0},'
+        ' {"command": "wave to Ana", "confidence": 1.0},'
+        ' {"action": "hand_over", "object": {"ref": 0}, "to": "baby", "confidence": 1.0}]',
+    ],
+)
+def test_steps_of_a_model_that_could_harm_are_refused_like_sentences(steps):
+    parsed = understand(steps).parsed
+
+    assert not parsed.commands
+    assert parsed.refusal is not None
+    assert "could harm" in parsed.refusal.message
+    assert parsed.refusal.word in ("fork", "knife")
+
+
+def test_steps_of_a_model_with_the_same_things_elsewhere_are_taken():
+    step = '[{"action": "put_in", "object": {"kind": "fork"}, "to": "drawer", "confidence": 1.0}]'
+
+    assert len(understand(step).parsed.commands) == 1
