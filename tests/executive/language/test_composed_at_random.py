@@ -236,6 +236,7 @@ PLAIN = (
         "robot, {a}",
         "would you be so kind as to {a}?",
         "okay, {a}",
+        "{a} again",
     ),
     *("I want you to {a}", "{a} now", "can you please {a}", "hey robot, {a}", "you should {a}", "just {a}"),
 )
