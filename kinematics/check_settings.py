@@ -38,9 +38,9 @@ class CheckSettings:
     """
 
     position_rad: float = 1e-6
-    velocity_fraction: float = 1e-4
-    acceleration_fraction: float = 1e-4
-    jerk_fraction: float = 1e-4
+    velocity_fraction: float = 1e-6
+    acceleration_fraction: float = 1e-6
+    jerk_fraction: float = 1e-6
     jerk_window_s: float = 0.02
     discontinuity_factor: float = 4.0
     stance_m: float = 1e-3

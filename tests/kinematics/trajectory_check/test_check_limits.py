@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicHermiteSpline
 
 from kinematics.errors import InvalidMotionError
 from kinematics.scene import PlanningScene
@@ -41,6 +42,38 @@ def test_one_percent_over_a_limit_is_refused_and_just_under_it_is_not(motions, c
     with generous:
         assert findings_of(judge(checker, motion)) == set()
         assert findings_of(judge(checker, fast)) == {(kind, HEAD)}
+
+
+@pytest.mark.requirement("S1", "S6")
+@pytest.mark.parametrize(
+    "kind", [FindingKind.VELOCITY_LIMIT, FindingKind.ACCELERATION_LIMIT, FindingKind.JERK_LIMIT]
+)
+def test_a_limit_that_is_passed_by_little_more_than_rounding_is_passed(motions, checker, kind, findings_of):
+    j = motions.model.joint_index(HEAD)
+    motion = with_use(motions, kind, 0.9)
+    generous = replace_limits(motions.model, kind)
+    with generous:
+        limits, peak = generous.arrays[kind], peak_of(motion, j, kind)
+        limits[j] = peak
+        assert findings_of(judge(checker, motion)) == set()
+        limits[j] = peak / (1.0 + 1e-5)
+        assert findings_of(judge(checker, motion)) == {(kind, HEAD)}
+
+
+def peak_of(motion, j, kind):
+    """Largest speed, acceleration or jerk of one joint's cubic pieces, jerk also from piece to piece."""
+    t = motion.t_s
+    spline = CubicHermiteSpline(t, motion.q[:, 7 + j], motion.v[:, 6 + j])
+    if kind is FindingKind.VELOCITY_LIMIT:
+        return np.abs(spline(np.concatenate([t, spline.derivative(2).roots(extrapolate=False)]), 1)).max()
+    third = spline.derivative(3)(0.5 * (t[1:] + t[:-1]))
+    early = spline(t[:-1], 2)
+    late = early + third * np.diff(t)
+    if kind is FindingKind.ACCELERATION_LIMIT:
+        return np.abs([early, late]).max()
+    spread = np.diff(0.5 * (early + late)) / np.diff(t)[:-1]
+    step = (early[1:] - late[:-1]) / np.diff(t)[:-1]
+    return max(np.abs(part).max() for part in (third, spread, step))
 
 
 class replace_limits:  # noqa: N801 - reads as a statement
