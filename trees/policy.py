@@ -99,6 +99,8 @@ class TreePolicy:
         shifted_m: What is seen so far from where the hand should have it has shifted in the hand; a bias
             of 5 mm that turns with the hand looks like 7 mm.
         placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
+        shelved_tolerance_m: The same on a board behind a door, where being in there was asked for and not a
+            spot: as much as such a spot keeps from the board's edges.
         offer_rest_s: An offering hand is felt at rest for so long first.
         pull_n: A change of the force on an offering hand that is a pull; a touch of 2 N is none.
         pull_s: It has to last so long.
@@ -188,6 +190,7 @@ class TreePolicy:
     undisturbed_m: float = 0.010
     shifted_m: float = 0.008
     placed_tolerance_m: float = 0.02
+    shelved_tolerance_m: float = 0.03
     offer_rest_s: float = 0.5
     pull_n: float = 3.0
     pull_s: float = 0.15

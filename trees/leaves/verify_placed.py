@@ -17,22 +17,31 @@ from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports
 from trees.steps import Placement
+from trees.toolbox import Toolbox
 
 # A perceived lean below this is noise.
 _UPRIGHT_RAD = math.radians(15.0)
 
 
 class VerifyPlaced(LookAround):
-    """The object is seen near its placement, and stands."""
+    """The object is seen near its placement, and stands.
+
+    Attributes:
+        tolerance_m: How near; the policy's for placing by default.
+    """
 
     INPUT_PORTS = ports(stood=dict, held=HeldObject, placement=Placement)
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the hand is clear of the object, the head at rest",
-        postcondition="the object was seen within the policy's tolerance of its placement, upright, and the "
+        postcondition="the object was seen within the tolerance of its placement, upright, and the "
         "hand holds nothing; nothing else was moved",
         deadline_s=2.0,
     )
+
+    def __init__(self, name: str, toolbox: Toolbox, tolerance_m: float | None = None) -> None:
+        super().__init__(name, toolbox)
+        self.tolerance_m = toolbox.policy.placed_tolerance_m if tolerance_m is None else tolerance_m
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Compare what was seen with what was meant."""
@@ -50,7 +59,7 @@ class VerifyPlaced(LookAround):
         off_m = float(np.linalg.norm(nearest.odom_T_object[:3, 3] - place))
         numbers = {"off_m": off_m, "tilt_rad": nearest.tilt_rad}
         self.measured(**numbers)
-        if off_m > self.toolbox.policy.placed_tolerance_m:
+        if off_m > self.tolerance_m:
             return Failure.postcondition(f"the {held.name} is not where it was put", None, **numbers)
         if nearest.lying or nearest.tilt_rad > _UPRIGHT_RAD:
             return Failure.postcondition(f"the {held.name} has fallen over", None, **numbers)

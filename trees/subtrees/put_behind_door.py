@@ -28,6 +28,7 @@ from trees.toolbox import Toolbox
 
 def put_behind_door(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    policy = toolbox.policy
     carry: list[Behaviour] = [
         _have_it(toolbox),
         NotShut("is it open after all", toolbox),
@@ -40,9 +41,8 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox),
+        VerifyPlaced("verify placed", toolbox, policy.shelved_tolerance_m),
     ]
-    policy = toolbox.policy
     return tidily("put in", children, toolbox, policy.task_timeout_s + policy.walk_timeout_s)
 
 
