@@ -99,6 +99,8 @@ class Antecedents(Discourse):
         named = [place for place in places if place not in [entity.of for entity in recent]]
         if len(recent) == 1 and not named:
             return ObjectOf(recent[0].task)
+        if not recent and not places:  # "walk in front of the fridge and open it"
+            places = list(dict.fromkeys(one for one in self._beside_places if one.sort in _OPENED))
         if not recent and len(places) == 1:
             return places[0]
         raise ask("what does 'it' stand for?")

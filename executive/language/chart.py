@@ -20,6 +20,9 @@ MAX_STEPS = 2_500
 _REFUSED_COMMANDS = frozenset({"NO_SKILL", "HARM", "THROW", "NEGATION", "ASK", "LIMITLESS", "REVOKE"})
 """Word classes that begin a command which is refused: "say hi and jump"."""
 
+_TOLD = frozenset({"command", "by_then"})
+"""Rules whose words are those of a task."""
+
 Spans = dict[int, dict[Any, None]]
 
 
@@ -74,7 +77,7 @@ class Chart:
             for end, value in self._matches(rule, start):
                 if rule.closes and not self._lattice.ends[end]:
                     continue
-                if name == "command" and isinstance(value, Clause):
+                if name in _TOLD and isinstance(value, Clause):
                     value = replace(value, text=self._lattice.text(start, end))
                 spans.setdefault(end, {})[value] = None
         else:

@@ -211,6 +211,8 @@ class Destinations(Antecedents):
         resolved = self._place(value, -1)
         if isinstance(value, Nominal):
             self._walks.append(value)
+        elif value.to.is_place and not value.to.reference:
+            self._beside_places.append(value.to)
         return resolved
 
     def _person(self, value: Nominal) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from executive.language.phrases import Mention, Nominal, Trouble
+from executive.language.phrases import Draft, Mention, Nominal, Trouble
 from executive.meaning import Command
 
 _NAMED = ("thing", "furniture", "container")
@@ -46,6 +46,7 @@ class Discourse:
 
     def __init__(self) -> None:
         self._commands: list[Command] = []
+        self._did: list[tuple[Draft, int]] = []
         self._entities: list[Entity] = []
         self._places: list[Nominal] = []
         self._beside_places: list[Nominal] = []

@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
+from typing import Any
 
 from executive.language.arranging import ME, TroubleError, arranged, clause, guarded, trouble, unfit
 from executive.language.lists import has_company, said_again, spoken
@@ -103,6 +104,13 @@ def _toward(parts: Parts) -> Nominal | _By:
     if links and _INSIDE & set(links[0].said.split()) and goal.sort not in ("room", "any"):
         raise trouble(f"walking {links[0].said} {spoken(goal)} is no skill of this robot", links[0].said)
     return _By(goal) if by else goal
+
+
+def goal_of(reached: Any) -> Nominal | Relative:
+    """Where a ``toward`` or an item leads; who "is by" a place does not pass it."""
+    if isinstance(reached, _By):
+        return reached.of
+    return target(reached) if isinstance(reached, Item) else reached
 
 
 def _toward_relation(parts: Parts) -> Relative:

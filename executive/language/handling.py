@@ -69,6 +69,9 @@ _TAKES = frozenset({"take", "taking"})
 _CHOOSES = frozenset({"pick", "picking"})
 """Verbs that with "out" mean to choose."""
 
+_EXTRACTS = frozenset({"extract", "extracting", "extracted"})
+"""Verbs that mean to take out, of what was opened."""
+
 _FETCHES = frozenset({"grab", "go grab", "grabbing"})
 """Verbs that are "to fetch" as well, where it is said for whom."""
 
@@ -87,7 +90,7 @@ def _pick(parts: Parts) -> Clause:
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     bundles = [(_lifted(one),) for one in each]
     verbs = [word.said.split() for word in words(parts, "PICK", "OUT")]
-    if any("out" in said and said[0] not in _CHOOSES for said in verbs):
+    if any(said[0] in _EXTRACTS or ("out" in said and said[0] not in _CHOOSES) for said in verbs):
         bundles = [(one.with_slot("out", True),) if one.action == "pick" else (one,) for (one,) in bundles]
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]

@@ -8,7 +8,7 @@ from typing import Any
 
 from executive.language.antecedents import PUTS_DOWN
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
-from executive.language.doubts import Doubts
+from executive.language.done_already import DoneAlready
 from executive.language.handled_thing import PREVIOUS
 from executive.language.phrases import SEATS, Bundle, Clause, Draft, Nominal, Relative, Trouble
 from executive.language.stated_things import StatedThings
@@ -38,7 +38,7 @@ _TYPES: dict[str, Any] = {
     "go_home": tasks.GoHomeTask,
     "stop": StopCommand,
 }
-_ASIDE = frozenset({"there_are", "again", "stays", "holds", "out"})
+_ASIDE = frozenset({"there_are", "again", "stays", "holds", "out", "done", "condition", "late"})
 """Slots of a draft that are no slots of a task: how it was said."""
 
 
@@ -64,7 +64,7 @@ def _is_only_lifted(one: Draft) -> bool:
     return all(one.get(slot) is None for slot in ("hand", "source", "holds"))
 
 
-class Resolver(StatedThings, Doubts):
+class Resolver(StatedThings, DoneAlready):
     """Turns clauses into commands, remembering what was named.
 
     Args:
@@ -164,6 +164,8 @@ class Resolver(StatedThings, Doubts):
 
     def _task(self, one: Draft, text: str) -> ObjectOf:
         """Make a command of a draft, unless it is done already; returns what it is done to."""
+        if one.get("done") and (before := self._ordered_before(one)) is not None:
+            return before
         named, resolved = self._object_of(one)
         root = resolved.task if isinstance(resolved, ObjectOf) else len(self._commands)
         if one.action == "pick" and root in self._held and named is None and _is_only_lifted(one):
@@ -183,11 +185,13 @@ class Resolver(StatedThings, Doubts):
             raise UnresolvedError(Trouble(told, slots["object"]))
         if self._is_done_already(action, slots):
             return ObjectOf(root)  # "come, stand next to me"
+        self._doubt_done(one)
         self._note_object(named, resolved)
         if action == "walk_to":
             self._note_walk(one.get("to"))
         self._commands.append(_TYPES[action](text, **slots))
         self._note_hand(action, root)
+        self._did.append((one, root))
         return ObjectOf(root)
 
     def _take_back(self, root: int) -> None:
@@ -315,12 +319,3 @@ class Resolver(StatedThings, Doubts):
             self._held.remove(root)
         if action == "hand_over":
             self._given.add(root)
-
-    def _is_done_already(self, action: str, slots: Mapping[str, Any]) -> bool:
-        """Whether the task before walks to the same place, or opens or closes the same."""
-        last = self._commands[-1] if self._commands else None
-        if action == "walk_to":
-            return isinstance(last, tasks.WalkToTask) and last.to == slots["to"]
-        if isinstance(last, (tasks.OpenTask, tasks.CloseTask)) and last.action == action:
-            return bool(last.object == slots["object"])
-        return False

@@ -72,7 +72,8 @@ class Explainer:
         unknown = lattice.unknown()
         if unknown is not None:
             refusal, corrected = self._unknown(lattice, unknown)
-            if corrected or unknown <= position or self._refused(lattice, chart) is None:
+            known = unknown <= position and not _is_conditional(lattice, unknown)
+            if corrected or known or self._refused(lattice, chart) is None:
                 return refusal
         verbless = lattice.pieces and not chart.has_beginning_of("command")
         if verbless and self._refused(lattice, chart) is None:
@@ -181,6 +182,12 @@ class Explainer:
         return max(
             EXAMPLES, key=lambda item: len(words & set(item.lower().split())) / (3 + len(item.split()))
         )
+
+
+def _is_conditional(lattice: Lattice, position: int) -> bool:
+    """Whether a condition stands before a place, which is the better reason to refuse: "when Ana comes"."""
+    before = (word for start in range(position) for word in lattice.phrase(start))
+    return any(word.word_class == "CONDITION" for word in before)
 
 
 def _without_one(word: str) -> set[str]:

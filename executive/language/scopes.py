@@ -34,14 +34,14 @@ class Group:
         first: What is done first.
         second: What is done after it.
         scope: Which clause the conjunction stands before as they are said ("first" or "last"), and which of
-            them it is that follows in time: ``after_first`` is "after A, B".
+            them it is that follows in time: ``after_first`` is "after A, B", ``by_then`` "B once A is done".
         doing: Whether the clause after the conjunction is an -ing form, which no other clause can join.
         breaks: Whether a full stop stands before the conjunction: "B. But first, A".
     """
 
     first: tuple[Clause, ...]
     second: tuple[Clause, ...]
-    scope: Literal["after_first", "after_last", "before_first", "before_last", "but_first"]
+    scope: Literal["after_first", "after_last", "before_first", "before_last", "but_first", "by_then"]
     doing: bool = False
     breaks: bool = False
 
@@ -124,6 +124,8 @@ def _is_listed(parts: Sequence[Further]) -> bool:
 
 def _is_clear(group: Group, separator: Separator, follows: Separator, goes_before: bool) -> bool:
     """Whether the order is the same however far the conjunction reaches."""
+    if group.scope == "by_then":
+        return follows not in (Separator.NOTHING, Separator.AND, Separator.COMMA)
     if group.scope in ("after_last", "before_last", "but_first") and follows is Separator.NOTHING:
         return False  # "A after B C": is it "after B, C"?
     if group.scope == "but_first":

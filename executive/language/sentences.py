@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from executive.language import (
     amounts,
+    arrivals,
     attention,
     features,
     going,
@@ -21,6 +22,7 @@ from executive.language import (
     speech,
     statements,
 )
+from executive.language.arrivals import as_done
 from executive.language.fronted import fronted
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
@@ -156,7 +158,7 @@ def _clauses(parts: Parts) -> list[Clause]:
 
 def _done_before(parts: Parts) -> Clause | None:
     (clause,) = _clauses(parts)
-    return replace(clause, form="base") if clause.form == "ed" else None
+    return as_done(clause) if clause.form == "ed" else None
 
 
 def _ordered(scope: Literal["after_first", "after_last", "before_first", "before_last"]) -> Meaning:
@@ -293,6 +295,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **attention.MEANINGS,
         **speech.MEANINGS,
         **statements.MEANINGS,
+        **arrivals.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
         "step_number": _step_number,

@@ -1,0 +1,104 @@
+"""Whether a task that a sentence speaks of as done was ordered before: "... once you have put it down"."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from executive.language.discourse import UnresolvedError
+from executive.language.doubts import Doubts
+from executive.language.genders import may_be
+from executive.language.phrases import Draft, Nominal, Trouble
+from executive.language.scopes import UNCLEAR_ORDER
+from trees import tasks
+from trees.tasks import ObjectOf
+
+_SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive")
+"""Slots that say how a task was ordered, not what it is."""
+
+
+def _slots_of(one: Draft) -> dict[str, Any]:
+    """What a draft says, however the article was left out."""
+    return {
+        name: replace(value, determined=True) if isinstance(value, Nominal) else value
+        for name, value in one.slots
+        if name not in _SAID
+    }
+
+
+class DoneAlready(Doubts):
+    """Knows which tasks were ordered so far, so that none is done twice because it is spoken of again."""
+
+    def _ordered_before(self, one: Draft) -> ObjectOf | None:
+        """The thing of the task before that is spoken of as done, or None when it was not ordered."""
+        last = self._commands[-1] if self._commands else None
+        goal = one.get("to")
+        if one.action == "walk_to" and isinstance(goal, Nominal) and goal.reference == "there":
+            return ObjectOf(len(self._commands) - 1) if isinstance(last, tasks.WalkToTask) else None
+        if one.get("passive"):  # "once found"
+            if not self._did or self._did[-1][0].action != one.action:
+                self._doubt_done(one)
+            return ObjectOf(self._did[-1][1])
+        meant = self._spoken_of(one)
+        said = _slots_of(one)
+        for before, root in reversed(self._did):
+            if one.action == "pick" and meant == root and root in self._held and "source" not in said:
+                return ObjectOf(root)  # "get the cup; once you have picked it up, ..."
+            if before.action != one.action:
+                continue
+            rest = {name: value for name, value in said.items() if name not in ("object", "person")}
+            ordered = _slots_of(before)
+            if any(ordered.get(name) != value for name, value in rest.items()):
+                continue
+            if self._is_about(said, ordered, root, meant):
+                return ObjectOf(root)
+        return None
+
+    def _spoken_of(self, one: Draft) -> int | None:
+        """The task of the thing that "it" stands for, or that is held and described in the same words."""
+        thing = one.get("object")
+        if isinstance(thing, ObjectOf):
+            return thing.task
+        if not isinstance(thing, Nominal):
+            return None
+        if thing.reference == "it" and self._did:
+            meant = self._it(thing, one.action)
+            return meant.task if isinstance(meant, ObjectOf) else None
+        held = None if thing.reference else self._held_as(thing, one.get("source"))
+        return None if held is None else held.task
+
+    def _is_about(
+        self, said: Mapping[str, Any], ordered: Mapping[str, Any], root: int, meant: int | None
+    ) -> bool:
+        """Whether a task was ordered of the very thing or person."""
+        person = said.get("person")
+        if isinstance(person, Nominal) and (person.reference == "him" or person.reference == "them"):
+            known = ordered.get("person")
+            return isinstance(known, Nominal) and may_be(person.said, known)
+        if person != ordered.get("person"):
+            return False
+        return meant == root or said.get("object") == ordered.get("object")
+
+    def _doubt_done(self, one: Draft) -> None:
+        """Refuse what is done only if somebody else does it, and ask when that would have to be.
+
+        Raises:
+            UnresolvedError: It was not ordered before.
+        """
+        word, goal = one.get("condition"), one.get("to")
+        on_the_way = bool(self._commands) and isinstance(goal, Nominal) and not goal.reference
+        if word is not None and not on_the_way:
+            told = f"a condition ({word!r}) cannot be honoured; say what to do"
+            raise UnresolvedError(Trouble(told, word))
+        if one.get("late") and self._commands:
+            raise UnresolvedError(UNCLEAR_ORDER)
+
+    def _is_done_already(self, action: str, slots: Mapping[str, Any]) -> bool:
+        """Whether the task before walks to the same place, or opens or closes the same."""
+        last = self._commands[-1] if self._commands else None
+        if action == "walk_to":
+            return isinstance(last, tasks.WalkToTask) and last.to == slots["to"]
+        if isinstance(last, (tasks.OpenTask, tasks.CloseTask)) and last.action == action:
+            return bool(last.object == slots["object"])
+        return False
