@@ -31,6 +31,7 @@ from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
 from kinematics import poses
 from kinematics.poses import Transform
+from trees.away_from_start import is_away
 from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
 from trees.failures import Failure, FailureKind
@@ -124,6 +125,7 @@ class Errand:
             lambda wanted: is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m),
             frozenset(toolbox.places),
             self._stood_on,
+            is_away(self._base()),
         )
 
     def _stood_on(self, task: PlaceTask) -> str | None:

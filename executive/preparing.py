@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 
 from executive.at_hand import Nearness
 from executive.meaning import Command
+from trees.away_from_start import leads_away
 from trees.fridge_inside import is_behind_door
 from trees.handles import MEANT_BY
 from trees.tasks import (
@@ -24,6 +25,7 @@ from trees.tasks import (
     Destination,
     FindTask,
     HandOverTask,
+    MoveTask,
     ObjectDescription,
     ObjectOf,
     OpenTask,
@@ -78,6 +80,7 @@ class Known:
         is_near: Tells whether a walk is needless.
         stood_on: Tells of what is to be put back what it stood on, by its name in the planning scene.
         rooms: Names of the rooms on the map; where there are any, not all that is spoken of is at hand.
+        is_away: Whether the robot has left the place where it began: nor is all at hand then.
     """
 
     in_view: Callable[[PickTask], bool] = lambda _pick: False
@@ -86,6 +89,7 @@ class Known:
     is_near: Callable[[Nearness], bool] = lambda _nearness: False
     rooms: frozenset[str] = frozenset()
     stood_on: Callable[[PlaceTask], str | None] = lambda _task: None
+    is_away: bool = False
 
 
 NOTHING_KNOWN = Known()
@@ -99,7 +103,8 @@ def prepared(
     Nothing is added for a robot that stands where it stands. Without rooms everything is taken to be at hand:
     only what has a door, and is taken from or put into, makes it walk. From then on it has left the place
     where it was, and goes to whom or to where it is told to bring things. With rooms it does so from the
-    start. A door behind which something goes is opened first, with empty hands: what is held is put down.
+    start, and so it does after it was told to turn around or to go somewhere. A door behind which something
+    goes is opened first, with empty hands: what is held is put down.
 
     Args:
         commands: What was said, in order.
@@ -126,10 +131,14 @@ def spoken_by(command: Command, name: str) -> Command:
 
 def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
     opened: set[str] = set()
-    away = bool(known.rooms)
+    roams = away = bool(known.rooms) or known.is_away
     for index, command in enumerate(commands):
         if isinstance(command, OpenTask):
             opened.add(str(command.object))
+        if isinstance(command, MoveTask) and leads_away(command):
+            yield Prepared(command, index)
+            roams = away = True
+            continue
         if (room := _carried_to(index, commands, known)) is not None:
             yield room
             continue
@@ -152,19 +161,19 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
                 opened.add(door)
             away = away or door in opened
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
-        if known.rooms and inside is None and _behind_of(command, commands) is None:
+        if roams and inside is None and _behind_of(command, commands) is None:
             before += _fetching(index, commands, known)
         elif away and thing is not None and not held:
             inside_it = replace(thing, relation=thing.relation or Relation("on", inside)) if inside else thing
             reach = WalkToTask(f"come within reach of the {thing}", inside_it)
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
-        seen_from = _seen_from(command) if known.rooms and not walked else None
+        seen_from = _seen_from(command) if roams and not walked else None
         if seen_from is not None:
             beside = Nearness(_described(seen_from))
             before.append(Prepared(WalkToTask(f"walk to the {seen_from}", seen_from), unless_near=beside))
         there = _there(command, commands, known)
         if away and there is not None and not walked:
-            near = Nearness(_described(there)) if known.rooms and not _is_person(there) else None
+            near = Nearness(_described(there)) if roams and not _is_person(there) else None
             before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there), unless_near=near))
         yield from before
         yield Prepared(command, index)

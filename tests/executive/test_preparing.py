@@ -12,8 +12,10 @@ from executive.task_result import TaskResult, TaskTimes
 from trees.failures import Failure
 from trees.tasks import (
     WHERE_IT_WAS,
+    CountTask,
     FindTask,
     HandOverTask,
+    MoveTask,
     ObjectDescription,
     OpenTask,
     PickTask,
@@ -354,3 +356,21 @@ def test_what_is_put_back_is_carried_to_what_it_stood_on():
     assert [
         step.command for step in prepared([back], True, replace(in_hand, stood_on=lambda _task: None))
     ] == [back]
+
+
+@pytest.mark.requirement("M3")
+def test_after_a_turn_things_are_walked_to_without_rooms_too():
+    assert kinds("turn around; pick up the red cup") == [MoveTask, WalkToTask, PickTask]
+    assert kinds("turn around; how many cups are on the table?") == [MoveTask, WalkToTask, CountTask]
+    assert kinds("turn left by 10 degrees; pick up the red cup") == [MoveTask, PickTask]
+    assert kinds("pick up the red cup; turn around") == [PickTask, MoveTask]
+
+
+@pytest.mark.requirement("M3")
+def test_a_robot_that_has_left_the_place_where_it_began_walks_to_what_is_meant():
+    commands = parse("pick up the red cup").commands
+
+    steps = prepared(commands, True, Known(is_away=True))
+
+    assert [type(step.command) for step in steps] == [WalkToTask, PickTask]
+    assert steps[0].unless_near is not None

@@ -27,7 +27,7 @@ class VerifyPlaced(LookAround):
     """The object is seen near its placement, and stands.
 
     Attributes:
-        tolerance_m: How near; the policy's for placing by default.
+        tolerance_m: How near.
     """
 
     INPUT_PORTS = ports(stood=dict, held=HeldObject, placement=Placement)
@@ -39,9 +39,9 @@ class VerifyPlaced(LookAround):
         deadline_s=2.0,
     )
 
-    def __init__(self, name: str, toolbox: Toolbox, tolerance_m: float | None = None) -> None:
+    def __init__(self, name: str, toolbox: Toolbox, tolerance_m: float) -> None:
         super().__init__(name, toolbox)
-        self.tolerance_m = toolbox.policy.placed_tolerance_m if tolerance_m is None else tolerance_m
+        self.tolerance_m = tolerance_m
 
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Compare what was seen with what was meant."""

@@ -9,6 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
+from trees.away_from_start import is_away
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.leaves.choose_furniture import ChooseFurniture
@@ -28,16 +29,16 @@ _FURNITURE, _ROOMS, _FURNITURE_THERE, _OUTLOOKS = 3, 2, 2, 2
 and beside so many tall things that hide others."""
 _CHOOSING = (ChooseFurniture, ChooseRoom, ChooseOutlook)
 _NAMES = {"ahead": "go on", "around": "turn around", "back": "step back", "room": "make room"}
-_ALL_AROUND: tuple[Viewpoint, ...] = ("around", "back", "around", "around")
+_ALL_AROUND: tuple[Viewpoint, ...] = ("around", "room", "around", "around")
 
 
 def turned_around(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
-    """Ways to see it by turning once around, after a step back where there is no room to turn."""
+    """Ways to see it by turning once around, after a step where there is no room to turn."""
     return [viewpoint(toolbox, k, way, gazes) for k, way in enumerate(_ALL_AROUND, start=1)]
 
 
 def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternatives:
-    """Look from here, then turned around where the map has rooms; reads "task", writes "place"."""
+    """Look from here, then turned around where the robot roams; reads "task", writes "place"."""
     policy = toolbox.policy
     turned: list[Behaviour] = [
         *turned_around(toolbox, (*policy.level_gazes, *policy.search_gazes[:1])),
@@ -47,13 +48,19 @@ def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternat
         search_place("look around", toolbox, gazes),
         Alternatives("turned", turned, looking_elsewhere_is_useless, worth_going),
     ]
-    return Alternatives(name, ways, looking_elsewhere_is_useless, turning_among_rooms)
+    return Alternatives(name, ways, looking_elsewhere_is_useless, turning_where_it_roams)
 
 
-def turning_among_rooms(way: Behaviour, _failure: Failure | None) -> bool:
-    """Turns only where the robot walks among rooms: from there it gets back to a table that it was before."""
+def turning_where_it_roams(way: Behaviour, _failure: Failure | None) -> bool:
+    """Turns only among rooms, and away from where the robot began: it may face a table there."""
     turns = [leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint)]
-    return not turns or (turns[0].toolbox.can_walk and bool(turns[0].toolbox.places))
+    return not turns or (turns[0].toolbox.can_walk and _roams(turns[0].toolbox))
+
+
+def _roams(toolbox: Toolbox) -> bool:
+    model = toolbox.model
+    base = model.frame_pose(toolbox.sensing.state().q, model.description.base_link)
+    return bool(toolbox.places) or is_away(base)
 
 
 def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) -> Behaviour:
@@ -85,12 +92,12 @@ def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:
 
 
 def worth_going(way: Behaviour, failure: Failure | None) -> bool:
-    """A step back only after there was no room to turn; furniture and tall things while some are left."""
+    """Makes room only where there was none to turn; furniture and tall things while some are left."""
     choosing = [leaf for leaf in way.children if isinstance(leaf, _CHOOSING)]
     if choosing:
         return failure is None or failure.root.numbers.get("none_left") != choosing[0].OF
-    back = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "back" for leaf in way.children)
-    return not back or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
+    room = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "room" for leaf in way.children)
+    return not room or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
 
 
 def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:

@@ -57,7 +57,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         GoHome("clear the view", toolbox),
         look_over(toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox),
+        VerifyPlaced("verify placed", toolbox, toolbox.policy.placed_tolerance_m),
     ]
     return tidily("place", children, toolbox)
 

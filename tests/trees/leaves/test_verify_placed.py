@@ -18,7 +18,7 @@ def looking(knowing, target, planned):
     return knowing
 
 
-def verify(stage, target, off_m, tolerance_m=None):
+def verify(stage, target, off_m, tolerance_m):
     """Verify the cup against a placement that is beside it by so much."""
     meant = poses.translation(0.0, off_m, 0.0) @ target.odom_T_object
     leaf = VerifyPlaced("verify", stage.toolbox, tolerance_m)
@@ -33,7 +33,7 @@ def verify(stage, target, off_m, tolerance_m=None):
 
 @pytest.mark.parametrize(("off_m", "so"), [(0.0, True), (0.016, True), (0.024, False)])
 def test_what_is_seen_within_two_centimetres_of_its_spot_is_placed(looking, target, off_m, so):
-    leaf = verify(looking, target, off_m)
+    leaf = verify(looking, target, off_m, looking.toolbox.policy.placed_tolerance_m)
 
     assert (leaf.status is Status.SUCCESS) == so
     if so:
@@ -55,6 +55,6 @@ def test_what_is_not_seen_at_all_is_not_placed(looking, target):
     for _ in range(3):  # until a picture shows it
         looking.fake.step()
 
-    leaf = verify(looking, target, 0.0)
+    leaf = verify(looking, target, 0.0, looking.toolbox.policy.placed_tolerance_m)
 
     assert leaf.failure.message == "the red cup is not seen where it was put"
