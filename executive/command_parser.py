@@ -205,9 +205,13 @@ class CommandParser:
 
 
 def _asks_about_doing(lattice: Lattice) -> bool:
-    """Whether it is an -ing form with a question mark: "opening the fridge?"."""
+    """Whether a question mark ends "opening the fridge?" or "the milk goes in the fridge?"."""
     asks = lattice.plain.rstrip().endswith("?")
-    return asks and any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
+    if not asks:
+        return False
+    said = (word for start in range(len(lattice.pieces)) for word in lattice.phrase(start))
+    states = any(word.word_class == "SHALL_GO" and lattice.is_behind_a_thing(word.start) for word in said)
+    return states or any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
 
 
 def _praises(lattice: Lattice) -> bool:

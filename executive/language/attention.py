@@ -102,6 +102,15 @@ def _attend(action: str) -> Callable[[Parts], Clause]:
     return meaning
 
 
+def _show_where(parts: Parts) -> Clause:
+    """Show me where the cup is: which one of several is asked."""
+    each = [item.of for part in parts if isinstance(part, Items) for item in part.each]
+    several = next((one for one in each if one.plural and one.kind and not one.reference), None)
+    if several is not None:
+        raise trouble(f"which one of the {plural(several.kind or 'thing')}?", asks=True)
+    return _attend("point_at")(parts)
+
+
 def _is_aimed(items: Items) -> bool:
     """Whether a thing is to be turned towards another: "point the lamp at the table"."""
     details = (one for item in items.each for one in item.details)
@@ -163,6 +172,8 @@ def _asked(
 
 
 def _find(parts: Parts) -> Clause:
+    if words(parts, "WHERE") and any(word.said == "show me" for word in words(parts, "TELL_ME")):
+        raise unfit()  # which is to point at it
     bundles = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
     if any(_HERE & set(word.said.split()) for word in words(parts, "IS_THERE", "LEFT_OVER")):
         bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
@@ -298,6 +309,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "wave_hand": _wave_hand,
     "point": _attend("point_at"),
     "point_hand": _attend("point_at"),
+    "show_where": _show_where,
     "look": _attend("look_at"),
     "look_around": _look_around,
     "find": _asking(_find),

@@ -12,6 +12,9 @@ from executive.language.phrases import Draft, Nominal, Relative, Trouble
 from trees import tasks
 from trees.tasks import ObjectOf
 
+_TOLD = frozenset({"count", "find", "describe"})
+"""Tasks that end with something to tell."""
+
 
 def _is_beside_itself(thing: Nominal, one: Draft) -> bool:
     """Whether a thing goes to what is described in the very same words: "put the cup in the cup"."""
@@ -46,6 +49,8 @@ class Doubts(Destinations):
             self._doubt_putting(one, named, resolved, root)
         if one.get("there_are") and one.get("source") is None and (around := self._around(one)):
             raise ask("only there, or in all that is in view?", [f"the {around[-1].kind}"])
+        if one.get("tells") and not (self._commands and self._commands[-1].action in _TOLD):
+            raise ask("what shall be told?")
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
 

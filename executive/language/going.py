@@ -113,6 +113,12 @@ def goal_of(reached: Any) -> Nominal | Relative:
     return target(reached) if isinstance(reached, Item) else reached
 
 
+def _toward_inside(parts: Parts) -> Nominal:
+    """Into what one walks into, though it is no room: "go in the pantry"."""
+    (place,) = words(parts, "WALK_IN")
+    return Nominal("container", place.meaning, determined=True, said=place.said)
+
+
 def _toward_relation(parts: Parts) -> Relative:
     kind = relation_kind(words(parts, "RELATION")[0].meaning)
     if kind is None:
@@ -156,6 +162,11 @@ def _walk_item(parts: Parts) -> Clause:
 
 def _come(parts: Parts) -> Clause:
     return clause(parts, [(draft("walk_to", to=ME),)])
+
+
+def _come_to_tell(parts: Parts) -> Clause:
+    """To whoever asked, to tell what was counted or found, which the references know."""
+    return clause(parts, [(draft("walk_to", to=ME, tells=True),)])
 
 
 def _go_back(parts: Parts) -> Clause:
@@ -288,11 +299,13 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         name: guarded(meaning)
         for name, meaning in {
             "toward": _toward,
+            "toward_inside": _toward_inside,
             "toward_relation": _toward_relation,
             "walk": _walk,
             "approach": _walk_item,
             "walk_item": _walk_item,
             "come": _come,
+            "come_to_tell": _come_to_tell,
             "go_back": _go_back,
             "go_there": _go_there,
             "go_somewhere": _go_somewhere,

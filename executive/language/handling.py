@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -17,7 +16,6 @@ from executive.language.arranging import (
     trouble,
     unfit,
 )
-from executive.language.genders import may_be
 from executive.language.handled_thing import (
     ASKER,
     BIN,
@@ -36,11 +34,11 @@ from executive.language.phrases import (
     Bundle,
     Clause,
     Item,
+    Items,
     Meaning,
     Nominal,
     Pair,
     Relative,
-    Trouble,
     Where,
     draft,
 )
@@ -95,6 +93,17 @@ def _pick(parts: Parts) -> Clause:
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)
+
+
+def _clear(parts: Parts) -> Clause:
+    """A thing that is named and is in the way somewhere: "clear the bowl off the table"."""
+    said = [one for part in parts if isinstance(part, Items) for item in part.each for one in item.details]
+    from_there = any(isinstance(one, Where) and one.role == "from" for one in (*parts, *said))
+    if not from_there or any(one.object.sort != "thing" or not one.source for one in arranged(parts)):
+        verb = words(parts, "CLEAR")[0].said
+        told = f"housework ({verb!r}) is no skill of this robot yet; say what is taken from where"
+        raise trouble(told, verb)
+    return _pick(parts)
 
 
 def _goes_onto(goal: Where) -> bool:
@@ -232,38 +241,6 @@ def _bring_pairs(parts: Parts) -> Clause:
     )
 
 
-def _pair(parts: Parts) -> Pair | None:
-    person, item = (part for part in parts if not isinstance(part, Word))
-    if (
-        not isinstance(person, Nominal)
-        or not (person.is_person or person.reference == "them")
-        or item.of.is_person
-    ):
-        return None
-    return Pair(person, item)
-
-
-def _own_pair(parts: Parts) -> Pair | Trouble | None:
-    """A thing for whom it belongs to: "Ana her cup"."""
-    (owns,) = words(parts, "WHOSE")
-    made = _pair(tuple(part for part in parts if part is not owns))
-    if made is None:
-        return None
-    of = made.item.of
-    if of.determined or of.reference or of.anaphoric or of.kind is None or of.name is not None:
-        return None
-    known = made.person.sort in ("name", "person") and not made.person.reference
-    if not known or not may_be("him" if owns.meaning == "his" else owns.meaning, made.person):
-        return Trouble(f"{owns.said!r}: whose it is cannot be told", owns.said)
-    if of.kind in ("glass", "glasses"):
-        if not of.plural:
-            return None
-        of = replace(of, kind="glasses", plural=False, paired=True)  # those to see with
-    name = f"{made.person.said or made.person.kind}'s {of.kind}"
-    own = replace(of, name=name, determined=True, owner=made.person)
-    return Pair(made.person, replace(made.item, of=own))
-
-
 _PASSES = frozenset({"pass", "passing"})
 """Verbs that mean to whoever speaks, unless somebody else is named: "pass the salt"."""
 
@@ -323,6 +300,7 @@ def _want(parts: Parts) -> Clause:
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "pick": _pick,
+    "clear": _clear,
     "fetch": _fetch,
     "get_out": _get_out,
     "bring": _bring,
@@ -337,5 +315,5 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {"pair": _pair, "own_pair": _own_pair, **{name: guarded(meaning) for name, meaning in _COMMANDS.items()}}
+    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
 )

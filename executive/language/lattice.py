@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
+from executive.language.addresses import is_whole
+from executive.language.hesitations import says_nothing
 from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
 
@@ -18,7 +20,8 @@ AGAIN = "again"
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST"})
+_MANNERS = frozenset({(FILLER, MANNER), ("BRIEFLY", "hurry")})
+_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
 _PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
@@ -30,6 +33,7 @@ _COMPLETE = frozenset(
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
+_THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"})
 _PLACES = frozenset({"ON", "IN", "AT", "RELATION", "NEXT_TO"})
 _SUBJECTS = frozenset({*_NOUNS, "PERSON", "NAME"})
 _PREDICATES = frozenset({*_PLACES, "STATE", "DEGREE"})
@@ -99,7 +103,7 @@ class Lattice:
         self.ends = [False] * size + [True]
         self._text_ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
-        self._after_say = self._right_after("SAY", texts, vocabulary)
+        self._begins, self._ended = self._classes_at(texts, vocabulary)
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
 
@@ -115,14 +119,17 @@ class Lattice:
                         reached[start + length] = True
         return reached
 
-    def _right_after(self, word_class: str, texts: Sequence[str], vocabulary: Vocabulary) -> list[bool]:
-        """For each place, whether a phrase of a class ends there."""
-        after = [False] * (len(texts) + 1)
+    def _classes_at(
+        self, texts: Sequence[str], vocabulary: Vocabulary
+    ) -> tuple[list[set[str]], list[set[str]]]:
+        """For each place, of which classes a phrase begins there, and of which one ends there."""
+        begins: list[set[str]] = [set() for _ in range(len(texts) + 1)]
+        ends: list[set[str]] = [set() for _ in range(len(texts) + 1)]
         for start in range(len(texts)):
             for length, reading in vocabulary.matches(texts, start):
-                if reading.word_class == word_class:
-                    after[start + length] = True
-        return after
+                begins[start].add(reading.word_class)
+                ends[start + length].add(reading.word_class)
+        return begins, ends
 
     def _is_passed_over(self, word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
         """Whether a word says nothing where it stands.
@@ -131,9 +138,9 @@ class Lattice:
         is addressed stands beside a mark or at the beginning, else it is a thing such as a toy robot.
         """
         if word.word_class == "ADDRESSED":
-            return self._nothing_said[word.start] or self.pieces[word.start - 1].is_mark
+            return self._is_address(word)
         if word.word_class == FILLER:
-            return not self._after_say[word.start] and not (
+            return "SAY" not in self._ended[word.start] and not (
                 word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
             )
         if word.word_class in _AT_FIRST:
@@ -147,10 +154,17 @@ class Lattice:
             return True
         if self._says_how_much(word.end, texts, vocabulary) and texts[before] in ("left", "right"):
             return True  # "turn left uh ninety degrees"
-        return not self.pieces[before].is_number and not any(
+        complete = self.pieces[before].is_number or any(
             length == 1 and reading.word_class in _COMPLETE
             for length, reading in vocabulary.matches(texts, before)
         )
+        return not complete or says_nothing(word.start, word.end, self.pieces, self._begins, self._ended)
+
+    def _is_address(self, word: Word) -> bool:
+        """Whether the robot is addressed: at first, beside a mark, or at the end behind what is whole."""
+        if self._nothing_said[word.start] or self.pieces[word.start - 1].is_mark:
+            return True
+        return self.ends[word.end] and is_whole(self._ended[word.start], word.meaning)
 
     def _says_how_much(self, position: int, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
         """Whether a number stands at a place; "one" may stand for a thing."""
@@ -207,15 +221,16 @@ class Lattice:
         self.ends[start] = piece.is_mark and self.ends[start + 1]
         self._text_ends[start] = piece.is_mark and self._text_ends[start + 1]
         passed = {word.end for word in fillers}
-        silent = {word.end for word in fillers if word.meaning != AGAIN}
+        silent = {word.end for word in fillers if word.meaning != AGAIN and not self._is_last_word(word)}
         if piece.text == ",":  # a courtesy between two commas
             passed |= {
-                word.end + 1
+                after
                 for word in self._own[start + 1]
                 if self._is_passed_over(word, texts, vocabulary)
-                and word.end < len(self.pieces)
-                and self.pieces[word.end].text == ","
+                for after in self._after_commas(word)
             }
+        else:
+            passed |= {word.end + 1 for word in fillers if self._hesitates_before_comma(word)}
         if start == 0 and piece.is_mark:
             passed.add(start + 1)
         for after in passed:
@@ -226,6 +241,21 @@ class Lattice:
                 known = at.setdefault(name, [])
                 known.extend(word for word in words if word not in known)
 
+    def _is_last_word(self, word: Word) -> bool:
+        """Whether it addresses somebody at the end, where it may as well be one of the words to say."""
+        begins = word.start == 0 or self.pieces[word.start - 1].is_mark
+        return word.word_class == "ADDRESSED" and not begins and not self._nothing_said[word.start]
+
+    def _hesitates_before_comma(self, word: Word) -> bool:
+        comma = word.end < len(self.pieces) and self.pieces[word.end].text == ","
+        return comma and word.word_class == "HESITATION"
+
+    def _after_commas(self, word: Word) -> list[int]:
+        """Where a sentence goes on after a courtesy behind a comma; a hesitation needs none behind it."""
+        closed = word.end < len(self.pieces) and self.pieces[word.end].text == ","
+        after = [word.end + 1] if closed else []
+        return [*after, word.end] if word.word_class == "HESITATION" else after
+
     def classes(self, position: int) -> dict[str, list[Word]]:
         """The words that begin at a place, by word class."""
         return self._words[position]
@@ -234,12 +264,16 @@ class Lattice:
         """The words that begin exactly at a place."""
         return self._own[position]
 
+    def is_behind_a_thing(self, position: int) -> bool:
+        """Whether what ends at a place is a thing, which what follows may state something of."""
+        return not self._ended[position].isdisjoint(_THINGS)
+
     def manners(self) -> tuple[str, ...]:
         """Words that say how, and are passed over because it is always done like that."""
         found: dict[str, None] = {}
         end = 0
         for start, words in enumerate(self._own):
-            said = [one for one in words if one.word_class == FILLER and one.meaning == MANNER]
+            said = [one for one in words if (one.word_class, one.meaning) in _MANNERS]
             if said and start >= end:
                 longest = max(said, key=lambda one: one.end)
                 found[longest.said] = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
@@ -142,6 +142,22 @@ def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble 
     if not commas or not (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
         return None
     return _one_or_two(before, last)
+
+
+def another_of(last: Nominal, before: Sequence[Nominal]) -> Nominal:
+    """What "the bottom one" is after "the top drawer of the desk": a drawer, and of the desk too.
+
+    It stays what it is where several sorts of things were named, or where the first is "next to the sink",
+    which may hold of the other or not.
+    """
+    kinds = {(one.sort, one.kind) for one in before}
+    if not last.anaphoric or len(kinds) != 1 or last.is_plain:
+        return last
+    first = before[0]
+    inside = first.relation is not None and first.relation.kind == "in"
+    if first.relation is not None and not inside and last.relation is None:
+        return last
+    return replace(last, sort=first.sort, kind=first.kind, relation=last.relation or first.relation)
 
 
 def _one_or_two(before: Nominal, last: Nominal) -> Trouble:

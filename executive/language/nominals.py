@@ -10,7 +10,7 @@ from executive.language.amounts import unclear_glasses
 from executive.language.features import COUNTED_FROM, ROBOT, SUPERLATIVES, described
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, nominal_of, words
-from executive.language.phrases import Meaning, Nominal, Sort, Trouble
+from executive.language.phrases import Meaning, Nominal, Relative, Sort, Trouble
 
 _SORTS: Mapping[str, Sort] = {
     "KIND": "thing",
@@ -27,6 +27,8 @@ _SORTS: Mapping[str, Sort] = {
     "CONTAINERS": "container",
     "DOOR": "door",
     "DOORS": "door",
+    "DRAWER_OF": "container",
+    "SHELF_OF": "furniture",
     "ROOM": "room",
     "PERSON": "person",
     "PEOPLE": "person",
@@ -71,6 +73,17 @@ def _door_of(parts: Parts) -> Nominal | None:
     if of.word_class == "CONTAINER":
         return Nominal("container", of.meaning)
     return Nominal("door", door.meaning, name=f"{of.meaning} {door.meaning}")
+
+
+def _part_of(parts: Parts) -> Nominal | Trouble | None:
+    """The top drawer of the desk: the drawer that is in it, and no other."""
+    *_, whole = words(parts, "FURNITURE", "CONTAINER")
+    (part,) = words(parts, "DRAWER_OF", "SHELF_OF", "DOOR")
+    if part.meaning == whole.meaning or (part.word_class == "DOOR" and part.meaning != "door"):
+        return None
+    of = Nominal(_SORTS[whole.word_class], whole.meaning, determined=True, said=whole.said)
+    named = Nominal(_SORTS[part.word_class], part.meaning, determined=True, relation=Relative("in", of))
+    return described(named, parts)
 
 
 def _one(parts: Parts) -> Nominal | Trouble | None:
@@ -162,6 +175,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "noun": _noun,
         "filled": _filled,
         "door_of": _door_of,
+        "part_of": _part_of,
         "one": _one,
         "owned": _owned,
         "simple": _simple,

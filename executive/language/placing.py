@@ -10,6 +10,7 @@ from typing import Any
 from executive.language.arranging import Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
+from executive.language.lists import another_of
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Relative, Where, draft
 
@@ -20,6 +21,9 @@ _SURFACES = frozenset(
     {"table", "counter", "shelf", "bookshelf", "bench", "nightstand", "windowsill", "stove", "island"}
 )
 """Furniture at which a thing is put by putting it onto it."""
+
+_DROPS = frozenset({"drop", "dropping"})
+"""Verbs with which "off" before a place says that a thing is left there."""
 
 _LEAVES = frozenset({"leave", "leaving", "left"})
 """Verbs that may as well say that nothing is to be moved."""
@@ -102,6 +106,14 @@ def _put(parts: Parts) -> Clause:
     if stays:
         bundles = [tuple(each.with_slot("stays", True) for each in bundle) for bundle in bundles]
     return clause(parts, bundles)
+
+
+def _drop_off(parts: Parts) -> Clause:
+    """What is carried somewhere and put down there: "drop it off at the sink"."""
+    dropped = words(parts, "PUT")[0].said in _DROPS
+    if not dropped or any(one.goal is None for one in arranged(parts, goes=True)):
+        raise unfit()
+    return _put(parts)
 
 
 def _shall_go(parts: Parts) -> Clause:
@@ -194,10 +206,12 @@ def _door_to_a_room(one: Arranged) -> Arranged:
 def _opened(action: str) -> Callable[[Parts], Clause]:
     def meaning(parts: Parts) -> Clause:
         bundles = []
+        named: list[Nominal] = []
         each = arranged(parts, has_source=False)
         for one in each:
             one = _door_to_a_room(one)
-            nominal = one.object
+            nominal = another_of(one.object, named)
+            named.append(nominal)
             if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
                 raise unfit()
             if nominal.reference == "this":
@@ -240,6 +254,7 @@ def _push(parts: Parts) -> Clause:
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put": _put,
     "put_it": _put_it,
+    "drop_off": _drop_off,
     "shall_go": _shall_go,
     "put_into": _put_into,
     "move_thing": _move_thing,

@@ -38,7 +38,7 @@ _TYPES: dict[str, Any] = {
     "go_home": tasks.GoHomeTask,
     "stop": StopCommand,
 }
-_ASIDE = frozenset({"there_are", "again", "stays", "holds", "out", "done", "condition", "late"})
+_ASIDE = frozenset({"there_are", "again", "stays", "holds", "out", "done", "condition", "late", "tells"})
 """Slots of a draft that are no slots of a task: how it was said."""
 
 

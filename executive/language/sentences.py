@@ -17,12 +17,14 @@ from executive.language import (
     handling,
     lists,
     nominals,
+    pairs,
     places,
     placing,
     speech,
     statements,
 )
 from executive.language.arrivals import as_done
+from executive.language.brief_tasks import takes_a_moment
 from executive.language.fronted import fronted
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
@@ -100,6 +102,11 @@ def _clause(parts: Parts) -> Clause | None:
                 return None
             command = changed
     return command
+
+
+def _briefly(parts: Parts) -> Clause | None:
+    *said, moment = parts
+    return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
 
 
 def _is_taken_or_seen(command: Clause) -> bool:
@@ -289,6 +296,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **nominals.MEANINGS,
         **lists.MEANINGS,
         **places.MEANINGS,
+        **pairs.MEANINGS,
         **handling.MEANINGS,
         **placing.MEANINGS,
         **going.MEANINGS,
@@ -301,6 +309,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "step_number": _step_number,
         "ordinal_step": _ordinal_step,
         "clause": _clause,
+        "briefly": _briefly,
         "clause_with_hand": _clause_with_hand,
         "fronted": fronted,
         "done_before": _done_before,

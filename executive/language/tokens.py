@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from executive.language.stutter import without_stutter
 from executive.vocabulary.written import BRIDGE_WORDS, split_words
 
 MAX_LENGTH = 500
@@ -43,11 +44,6 @@ WRITTEN_OUT = {
     "cant": "can't",
 }
 """Words as they are typed in haste."""
-
-_SMALL = frozenset({"the", "a", "an", "my", "your", "to", "into", "from", "and"})
-"""Words that mean the same when they are said twice."""
-
-_HESITATES = frozenset({"uh", "um", "er", "erm", "uhm", "eh"})
 
 _MARKS = frozenset(".,;:!?")
 
@@ -132,27 +128,7 @@ def pieces_of(plain: str) -> list[Piece]:
         pieces.pop()
     if len(pieces) > MAX_PIECES:
         raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")
-    return _without_stutter(pieces)
-
-
-def _without_stutter(pieces: list[Piece]) -> list[Piece]:
-    """The pieces without small words that are said again at once: "the the cup", "to the uh to the hall"."""
-    kept: list[Piece] = []
-    for piece in pieces:
-        kept.append(piece)
-        for length in (3, 2, 1):
-            again = kept[-length:]
-            pause = kept[-length - 1 : -length] if len(kept) > 2 * length else []
-            gap = 1 if pause and pause[0].text in _HESITATES else 0
-            first = kept[-2 * length - gap : -length - gap]
-            if [one.text for one in first] == [one.text for one in again] and _is_small(again):
-                del kept[-2 * length - gap : -length]
-                break
-    return kept
-
-
-def _is_small(pieces: list[Piece]) -> bool:
-    return all(piece.text in _SMALL and not piece.quoted for piece in pieces)
+    return without_stutter(pieces)
 
 
 def _refuse_malformed_bridge_word(token: str) -> None:

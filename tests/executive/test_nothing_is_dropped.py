@@ -18,7 +18,7 @@ pytestmark = pytest.mark.requirement("L2", "L5")
         ("pick up the red cup, sorry, put down the blue cup", "sorry"),
         ("run to the kitchen", "run"),
         ("whisper hello to Ana", "whisper"),
-        ("pick up the cup real quick", "real quick"),
+        ("walk to the table real quick", "real quick"),
         ("throw the ball into the box", "throw"),
         ("throw the cup at Ana", "throw"),
         ("wave to Ana on the table", "Ana"),

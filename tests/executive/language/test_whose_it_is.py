@@ -55,7 +55,8 @@ def test_the_door_of_something_is_opened_as_the_thing_is(sentence):
 
 
 def test_one_of_two_doors_of_something_is_not_the_thing():
-    assert tasks_of("open the left door of the cupboard") == []
+    door = {"kind": "door", "ordinal": "leftmost", "relation": {"is": "in", "to": "cupboard"}}
+    assert tasks_of("open the left door of the cupboard") == [{"action": "open", "object": door}]
 
 
 def test_the_door_to_a_room_is_the_door_of_the_room():
