@@ -11,6 +11,7 @@ from typing import Any
 
 from executive.config import cache_directory, config_files
 from executive.language.chart import Chart, TooTangledError
+from executive.language.contrasts import Reader, contrasted
 from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
 from executive.language.hazards import harm_in
@@ -39,6 +40,8 @@ _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
 _PRAISE = frozenset({"good", "great", "well", "nice", "excellent", "perfect", "fine", "thanks", "thank"})
 """Words of what is said to whoever has done something, as well as before a command."""
+
+_PLACES = frozenset({"FURNITURE", "CONTAINER", "DOOR"})
 
 LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
@@ -95,6 +98,7 @@ class CommandParser:
         self.vocabulary = vocabulary
         self._rules = rules
         self._explainer = Explainer(vocabulary, self._is_valid)
+        self._reader = Reader(self._only_commands, self._meanings_as, self._sort_of, rules["command"].first)
 
     def parse(self, text: str, remembers: bool = False) -> Parsed:
         """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
@@ -122,6 +126,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
         if all(isinstance(one, Trouble) for one in outcomes):
             commands = corrected(lattice, self._rules["command"].first, self._only_commands)
+            commands = commands or contrasted(lattice, self._reader)
             if commands is not None:
                 return Parsed(text, commands=commands, manners=lattice.manners())
         if not outcomes:
@@ -165,6 +170,23 @@ class CommandParser:
             return None
         understood = [one for one in outcomes if not isinstance(one, Trouble)]
         return understood[0] if len(understood) == 1 else None
+
+    def _meanings_as(self, rule: str, text: str) -> list[Any]:
+        """What a text means as a part of a sentence."""
+        try:
+            return self._chart(self._lattice(text)).meanings(rule)
+        except (MalformedTextError, TooTangledError):
+            return []
+
+    def _sort_of(self, kind: str) -> str:
+        """Whether a name is that of a room or of another place."""
+        words = kind.split()
+        classes = {
+            reading.word_class
+            for length, reading in self.vocabulary.matches(words, 0)
+            if length == len(words)
+        }
+        return "room" if "ROOM" in classes else "place" if classes & _PLACES else ""
 
     def _people_in(self, text: str) -> tuple[Nominal, ...]:
         """Who is named in words to say, so that "him" after them may be somebody else than who is told."""

@@ -1,4 +1,4 @@
-"""The thing before the command that names it "it": "the red cup, pick it up"."""
+"""The thing before the command that names it "it", or once more: "the red cup, pick it up"."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ def fronted(parts: Parts) -> Clause | Trouble | None:
     of = one.object
     first, *rest = command.bundles[0]
     said = first.get("object")
+    if said == of and not topic.details:
+        return replace(command, terse=True)  # "the cup: bring me the cup"
     pronoun = "them" if of.count != 1 or of.plural else "it"
     if not isinstance(said, Nominal) or said.reference != pronoun or of.reference:
         return None

@@ -13,7 +13,7 @@ from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, nominal_of, words
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
 
-_SORTS_OF_THINGS = frozenset(
+SORTS_OF_THINGS = frozenset(
     {"thing", "fruit", "vegetable", "utensil", "tool", "toy", "drink", "snack", "container", "food"}
     | {"cutlery", "silverware", "crockery", "clothes", "jewelry", "medicine", "game", "present", "gift"}
 )
@@ -115,7 +115,7 @@ def _may_say_it_again(first: Item, second: Item, among: int) -> bool:
     """Whether two things with a comma between may be one: there are but two, or it is a sort of thing."""
     if first.details or first.of.reference or first.of.is_person != second.of.is_person:
         return False
-    names_a_sort = first.of.sort in ("thing", "any") and first.of.kind in (None, *_SORTS_OF_THINGS)
+    names_a_sort = first.of.sort in ("thing", "any") and first.of.kind in (None, *SORTS_OF_THINGS)
     return names_a_sort or (among == 2 and not second.details)
 
 

@@ -39,7 +39,9 @@ EXAMPLES = (
 _VERBS = frozenset({"PICK", "PUT", "OPEN", "WALK", "STOP"})
 _NOUNS = frozenset({"KIND", "THING"})
 _LINK = "LINK"
-_NEVER_USED = frozenset({"NEGATION", "CONDITION", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"})
+_NEVER_USED = frozenset(
+    {"NEGATION", "CONTRAST", "CONDITION", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"}
+)
 """Word classes that decide a refusal wherever they stand before the place that broke the parse."""
 
 _DECIDING = frozenset({"HARM", "THROW"})

@@ -117,7 +117,7 @@ DENIED = (
     *("try not to {a}", "not {a}", "{a}, not", "{a}? no", "{a} - no, don't", "no need to {a}"),
     *("there is no need to {a}", "stop {a_ing}", "avoid {a_ing}", "refrain from {a_ing}", "no {a_ing}"),
     *("{a}, but don't {b}", "{a} and don't {b}", "{A}. Do not {b}.", "{a} without {b_ing}"),
-    *("{a} instead of {b_ing}", "{a} rather than {b_ing}", "don't {a}, but {b}", "don't {a} before {b_ing}"),
+    *("don't {a}, but {b}", "don't {a} before {b_ing}"),
     *("{A}. Never mind.", "{a}, never mind", "{a}, forget it", "{a}, just kidding", "{A}. Cancel that."),
     *(
         "{a}, on second thought don't",
@@ -134,6 +134,7 @@ DENIED = (
     ),
     *("you can't {a}", "you need not {a}", "hold off {a_ing}", "skip {a_ing}", "{a}? Absolutely not."),
 )
+CONTRASTED = ("{a} instead of {b_ing}", "{a} rather than {b_ing}")
 QUALIFIED = (
     *("{a}, {b} first", "{a} last, {b} first", "{a}, except {b}", "{a} even if you {b}"),
     *("{a} by {b_ing}", "I {a}", "we {a}", "the robot {a}", "they will {a}"),
@@ -325,13 +326,17 @@ def in_order(names, three):
 def composed(rng):
     """A sentence, what it may mean (nothing besides: refusal or question), and whether it should be done."""
     three = drawn(rng)
-    sort = rng.choice(("order", "order", "unclear", "denied", "qualified", "taken back", "plain"))
+    sorts = ("order", "order", "unclear", "denied", "qualified", "taken back", "plain", "contrasted")
+    sort = rng.choice(sorts)
     if sort == "order":
         template, names = rng.choice(list(IN_ORDER.items()))
         return template, filled(template, three), [in_order(names, three)], True
     if sort == "plain":
         template = rng.choice(PLAIN)
         return template, filled(template, three), [in_order("a", three)], True
+    if sort == "contrasted":
+        template = rng.choice(CONTRASTED)
+        return template, filled(template, three), [in_order("a", three)], False
     templates = {"unclear": UNCLEAR, "denied": DENIED, "qualified": QUALIFIED, "taken back": TAKEN_BACK}
     template = rng.choice(templates[sort])
     return template, filled(template, three), [in_order("b", three)] if sort == "taken back" else [], False

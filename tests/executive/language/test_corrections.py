@@ -51,7 +51,6 @@ OPEN = (
 ADDED_OR_DENIED = (
     "pick up the red cup, no wait, also the green one",
     "pick up the red cup, no wait, the green one too",
-    "pick up the red cup, not the blue one",
     "bring me a coffee, no sugar",
     "bring me a coffee, no, sugar",
     "bring me a cup of coffee, no, sugar",
