@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from kinematics.walking.planar import PlanarPose
+from trees.destination import Place
 from trees.toolbox import Toolbox
 
 
@@ -19,3 +20,10 @@ def feet_pose(toolbox: Toolbox) -> PlanarPose:
     """The middle between the feet that the robot stands on, and where they point."""
     soles = [PlanarPose.of(pose) for _, pose in toolbox.motion.stance().soles]
     return PlanarPose.between(soles[0], soles[-1])
+
+
+def bearing_rad(toolbox: Toolbox, place: Place) -> float:
+    """Where a place is from where the feet point, to the left, in (-pi, pi]."""
+    x_m, y_m = place.odom_T_place[:2, 3].tolist()
+    there = feet_pose(toolbox).to(PlanarPose(x_m, y_m))
+    return math.atan2(there.y_m, there.x_m)

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 from kinematics.walking.load import load_of
 from kinematics.walking.room import WalkingRoom
 from kinematics.walking.settings import WalkingSettings
 from trees.empty_arms import arms_are_tucked
+from trees.failures import Failure
+from trees.odometry import feet_pose
 from trees.toolbox import Toolbox
 
 
@@ -19,6 +24,23 @@ def walking_room(toolbox: Toolbox, settings: WalkingSettings) -> WalkingRoom:
     held = toolbox.world.scene.attached.values()
     load = load_of(toolbox.model, toolbox.sensing.state().q, held, settings.hand_radius_m)
     return WalkingRoom(settings, load, arms_are_tucked(toolbox))
+
+
+def no_room_to_turn(toolbox: Toolbox, settings: WalkingSettings, scan: NDArray[np.float64]) -> Failure | None:
+    """Why the robot cannot turn on the spot; None where there is room.
+
+    Args:
+        toolbox: Knows what is believed to stand about.
+        settings: The sizes of a robot that walks.
+        scan: What the range sensor sees, shape (n, 3), m.
+    """
+    room = walking_room(toolbox, settings)
+    found = room.tightest_seen(scan), room.tightest(toolbox.world.scene, feet_pose(toolbox))
+    tight = max(found, key=lambda spot: spot.lack_m)
+    if tight.lack_m <= 0.0:
+        return None
+    message = f"there is no room to turn for the {tight.part}"
+    return Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
 
 
 def room_if_it_walks(toolbox: Toolbox) -> WalkingRoom | None:

@@ -33,6 +33,7 @@ from trees.leaves.stands_at_handle import StandsAtHandle
 from trees.leaves.stands_there_already import StandsThereAlready
 from trees.leaves.tell_found import TellFound
 from trees.leaves.touch_front import TouchFront
+from trees.leaves.turn_to import TurnTo
 from trees.leaves.verify_opening import VerifyOpening
 from trees.leaves.walk_to import WalkTo
 from trees.leaves.walk_to_handle import WalkToHandle
@@ -122,6 +123,13 @@ def open_fridge(stage):
 def cup_to_stand_for(stage):
     believe(stage, [table(), cup()])
     red = cup()
+    return {"place": Place("red cup", "object", red.shape, red.world_T_object, 0.9)}
+
+
+def cup_behind(stage):
+    """The red cup as a place, behind the left shoulder; no table is in the way."""
+    clear(stage)
+    red = cup(place_m=(-0.8, 0.5))
     return {"place": Place("red cup", "object", red.shape, red.world_T_object, 0.9)}
 
 
@@ -225,6 +233,7 @@ GIVEN = {
     StandsThereAlready: near_handle,
     TellFound: cup_to_stand_for,
     TouchFront: hand_at_handle,
+    TurnTo: cup_behind,
     VerifyOpening: open_fridge,
     WalkTo: far_table,
     WalkToHandle: far_handle,

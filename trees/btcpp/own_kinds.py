@@ -16,6 +16,7 @@ from trees.btcpp.node_kind import NodeKind, Parts, Port
 from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
+from trees.if_beside import IfBeside
 from trees.if_shifted import IfShifted
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
@@ -114,6 +115,18 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
         (
             _literal("kinds", frozenset[FailureKind], "kinds of failure after which the child is needed"),
             _failure("input"),
+        ),
+        (1, 1),
+        transparent=True,
+    ),
+    IfBeside: NodeKind(
+        "IfBeside",
+        "Decorator",
+        lambda parts: IfBeside(parts.children[0], parts.toolbox, parts.settings["beyond_rad"]),
+        lambda node: {"beyond_rad": node.beyond_rad},
+        (
+            _literal("beyond_rad", float, "so far to a side it is too far for the trunk, rad"),
+            Port("place", "input", "Place", description="what was found"),
         ),
         (1, 1),
         transparent=True,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.walking.planar import PlanarPose
@@ -13,13 +14,12 @@ from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.steering import PathSteering, Steering, StretchSteering
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.leaf import DONE, RUNNING
+from trees.leaf import DONE
 from trees.odometry import feet_pose
-from trees.own_load import without_held
 from trees.ports import ports
+from trees.scanned_walk import ScannedWalk
 from trees.toolbox import Toolbox
-from trees.walking_leaf import WalkingLeaf
-from trees.walking_room import walking_room
+from trees.walking_room import no_room_to_turn, walking_room
 
 _AHEAD_M = 2.0
 """Half of what the camera sees far."""
@@ -31,11 +31,12 @@ _TURN_RAD = 1.9
 """Less than the head sees to both sides, so that nothing is passed over."""
 _SPEED_M_S = 0.3
 
+Array = NDArray[np.float64]
 
 Viewpoint = Literal["ahead", "around", "back", "room"]
 
 
-class ChangeViewpoint(WalkingLeaf):
+class ChangeViewpoint(ScannedWalk):
     """Walk straight on or back as far as the way is free, or turn on the spot.
 
     "room" steps back, or ahead, where there is no room to turn; it stays where there is, or where no way is
@@ -59,32 +60,17 @@ class ChangeViewpoint(WalkingLeaf):
         self._way = way
 
     def step(self) -> Status | Failure:
-        """Set out once, and wait until the robot stands."""
-        toolbox = self.toolbox
-        settings = toolbox.model.description.walking
-        if settings is None or toolbox.walking is None or toolbox.ranging is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
-        if self._handle is None:
-            scan = toolbox.ranging.scan()
-            if scan is None:
-                self.feedback_message = "waiting for the range sensor"
-                return RUNNING
-            steering = self._steering(settings, without_held(toolbox, scan))
-            if steering is None:
-                return DONE
-            if isinstance(steering, Failure):
-                return steering
-            self._from = feet_pose(toolbox)
-            self._handle = toolbox.walking.walk(steering, "walk")
-        if (ended := self.ended_early(self._handle)) is not None:
-            return ended
-        if not self._handle.finished:
-            return RUNNING
-        if self._way == "room":
-            self._set_output("stepped_m", self._from.to(feet_pose(toolbox)).x_m)
-        return DONE
+        """Set out once, and wait until the robot stands; tell how far a step for room was."""
+        before = self._handle
+        status = super().step()
+        if before is None and self._handle is not None:
+            self._from = feet_pose(self.toolbox)
+        if status is DONE and self._way == "room" and self._handle is not None:
+            self._set_output("stepped_m", self._from.to(feet_pose(self.toolbox)).x_m)
+        return status
 
-    def _steering(self, settings: WalkingSettings, scan: np.ndarray) -> Steering | Failure | None:
+    def steering(self, settings: WalkingSettings, scan: Array) -> Steering | Failure | None:
+        """The way to go by what was asked for."""
         body, room = feet_pose(self.toolbox), walking_room(self.toolbox, settings)
         if self._way == "ahead":
             room_m = room.free_way_m(scan, 1.0) - _ROOM_M
@@ -96,19 +82,13 @@ class ChangeViewpoint(WalkingLeaf):
             if room_m < _LEAST_BACK_M:
                 return Failure.infeasible("there is no room behind to look from", room_m=room_m)
             return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
-        found = room.tightest_seen(scan), room.tightest(self.toolbox.world.scene, body)
-        tight = max(found, key=lambda spot: spot.lack_m)
+        narrow = no_room_to_turn(self.toolbox, settings, scan)
         if self._way == "room":
-            return _to_room(settings, body, room, scan) if tight.lack_m > 0.0 else None
-        if tight.lack_m > 0.0:
-            message = f"there is no room to turn for the {tight.part}"
-            return Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
-        return PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))
+            return None if narrow is None else _to_room(settings, body, room, scan)
+        return narrow or PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))
 
 
-def _to_room(
-    settings: WalkingSettings, body: PlanarPose, room: WalkingRoom, scan: np.ndarray
-) -> Steering | None:
+def _to_room(settings: WalkingSettings, body: PlanarPose, room: WalkingRoom, scan: Array) -> Steering | None:
     """A step back, or ahead where something is behind; None where neither way is free."""
     for sign in (-1.0, 1.0):
         room_m = room.free_way_m(scan, sign) - _ROOM_BEHIND_M

@@ -8,6 +8,7 @@ from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
 from trees.free_hand import free_hands
+from trees.odometry import bearing_rad
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 from trees.tasks import WaveTask
@@ -32,7 +33,7 @@ class RaiseHand(PlannedMotionLeaf):
         free = free_hands(self.toolbox, self.get_input("task").hand)
         if isinstance(free, Failure):
             return free
-        nearer: Hand = "left" if place.aim_m[1] > 0.0 else "right"
+        nearer: Hand = "left" if bearing_rad(self.toolbox, place) > 0.0 else "right"
         hand = nearer if nearer in free else free[0]
         self._set_output("waving_hand", hand)
         x, y, z = (float(value) for value in place.aim_m)

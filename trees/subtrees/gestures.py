@@ -21,6 +21,7 @@ from trees.subtrees.look_elsewhere import found_by_turning
 from trees.subtrees.search_place import everywhere
 from trees.subtrees.seen_way import seen_way
 from trees.subtrees.tidily import tidily
+from trees.subtrees.turned_to import BEHIND_RAD, turned_to
 from trees.toolbox import Toolbox
 
 _LOOKS_ON_WAY = 2
@@ -32,6 +33,7 @@ def wave(toolbox: Toolbox) -> Behaviour:
     """Find the person, turn to them, wave, and lower the hand. Reads "task", writes "evidence"."""
     children: list[Behaviour] = [
         found_by_turning("find the person", toolbox, toolbox.policy.level_gazes),
+        turned_to("turn to them", toolbox, toolbox.policy.level_gazes[:1]),
         RaiseHand("raise hand", toolbox),
         SwingHand("swing hand", toolbox),
         GoHome("lower hand", toolbox),
@@ -43,6 +45,7 @@ def point_at(toolbox: Toolbox) -> Behaviour:
     """Find it, point at it for a while, and lower the arm. Reads "task", writes "evidence"."""
     children: list[Behaviour] = [
         found_by_turning("find it", toolbox, everywhere(toolbox)),
+        turned_to("turn to it", toolbox, everywhere(toolbox)),
         PlanPointing("plan pointing", toolbox),
         seen_way(
             "look below the way",
@@ -72,6 +75,7 @@ def look_at(toolbox: Toolbox) -> Behaviour:
     ]
     children: list[Behaviour] = [
         found_by_turning("find it", toolbox, everywhere(toolbox)),
+        turned_to("face it", toolbox, everywhere(toolbox), BEHIND_RAD),
         Alternatives("look", ways, hopeless=hands_are_not_in_the_way),
     ]
     return tidily("look at", children, toolbox)

@@ -1,13 +1,15 @@
 """Gestures at who or what is behind the robot: it turns around where it gets back, among rooms."""
 
 import dataclasses
+import math
 
 import pytest
 
+from kinematics.walking.planar import PlanarPose
 from robots.fake.fake_world import cup, person, table
 from robots.scene_description import Region
 from trees.build import build_tree
-from trees.tasks import LookAtTask, ObjectDescription, PointAtTask, WaveTask
+from trees.tasks import LookAtTask, MoveTask, ObjectDescription, PointAtTask, WaveTask
 
 BEHIND = person("Ana", (-1.5, 0.3))
 ROOMS = {"hall": Region("hall", (0.0, 0.0), (6.0, 6.0))}
@@ -43,3 +45,29 @@ def test_nobody_turns_around_from_what_is_in_view(new_stage):
 
     assert tree.status == "success"
     assert not [event for event in stage.events if "viewpoint" in getattr(event, "where", "")]
+
+
+@pytest.mark.requirement("M3")
+@pytest.mark.parametrize("task", GESTURES[:2])
+def test_away_from_where_it_began_the_robot_turns_around_without_rooms_too(new_stage, task):
+    stage = new_stage(walks=True)
+    stage.fake.world.put(BEHIND)
+    away = MoveTask("turn around", 0.0, 0.5, 3.0)
+
+    assert stage.play(build_tree(away, stage.toolbox)).status == "success"
+    tree = stage.play(build_tree(task, stage.toolbox))
+
+    assert tree.status == "success"
+
+
+@pytest.mark.requirement("M3")
+def test_who_stands_beside_the_robot_is_turned_to_before_a_hand_is_raised(new_stage):
+    stage = new_stage(walks=True)
+    stage.fake.world.put(person("Ana", (-0.2, 1.4)))
+
+    tree = stage.play(build_tree(WaveTask("wave to Ana", "Ana"), stage.toolbox))
+
+    assert tree.status == "success", tree.failure
+    soles = [PlanarPose.of(pose) for _, pose in stage.fake.motion.stance().soles]
+    there = PlanarPose.between(soles[0], soles[1]).to(PlanarPose(-0.2, 1.4))
+    assert abs(math.atan2(there.y_m, there.x_m)) < 0.1
