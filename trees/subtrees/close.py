@@ -34,6 +34,7 @@ from trees.subtrees.open import (
     planned,
     sequence,
     tidying_helps,
+    time_limit_s,
     verify,
 )
 from trees.subtrees.seen_from_elsewhere import seen_from_elsewhere
@@ -49,7 +50,7 @@ def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
     main = sequence("push the front", _search_about(toolbox), come, attempts)
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
+    timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
     return sequence("push", NamesDoor("names a door", toolbox), tidy)
 

@@ -59,8 +59,14 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     ways.transparent = True
     main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), ways])
     main.transparent = True
-    timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
+    timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=tidying_helps)
+
+
+def time_limit_s(toolbox: Toolbox) -> float:
+    """What it takes at most: a robot that walks may have to look to all sides, and to go there."""
+    policy = toolbox.policy
+    return policy.task_timeout_s + (policy.walk_timeout_s if toolbox.can_walk else 0.0)
 
 
 class _Sequence(Sequence):
