@@ -61,7 +61,7 @@ def _adjective(parts: Parts) -> Feature | Relative | None:
     word, *pause = parts
     if pause and pause[0].meaning != ",":
         return None
-    return _feature(word)
+    return feature_of(word)
 
 
 def _adjective_word(parts: Parts) -> Word:
@@ -98,10 +98,11 @@ def _which_is(parts: Parts) -> Feature | Relative | None:
         part for part in parts if isinstance(part, Word) and part.word_class not in ("REL_IS", "DET", "ONE")
     )
     seen = any("you" in link.said.split() for link in words(parts, "REL_IS"))
-    return None if seen else _feature(word)  # "the cup you see first"
+    return None if seen else feature_of(word)  # "the cup you see first"
 
 
-def _feature(word: Any) -> Feature | Relative | None:
+def feature_of(word: Any) -> Feature | Relative | None:
+    """What an adjective says of a thing."""
     if not isinstance(word, Word):
         return None
     if word.word_class == "LEFT_RIGHT":

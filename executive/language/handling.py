@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -28,7 +29,7 @@ from executive.language.handled_thing import (
     with_it,
 )
 from executive.language.lattice import Word
-from executive.language.lists import said_again, said_twice, shared_adjective
+from executive.language.lists import is_told_beside, said_again, said_twice, shared_adjective
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Bundle,
@@ -45,7 +46,8 @@ from executive.language.phrases import (
 from executive.language.placing import put_draft
 
 
-def _pick_bundle(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
+def picked(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:
+    """A thing, picked up; ``fetched`` where it is to be carried on."""
     nominal = thing(one, doing)
     if one.source is not None and one.source.said == TRASH:
         raise trouble("is it in the bin, or shall it go there?", asks=True)
@@ -117,7 +119,7 @@ def _goes_onto(goal: Where) -> bool:
 
 def _lifted(one: Arranged) -> Any:
     if one.goal is None or not _goes_onto(one.goal):
-        return _pick_bundle(one)
+        return picked(one)
     return put_draft(thing(one, "moving"), one.goal, one.source, one.hand)
 
 
@@ -143,8 +145,8 @@ def _fetch(parts: Parts) -> Clause:
             person = one.goal.of
             only_for(one, person)
         has_clear_place(one)
-        taken = _pick_bundle(one)
-        bundles.append((taken,) if person is None else _handed(taken, person))
+        taken = picked(one)
+        bundles.append((taken,) if person is None else handed(taken, person))
     return clause(parts, bundles)
 
 
@@ -160,7 +162,8 @@ def _recipient(nominal: Nominal) -> Nominal:
     return nominal
 
 
-def _handed(taken: Any, person: Nominal) -> Bundle:
+def handed(taken: Any, person: Nominal) -> Bundle:
+    """What is picked up, handed to somebody."""
     return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
 
 
@@ -169,16 +172,16 @@ def _is_beside_somebody(relation: Relative) -> bool:
 
 
 def _transport(one: Arranged) -> Bundle:
-    taken = _pick_bundle(one, doing="taking away", fetched=True)
+    taken = picked(one, doing="taking away", fetched=True)
     goal, relation = one.goal, one.object.relation
     if goal is None and one.person is None and relation is not None and _is_beside_somebody(relation):
         where = f"{relation.kind.replace('_', ' ')} {relation.to.kind}"
         raise trouble(f"is it {where}, or shall it go there?", asks=True)
     if goal is None:
-        return _handed(taken, one.person or ASKER)
+        return handed(taken, one.person or ASKER)
     only_for(one, goal.of)
     if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
-        return _handed(taken, goal.of)
+        return handed(taken, goal.of)
     if goal.of.reference == "there":
         return (taken, draft("place", object=PREVIOUS, there=goal))
     return (taken, put_draft(PREVIOUS, goal, None, None))
@@ -228,16 +231,41 @@ def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
             unclear = unclear or (said_twice(items, parts) if len(each) == 1 else None)
             if unclear is not None:
                 raise trouble(unclear.message, asks=True)
-    result = [(_recipient(person), one) for person, items in each for one in arranged(tuple(items))]
+    every = [item.of for _, items in each for item in items]
+    if not all(map(is_told_beside, every, every[1:])):
+        raise unfit()
+    result = [_for_whom(person, one) for person, items in each for one in _arranged_apart(items)]
     if any(one.goal is not None or (one.person is not None and one.person.sort != "me") for _, one in result):
         raise unfit()
     return result
 
 
+def _arranged_apart(items: Sequence[Item]) -> Iterator[Arranged]:
+    """Things that go together; where another one goes says nothing of those before it."""
+    together = [item for item in items if not (_is_another(item.of) and item.details)]
+    yield from arranged(tuple(together)) if together else ()
+    for item in items:
+        if item not in together:
+            yield from arranged((item,))
+
+
+def _is_another(of: Nominal) -> bool:
+    return of.anaphoric and of.ordinal == "other"
+
+
+def _for_whom(person: Nominal, one: Arranged) -> tuple[Nominal, Arranged]:
+    """Who gets a thing; another one of the same may be for somebody else: "me a cup and another for Ana"."""
+    goes = one.goal is not None and one.goal.relation is None and one.goal.preposition == "to"
+    other = one.goal.of if one.goal is not None and goes else one.person
+    if _is_another(one.object) and other is not None:
+        return _recipient(other), replace(one, goal=None, person=None)
+    return _recipient(person), one
+
+
 def _bring_pairs(parts: Parts) -> Clause:
     return clause(
         parts,
-        [_handed(_pick_bundle(one, fetched=True), person) for person, one in _pairs(parts)],
+        [handed(picked(one, fetched=True), person) for person, one in _pairs(parts)],
     )
 
 
@@ -259,11 +287,12 @@ def _give(parts: Parts) -> Clause:
                 raise trouble("to whom?", asks=True)
             person = ASKER
         only_for(one, person)
-        bundles.append(_give_bundle(one, person))
+        bundles.append(given(one, person))
     return clause(parts, bundles)
 
 
-def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
+def given(one: Arranged, person: Nominal) -> Bundle:
+    """A thing, handed to somebody from where it is."""
     nominal = thing(one, "handing over")
     has_clear_place(one)
     return (
@@ -279,14 +308,14 @@ def _give_bundle(one: Arranged, person: Nominal) -> Bundle:
 
 
 def _give_pairs(parts: Parts) -> Clause:
-    return clause(parts, [_give_bundle(one, person) for person, one in _pairs(parts)])
+    return clause(parts, [given(one, person) for person, one in _pairs(parts)])
 
 
 def _can_i_have(parts: Parts) -> Clause:
     each = arranged(parts)
     if any(one.goal is not None or one.back for one in each):
         raise unfit()
-    return clause(parts, [_give_bundle(one, ME) for one in each])
+    return clause(parts, [given(one, ME) for one in each])
 
 
 def _want(parts: Parts) -> Clause:

@@ -54,9 +54,9 @@ def has_company(parts: Parts) -> bool:
     return any(isinstance(part, _Joined) and part.company for part in parts)
 
 
-def _items(parts: Parts) -> Items | Trouble:
+def _items(parts: Parts) -> Items | Trouble | None:
     """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
-    each = tuple(part for part in parts if isinstance(part, Item))
+    each = with_others([part for part in parts if isinstance(part, Item)])
     links = [part for part in parts if isinstance(part, _Joined)]
     if len(each) > 1 and len(links) == len(each) - 1:
         placed = bool(each[-2].details and each[-1].details) and not _may_be_one(each[-2].of, each[-1].of)
@@ -64,12 +64,33 @@ def _items(parts: Parts) -> Items | Trouble:
         for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
             if unclear is None and _may_be_one(first.of, second.of):
                 unclear = said_again(first.of, second.of, (link,))
+        if any(not is_told_beside(first.of, second.of) for first, second in itertools.pairwise(each)):
+            return None
         unclear = (
             unclear or said_twice(each, links) or _told_later(each, links) or _may_come_along(each, links)
         )
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(_with_article(each))
+
+
+def is_told_beside(before: Nominal, of: Nominal) -> bool:
+    """Whether what is named without its noun is told as the one before is: "the red cup and the blue"."""
+    if not of.anaphoric or of.said or of.ordinal == "other":
+        return True
+    told = [name for name in ("color", "size", "ordinal") if getattr(of, name) is not None]
+    return all(getattr(before, name) is not None for name in told)
+
+
+def with_others(each: Sequence[Item]) -> tuple[Item, ...]:
+    """With "one" after "a cup" as another one: "a cup to Ana and one to Ben"."""
+    others = list(each)
+    for index in range(1, len(others)):
+        before, of = others[0].of, others[index].of
+        any_one = before.indefinite or (before.counted and before.count == 1)
+        if any_one and of.anaphoric and of.is_plain and of.is_single and not of.determined:
+            others[index] = replace(others[index], of=replace(of, ordinal="other", determined=True))
+    return tuple(others)
 
 
 def _with_article(each: tuple[Item, ...]) -> tuple[Item, ...]:

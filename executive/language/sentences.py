@@ -20,6 +20,7 @@ from executive.language import (
     pairs,
     places,
     placing,
+    sharing,
     speech,
     statements,
 )
@@ -302,6 +303,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **going.MEANINGS,
         **attention.MEANINGS,
         **speech.MEANINGS,
+        **sharing.MEANINGS,
         **statements.MEANINGS,
         **arrivals.MEANINGS,
         "nothing": _nothing,
