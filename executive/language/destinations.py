@@ -12,6 +12,9 @@ from executive.language.phrases import Nominal, Relative, Trouble, Where
 from trees import tasks
 from trees.tasks import ObjectDescription, ObjectOf
 
+_ADDRESSES = frozenset({"wave", "say", "look_at", "point_at"})
+"""What is done to somebody who stays in front of the robot."""
+
 
 class Destinations(Antecedents):
     """Finds where a thing goes or is, and to whom."""
@@ -140,6 +143,9 @@ class Destinations(Antecedents):
         if value.reference == "him" or (value.sort == "person" and value.whose):
             return self._person(value)
         if value.reference == "asker":
+            met = self._met() if value.name == "there" else None
+            if met is not None:
+                return self._destination(met)
             if self._people:
                 raise ask("to whom?", ["me", *(f"{person.kind}" for person in dict.fromkeys(self._people))])
             return value.kind
@@ -152,6 +158,31 @@ class Destinations(Antecedents):
         if value.anaphoric and not beside:
             self._only_kind((*self._places, *self._mentioned))
         return self._destination(value)
+
+    def _met(self) -> Nominal | None:
+        """Whom the robot has gone to just before, when nobody else was named since.
+
+        Raises:
+            UnresolvedError: It went to where somebody is, who may be meant or not.
+        """
+        since = len(self._commands)
+        while since and self._commands[since - 1].action in _ADDRESSES:
+            since -= 1
+        if not since or self._commands[since - 1].action != "walk_to" or not self._walks:
+            return None
+        last = self._walks[-1]
+        if last.relation is not None and last.relation.to.is_person and not last.is_person:
+            raise ask("to whom?", ["me", f"{last.relation.to.kind}"])
+        if last.sort not in ("person", "name") or last.reference or not self._people:
+            return None
+        told = {replace(one, relation=None) for one in dict.fromkeys(self._people)}
+        plain = replace(last, relation=None)
+        alone = told == {plain}
+        return (
+            last
+            if replace(self._people[-1], relation=None) == plain and (alone or since == len(self._commands))
+            else None
+        )
 
     def _there_place(self, value: Nominal, root: int) -> Any:
         if value.name == "back":

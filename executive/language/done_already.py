@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from executive.language.discourse import UnresolvedError
+from executive.language.discourse import UnresolvedError, ask
 from executive.language.doubts import Doubts
 from executive.language.genders import may_be
 from executive.language.phrases import Draft, Nominal, Trouble
@@ -14,8 +14,10 @@ from executive.language.scopes import UNCLEAR_ORDER
 from trees import tasks
 from trees.tasks import ObjectOf
 
-_SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive")
+_SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive", "lifts", "reaches")
 """Slots that say how a task was ordered, not what it is."""
+
+_TOLD = ("kind", "name", "color", "size", "material", "ordinal", "relation")
 
 
 def _slots_of(one: Draft) -> dict[str, Any]:
@@ -79,6 +81,28 @@ class DoneAlready(Doubts):
         if person != ordered.get("person"):
             return False
         return meant == root or said.get("object") == ordered.get("object")
+
+    def _let_go(self, root: int) -> ObjectOf:
+        """What was put down or in, or given away, is let go of by then.
+
+        Raises:
+            UnresolvedError: It is not.
+        """
+        if root in self._held or root not in (*self._placed, *self._given):
+            raise ask("where shall it be put?")
+        return ObjectOf(root)
+
+    def _in_the_hand(self, one: Draft, thing: Nominal) -> ObjectOf | None:
+        """What the task before took, named again: "reach for the cup, grasp the cup, lift the cup"."""
+        if not self._did or thing.indefinite:
+            return None
+        before, root = self._did[-1]
+        if not (one.get("lifts") or before.get("reaches")):
+            return None
+        taken = next((one.of for one in self._entities if one.task == root), None)
+        told = [name for name in _TOLD if getattr(thing, name) is not None]
+        same = taken is not None and all(getattr(taken, name) == getattr(thing, name) for name in told)
+        return ObjectOf(root) if same and root in self._held else None
 
     def _doubt_done(self, one: Draft) -> None:
         """Refuse what is done only if somebody else does it, and ask when that would have to be.

@@ -14,6 +14,9 @@ IT = Nominal("any", reference="it", determined=True)
 ASKER = Nominal("me", "me", reference="asker", determined=True)
 """Who asks for a thing, when nobody is said to get it."""
 
+WHOEVER_IS_THERE = replace(ASKER, name="there")
+"""The same, unless somebody was gone to just before: "go to Ana and hand over the cup"."""
+
 BACK = Nominal("any", reference="there", name="back")
 """The place that a thing was taken from."""
 

@@ -22,6 +22,7 @@ from executive.language.handled_thing import (
     BIN,
     PREVIOUS,
     TRASH,
+    WHOEVER_IS_THERE,
     count_of,
     has_clear_place,
     only_for,
@@ -72,6 +73,12 @@ _CHOOSES = frozenset({"pick", "picking"})
 _EXTRACTS = frozenset({"extract", "extracting", "extracted"})
 """Verbs that mean to take out, of what was opened."""
 
+_LIFTS = frozenset({"lift", "lifting", "raise", "raising"})
+"""Verbs of what may be in the hand by then."""
+
+_REACHES = frozenset({"reach", "reaching"})
+"""Verbs after which it may be said what the hand does there."""
+
 _FETCHES = frozenset({"grab", "go grab", "grabbing"})
 """Verbs that are "to fetch" as well, where it is said for whom."""
 
@@ -92,6 +99,10 @@ def _pick(parts: Parts) -> Clause:
     verbs = [word.said.split() for word in words(parts, "PICK", "OUT")]
     if any(said[0] in _EXTRACTS or ("out" in said and said[0] not in _CHOOSES) for said in verbs):
         bundles = [(one.with_slot("out", True),) if one.action == "pick" else (one,) for (one,) in bundles]
+    if any(word.said.split()[0] in _LIFTS for word in words(parts, "PICK_UP", "PICK")):
+        bundles = [(one.with_slot("lifts", True),) for (one,) in bundles]
+    if any(word.said.split()[0] in _REACHES for word in words(parts, "PICK")):
+        bundles = [(one.with_slot("reaches", True),) for (one,) in bundles]
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)
@@ -285,7 +296,7 @@ def _give(parts: Parts) -> Clause:
         if person is None:
             if not over and not one.back:
                 raise trouble("to whom?", asks=True)
-            person = ASKER
+            person = WHOEVER_IS_THERE
         only_for(one, person)
         bundles.append(given(one, person))
     return clause(parts, bundles)

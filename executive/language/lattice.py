@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from executive.language.addresses import is_whole
 from executive.language.hesitations import says_nothing
@@ -43,6 +43,37 @@ _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
+_BEFORE_A_COLON = frozenset(
+    {
+        "WALK",
+        "TO_ALSO",
+        "APPROACH",
+        "MOVE",
+        "TURN",
+        "WAIT",
+        "WAVE_TO",
+        "GREETS",
+        "LOOK_AT",
+        "POINT_AT",
+        "FIND",
+    }
+    | {
+        "COUNT",
+        "DESCRIBE",
+        "OPEN",
+        "CLOSE",
+        "PICK",
+        "UP",
+        "FETCH",
+        "BRING",
+        "CARRY",
+        "GIVE",
+        "PUT",
+        "PUT_DOWN",
+    }
+    | {"DOWN", "PUT_IN", "MOVE_THING"}
+)
+"""Word classes behind which a colon says nothing: "navigate to: kitchen"."""
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
 
@@ -166,6 +197,9 @@ class Lattice:
             return True
         return self.ends[word.end] and is_whole(self._ended[word.start], word.meaning)
 
+    def _is_colon(self, position: int) -> bool:
+        return position + 1 < len(self.pieces) and self.pieces[position].text == ":"
+
     def _says_how_much(self, position: int, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
         """Whether a number stands at a place; "one" may stand for a thing."""
         if position >= len(self.pieces) or texts[position] == "one":
@@ -215,6 +249,8 @@ class Lattice:
                 continue  # "my glasses" are no drinking glasses
             if listed and word.word_class in _NOUNS and word.end == start + 1:
                 continue  # "the cup and saw": a bare noun that is a verb as well may be one
+            if word.word_class in _BEFORE_A_COLON and self._is_colon(word.end):
+                at.setdefault(word.word_class, []).append(replace(word, end=word.end + 1))
             if word not in fillers:
                 at.setdefault(word.word_class, []).append(word)
         self._own[start] = found

@@ -180,6 +180,8 @@ def _drop(parts: Parts) -> Clause:
         thing(one, "dropping")
         if one.goal is not None or one.source is not None or one.back:
             raise unfit()
+    if len(each) == 1 and each[0].object.reference == "it":  # "lower it onto the table and let go of it"
+        return clause(parts, [(draft("place", object=each[0].object, lets_go=True),)])
     raise trouble("where shall it be put?", asks=True)
 
 

@@ -38,7 +38,10 @@ _TYPES: dict[str, Any] = {
     "go_home": tasks.GoHomeTask,
     "stop": StopCommand,
 }
-_ASIDE = frozenset({"there_are", "again", "stays", "holds", "out", "done", "condition", "late", "tells"})
+_ASIDE = frozenset(
+    {"there_are", "again", "stays", "holds", "out", "tells"}
+    | {"done", "condition", "late", "lifts", "reaches"}
+)
 """Slots of a draft that are no slots of a task: how it was said."""
 
 
@@ -172,8 +175,12 @@ class Resolver(StatedThings, DoneAlready):
             if self._thing_walked_to is not None:
                 raise ask("which of them does 'it' stand for?")
             return ObjectOf(root)  # "grasp it and lift it"
+        if one.get("lets_go"):
+            return self._let_go(root)
         if one.action in PUTS_DOWN and root in self._given:
             self._take_back(root)
+        if one.action == "pick" and named is not None and (held := self._in_the_hand(one, named)) is not None:
+            return held  # "grasp the cup, lift the cup"
         self._doubt(one, named, resolved, root)
         action, slots = self._slots(one, resolved, root)
         if one.get("out") and "source" not in slots and named is not None:

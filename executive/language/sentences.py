@@ -64,7 +64,7 @@ class _Numbered:
 
 
 def _list_number(parts: Parts) -> _Numbered | None:
-    is_mark = parts[-1].meaning in (".", ")", ":", "paren")
+    is_mark = parts[-1].word_class == "BULLET" or parts[-1].meaning in (".", ")", ":", "paren")
     return _step_number(parts) if is_mark else None
 
 
@@ -78,6 +78,8 @@ def _clause(parts: Parts) -> Clause | None:
     command: Clause = parts[-1]
     if any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")):
         return None  # "the cup. With your left hand. Wave"
+    if sum(isinstance(part, _Numbered) for part in parts) > 1:
+        return None  # "turn left 90. 2. Wave"
     for part in parts[:-1]:
         if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
             command = replace(command, terse=True)  # else it belongs to what was said before
@@ -230,11 +232,12 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     clauses = in_order(said)
     if isinstance(clauses, Trouble):
         return clauses
-    numbers = [
-        one.part.number for one in said if isinstance(one.part, Clause) and one.part.number is not None
-    ]
-    if any(after <= before for before, after in itertools.pairwise(numbers)):
+    numbers = [_number_of(one.part) for one in said]
+    counted = [one for one in numbers if one is not None]
+    if any(after <= before for before, after in itertools.pairwise(counted)):
         return UNCLEAR_ORDER  # "2. open the drawer 1. go to the kitchen"
+    if counted and (numbers[0] is None or counted[-1] - counted[0] != len(counted) - 1):
+        return None  # "turn left 90. Move forward": no number of a list
     unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])
     revoked = next((one.revokes for one in clauses if one.revokes), None)
     if len(clauses) > 1 and all(stops(clause) for clause in clauses):
@@ -249,6 +252,12 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if runs_together(said):
         return None
     return unclear_among(said) or Sentence(tuple(clauses), unseparated)
+
+
+def _number_of(part: Clause | Group) -> int | None:
+    """Which one of a numbered list it is."""
+    clauses = (part,) if isinstance(part, Clause) else (*part.first, *part.second)
+    return next((one.number for one in clauses if one.number is not None), None)
 
 
 def _without_separator(parts: Parts) -> Further | None:

@@ -35,6 +35,9 @@ _LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
 _NOT = re.compile(r"(?<!\S)!(?=\w)")
 """A mark that denies what follows, as people write who program."""
 
+_CALL = re.compile(r"^[\W\d]*(?:\w+\.)*([^\W\d]\w*)\((?!s\)|\d+\))[^()]*\)")
+"""A call as programs write it, at the beginning of the text."""
+
 WRITTEN_OUT = {
     "whats": "what's",
     "wheres": "where's",
@@ -100,6 +103,11 @@ def normalise(text: str) -> str:
         plain = plain[1:-1].strip()
     if _NOT.search(_QUOTATION.sub(" ", plain)):
         raise MalformedTextError("'!' before a word may deny it; say only what to do", "!")
+    call = _CALL.match(plain)
+    if call is not None:
+        word = call.group(1)
+        told = "say it in words, or send JSON (docs/model_output.schema.json)"
+        raise MalformedTextError(f"a call ({word}(...)) is no sentence; {told}", word)
     if not plain:
         raise MalformedTextError("the sentence is empty")
     if len(plain) > MAX_LENGTH:
