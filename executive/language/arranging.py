@@ -154,6 +154,8 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     result = replace(result, hand=_only([one.side for one in item.details if isinstance(one, Hand)]))
     people = [one.person for one in item.details if isinstance(one, Benefit)]
     result = replace(result, person=_only(people), back="back" in item.details)
+    if not has_source and not goes:
+        wheres = [_is_there(where) for where in wheres]
     goals = [where for where in wheres if where.role == "to"]
     if len(goals) > 1:
         raise unfit()
@@ -171,6 +173,12 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
         else:
             goal = _told(goal, where)
     return replace(_at(result, before, has_source=has_source), goal=goal)
+
+
+def _is_there(where: Where) -> Where:
+    """Read "there" of what goes nowhere as where it is: "open the cabinet there"."""
+    there = where.of.reference == "there" and where.of.name != "back" and where.role == "to"
+    return replace(where, role="is", preposition="in") if there else where
 
 
 def _only(values: list[Any]) -> Any:

@@ -41,6 +41,12 @@ def _done(action: str, slots: Mapping[str, Any], condition: str | None = None) -
     return as_done(Clause(((draft(action, **slots),),), "base"), condition)
 
 
+def at_last() -> Draft:
+    """Being where was gone to just before, which is asked otherwise."""
+    ((arrived,),) = _done("walk_to", {"to": _THERE}, "there").bundles
+    return arrived
+
+
 def _arrived_there(parts: Parts) -> Clause:
     (said,) = words(parts, "ONCE_THERE")
     return _done("walk_to", {"to": _THERE}, said.said.split()[0])

@@ -6,7 +6,7 @@ that the work grows with the length and not with the number of parses. Parses th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -20,7 +20,7 @@ MAX_STEPS = 2_500
 _REFUSED_COMMANDS = frozenset({"NO_SKILL", "HARM", "THROW", "NEGATION", "ASK", "LIMITLESS", "REVOKE"})
 """Word classes that begin a command which is refused: "say hi and jump"."""
 
-_TOLD = frozenset({"command", "by_then"})
+_TOLD = frozenset({"command", "handled", "by_then"})
 """Rules whose words are those of a task."""
 
 Spans = dict[int, dict[Any, None]]
@@ -57,6 +57,11 @@ class Chart:
             if self._lattice.ends[end]:
                 found.update(dict.fromkeys(values))
         return list(found)
+
+    def begins_command(self, words: Iterable[Word]) -> bool:
+        """Whether one of some words can begin a command."""
+        first = self._rules["command"].first
+        return any(word.word_class in first for word in words)
 
     def has_beginning_of(self, rule: str) -> bool:
         """Whether some word of the sentence can begin what a rule describes."""

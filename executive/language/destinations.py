@@ -74,6 +74,8 @@ class Destinations(Antecedents):
         if nominal.sort == "name":
             nominal = replace(nominal, kind=None, name=nominal.kind)
         relation = nominal.relation
+        if relation is not None and relation.to.reference == "there":
+            relation = self._there_relation(nominal)
         resolved = None
         if relation is not None:
             if nominal.kind is not None and not nominal.is_place:
@@ -89,6 +91,15 @@ class Destinations(Antecedents):
             ordinal=nominal.ordinal,
             relation=resolved,
         )
+
+    def _there_relation(self, thing: Nominal) -> Relative:
+        """Where "the cabinet there" is: in the room, or on the furniture, that was gone to."""
+        place = self._only_place(Nominal("any", reference="there"), -1)
+        if place.sort == "room":
+            return Relative("in", place)
+        if place.sort == "furniture" and thing.sort == "thing":
+            return Relative("on", place)
+        raise ask("which place does 'there' stand for?")
 
     def _related(self, nominal: Nominal) -> Any:
         return self._beside(nominal, -1)

@@ -112,6 +112,8 @@ class DoneAlready(Doubts):
         """
         word, goal = one.get("condition"), one.get("to")
         on_the_way = bool(self._commands) and isinstance(goal, Nominal) and not goal.reference
+        if word == "there":
+            raise ask("which place does 'there' stand for?")
         if word is not None and not on_the_way:
             told = f"a condition ({word!r}) cannot be honoured; say what to do"
             raise UnresolvedError(Trouble(told, word))

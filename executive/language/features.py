@@ -93,6 +93,11 @@ def _made_of(parts: Parts) -> Feature:
     return Feature("material", words(parts, "MATERIAL")[0].meaning)
 
 
+def _wearing(parts: Parts) -> Trouble:
+    (how,) = words(parts, "WEARING")
+    return Trouble(f"people cannot be told apart by what they wear ({how.said!r})", how.said)
+
+
 def _which_is(parts: Parts) -> Feature | Relative | None:
     word = next(
         part for part in parts if isinstance(part, Word) and part.word_class not in ("REL_IS", "DET", "ONE")
@@ -120,5 +125,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "from_side": _from_side,
         "made_of": _made_of,
         "which_is": _which_is,
+        "wearing": _wearing,
     }
 )

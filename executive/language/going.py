@@ -106,6 +106,10 @@ def _toward(parts: Parts) -> Nominal | _By:
     return _By(goal) if by else goal
 
 
+def _toward_me(_parts: Parts) -> Nominal:
+    return ME
+
+
 def goal_of(reached: Any) -> Nominal | Relative:
     """Where a ``toward`` or an item leads; who "is by" a place does not pass it."""
     if isinstance(reached, _By):
@@ -157,6 +161,14 @@ def _walk_item(parts: Parts) -> Clause:
     reached = any(word.said.startswith("reach") for word in words(parts, "APPROACH"))
     if reached and not (goal.is_place and goal.is_plain):
         raise unfit()  # with a hand, or on foot?
+    return clause(parts, [(draft("walk_to", to=goal),)])
+
+
+def _meet_me(parts: Parts) -> Clause:
+    """Meet me in the kitchen: to the kitchen."""
+    goal = parts[-1]
+    if not goal.is_place or (words(parts, "IN") and goal.sort != "room"):
+        raise unfit()
     return clause(parts, [(draft("walk_to", to=goal),)])
 
 
@@ -299,11 +311,13 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         name: guarded(meaning)
         for name, meaning in {
             "toward": _toward,
+            "toward_me": _toward_me,
             "toward_inside": _toward_inside,
             "toward_relation": _toward_relation,
             "walk": _walk,
             "approach": _walk_item,
             "walk_item": _walk_item,
+            "meet_me": _meet_me,
             "come": _come,
             "come_to_tell": _come_to_tell,
             "go_back": _go_back,

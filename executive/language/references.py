@@ -40,7 +40,7 @@ _TYPES: dict[str, Any] = {
 }
 _ASIDE = frozenset(
     {"there_are", "again", "stays", "holds", "out", "tells"}
-    | {"done", "condition", "late", "lifts", "reaches"}
+    | {"done", "condition", "late", "lifts", "reaches", "reports"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 

@@ -47,6 +47,8 @@ _NEVER_USED = frozenset(
 _DECIDING = frozenset({"HARM", "THROW"})
 """Word classes that explain a refusal better than the place that broke the parse, when nothing else does."""
 
+_BEFORE_A_CLAUSE = frozenset({"and", "then", ",", ".", ";"})
+
 _SHOWN = 40
 """Characters of an offending word that are repeated to the user."""
 
@@ -78,13 +80,15 @@ class Explainer:
             if corrected or known or self._refused(lattice, chart) is None:
                 return refusal
         verbless = lattice.pieces and not chart.has_beginning_of("command")
-        if verbless and self._refused(lattice, chart) is None:
+        no_skill = self._no_skill(lattice, chart)
+        if verbless and no_skill is None and self._refused(lattice, chart) is None:
             shown = printable(lattice.pieces[0].text)
             message = f"a command begins with what to do, not with {shown!r}"
             return Refusal(message, shown, self.nearest_example(plain))
         ended = position >= len(lattice.pieces) or lattice.ends[position]
         found = None if ended else self._refused(lattice, chart)
         found = found or self._refused(lattice, chart, only=_DECIDING)
+        found = found or no_skill
         if found is None and ended:
             return self._incomplete(lattice, chart)
         if found is not None:
@@ -148,6 +152,18 @@ class Explainer:
                 message = self._vocabulary.refusal_of(word.word_class, word.meaning, said)
                 if message is not None:
                     return said, message
+        return None
+
+    def _no_skill(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:
+        """What a clause begins with that is no skill and can be read as nothing else: "clean the cup"."""
+        for start in range(min(chart.furthest, len(lattice.pieces))):
+            begins = start == 0 or lattice.pieces[start - 1].text in _BEFORE_A_CLAUSE
+            if not begins or chart.begins_command(lattice.phrase(start)):
+                continue
+            for word in lattice.phrase(start):
+                message = self._vocabulary.refusal_of(word.word_class, word.meaning, printable(word.said))
+                if word.word_class == "NO_SKILL" and message is not None:
+                    return printable(word.said), message
         return None
 
     def _deletions(self, length: int) -> Mapping[str, list[str]]:

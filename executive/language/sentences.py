@@ -12,6 +12,7 @@ from executive.language import (
     amounts,
     arrivals,
     attention,
+    chores,
     features,
     going,
     handling,
@@ -24,7 +25,7 @@ from executive.language import (
     speech,
     statements,
 )
-from executive.language.arrivals import as_done
+from executive.language.arrivals import as_done, at_last
 from executive.language.brief_tasks import takes_a_moment
 from executive.language.fronted import fronted
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
@@ -110,6 +111,22 @@ def _clause(parts: Parts) -> Clause | None:
 def _briefly(parts: Parts) -> Clause | None:
     *said, moment = parts
     return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
+
+
+def _there_first(parts: Parts) -> Clause | None:
+    """There, pick up the box: at the place that was gone to just before."""
+    command: Clause = parts[-1]
+    if words(parts, "THERE")[0].said != "there" or command.form != "base" or command.question:
+        return None
+    if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
+        return None
+    arrived = _clause((*(part for part in parts[:-1] if isinstance(part, _Numbered)), command))
+    if arrived is None:
+        return None
+    there = Nominal("any", reference="there")
+    if _is_taken_or_seen(command):
+        arrived = _with_slot(arrived, "source", there)
+    return None if arrived is None else replace(arrived, bundles=((at_last(),), *arrived.bundles))
 
 
 def _is_taken_or_seen(command: Clause) -> bool:
@@ -239,6 +256,10 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if counted and (numbers[0] is None or counted[-1] - counted[0] != len(counted) - 1):
         return None  # "turn left 90. Move forward": no number of a list
     unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])
+    if any(_reports(one) for one in clauses[:-1]):
+        return UNCLEAR_ORDER  # "tell me when you are done and go home"
+    if len(clauses) == 1 and _reports(clauses[0]) == "when":
+        return Trouble("when what is done?", asks=True)
     revoked = next((one.revokes for one in clauses if one.revokes), None)
     if len(clauses) > 1 and all(stops(clause) for clause in clauses):
         return Sentence(tuple(clauses[:1]))
@@ -252,6 +273,11 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if runs_together(said):
         return None
     return unclear_among(said) or Sentence(tuple(clauses), unseparated)
+
+
+def _reports(clause: Clause) -> Any:
+    """Whether it is to be said that all is done, which is "when" it is."""
+    return clause.bundles[0][0].get("reports") if clause.bundles else None
 
 
 def _number_of(part: Clause | Group) -> int | None:
@@ -315,6 +341,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **sharing.MEANINGS,
         **statements.MEANINGS,
         **arrivals.MEANINGS,
+        **chores.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
         "step_number": _step_number,
@@ -323,6 +350,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "briefly": _briefly,
         "clause_with_hand": _clause_with_hand,
         "fronted": fronted,
+        "there_first": _there_first,
         "done_before": _done_before,
         "after_first": _ordered("after_first"),
         "after_last": _ordered("after_last"),

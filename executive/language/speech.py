@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import clause, guarded, trouble, unfit
+from executive.language.arranging import ME, clause, guarded, trouble, unfit
 from executive.language.discourse import is_them
 from executive.language.lattice import TIME, Word
 from executive.language.phrase_parts import Parts, words
@@ -21,8 +21,9 @@ from executive.language.phrases import Clause, Meaning, Nominal, draft
 UNQUOTED = "which words shall be said? put them in quotation marks"
 
 _NO_SPEECH = """
-to for from with of by into at her his their its our not that your my you what whatever how why who whom where
-when whether if which something anything nothing about it them so a an in the\\stime the\\sdate the\\sday
+to for from with of by into at her his their its(?!') our not that your my you what whatever how why who whom
+where when whether if which something anything nothing about it(?!'s|\\sis|\\swas) them so a an
+in the\\stime the\\sdate the\\sday
 the\\sweather the\\struth the\\snames? the\\snumber the\\scolou?r the\\slocation the\\sposition the\\sway
 the\\snews the\\sanswer the\\sresult yes\\sor\\sno louder softer slower faster quieter up
 """
@@ -57,6 +58,9 @@ _ORDERED = re.compile(
     r"(?:put|place|pick|take|grab|bring|fetch|get|give|hand|carry|move|open|close|shut|go|walk|turn|point|wave|find)\b"
 )
 """How a command begins: "put the can on the shelf" states nothing, though "can" may be a verb."""
+
+_AT_THE_END = frozenset({"when", "once", "as", "report", "completion"})
+"""Words of what is to be said when something else is done."""
 
 _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 """Characters that nobody says."""
@@ -127,6 +131,15 @@ def _say(parts: Parts) -> Clause:
     return clause(parts, [(draft("say", text=_speech(parts)),)])
 
 
+def _say_done(parts: Parts) -> Clause:
+    """Tell me when you are finished: said by the robot, of itself."""
+    (said,) = words(parts, "SAY_DONE")
+    told = said.said.split()
+    when = "when" if _AT_THE_END & set(told) else "that"
+    done = draft("say", text=said.meaning, person=ME if "me" in told else None, reports=when)
+    return clause(parts, [(done,)])
+
+
 def _say_to(parts: Parts) -> Clause:
     person = next(part for part in parts if isinstance(part, Nominal))
     if not is_them(person) and (not person.is_person or person.plural):
@@ -140,7 +153,12 @@ def _say_to(parts: Parts) -> Clause:
     return clause(parts, [(draft("say", text=_speech(parts), person=person),)])
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {"words": _words, "say": _say, "say_to": _say_to}
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "words": _words,
+    "say": _say,
+    "say_to": _say_to,
+    "say_done": _say_done,
+}
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
