@@ -119,7 +119,7 @@ class Apart:
     def _thing(self, said: Slots, meant: Slots, *, acted_on: bool) -> str:
         """What a thing or place is to another one; one that is "acted on" is also meant by "one"."""
         if "relation" in meant and "kind" not in meant and not acted_on:
-            meant = meant["relation"]["to"]
+            meant = _as_described(meant["relation"]["to"])
         one, other = said.get("kind"), meant.get("kind")
         if one is not None and other is not None and one != other:
             if self._sort_of(one) != self._sort_of(other):
@@ -183,6 +183,11 @@ def _described(item: Item) -> dict[str, Any] | None:
     return said
 
 
+def _as_described(value: Slots | str) -> Slots:
+    """A description, of which a plain place is only its kind: "next to the table"."""
+    return {"kind": value} if isinstance(value, str) else value
+
+
 def _clashes(said: Slots, meant: Slots) -> bool:
     """Whether both say of one slot what cannot hold of one thing."""
     both = (slot for slot in said if slot != "kind" and None not in (said[slot], meant.get(slot)))
@@ -199,7 +204,7 @@ def _differ(slot: str, one: Any, other: Any) -> bool:
     if slot == "place":
         return isinstance(one, str) and isinstance(other, str)
     if slot == "relation":
-        to = one["to"].get("kind"), other["to"].get("kind")
+        to = _as_described(one["to"]).get("kind"), _as_described(other["to"]).get("kind")
         if None in to:
             return False
         same = one["is"] == other["is"]
