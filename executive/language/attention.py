@@ -30,6 +30,7 @@ from executive.language.phrases import (
     Meaning,
     Nominal,
     Relative,
+    Sort,
     Trouble,
     Where,
     draft,
@@ -109,6 +110,20 @@ def _show_where(parts: Parts) -> Clause:
     if several is not None:
         raise trouble(f"which one of the {plural(several.kind or 'thing')}?", asks=True)
     return _attend("point_at")(parts)
+
+
+def _watch(parts: Parts) -> Clause:
+    """Watch Ana: she is looked at."""
+    (word,) = words(parts, "NAME", "ME")
+    sort: Sort = "me" if word.word_class == "ME" else "name"
+    return clause(
+        parts, [(draft("look_at", person=Nominal(sort, word.meaning, determined=True), watches=True),)]
+    )
+
+
+def _watch_over(parts: Parts) -> Clause:
+    verb = words(parts, "WATCH")[0].said
+    raise trouble(f"{verb!r}: this robot looks at somebody once, and watches over nobody and nothing", verb)
 
 
 def _is_aimed(items: Items) -> bool:
@@ -312,6 +327,8 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "show_where": _show_where,
     "look": _attend("look_at"),
     "look_around": _look_around,
+    "watch": _watch,
+    "watch_over": _watch_over,
     "find": _asking(_find),
     "is_it": _asking(_is_it),
     "whether_at": _whether_at,

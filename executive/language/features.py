@@ -85,7 +85,8 @@ def _on_side(parts: Parts) -> Feature | Trouble | None:
     )
 
 
-def _from_side(parts: Parts) -> _FromSide:
+def from_side(parts: Parts) -> _FromSide:
+    """From which side things are counted."""
     return _FromSide(words(parts, "LEFT_RIGHT")[0].meaning)
 
 
@@ -122,7 +123,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "adjective": _adjective,
         "adjective_word": _adjective_word,
         "on_side": _on_side,
-        "from_side": _from_side,
+        "from_side": from_side,
         "made_of": _made_of,
         "which_is": _which_is,
         "wearing": _wearing,

@@ -58,6 +58,8 @@ def _items(parts: Parts) -> Items | Trouble | None:
     """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
     each = with_others([part for part in parts if isinstance(part, Item)])
     links = [part for part in parts if isinstance(part, _Joined)]
+    if len(links) == len(each) - 1:
+        each, links = _named_at_last(each, links)
     if len(each) > 1 and len(links) == len(each) - 1:
         placed = bool(each[-2].details and each[-1].details) and not _may_be_one(each[-2].of, each[-1].of)
         unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
@@ -72,6 +74,28 @@ def _items(parts: Parts) -> Items | Trouble | None:
         if unclear is not None:
             return unclear
     return shared_adjective(each) or Items(_with_article(each))
+
+
+def _named_at_last(each: tuple[Item, ...], links: list[_Joined]) -> tuple[tuple[Item, ...], list[_Joined]]:
+    """With "that thing, the stapler" as one thing: nobody counts a thing without a name among others."""
+    for index, link in enumerate(links):
+        first, second = each[index], each[index + 1]
+        features = ("color", "size", "material", "ordinal")
+        if not (link.commas and is_nameless(first.of) and second.of.sort == "thing" and second.of.determined):
+            continue
+        told = {one: getattr(first.of, one) or getattr(second.of, one) for one in features}
+        same = all(getattr(second.of, one) in (None, told[one]) for one in features)
+        if not same or second.of.indefinite or not second.of.is_single or (first.details and second.details):
+            continue
+        named = Item(replace(second.of, **told), (*first.details, *second.details), second.too)
+        return (*each[:index], named, *each[index + 2 :]), [*links[:index], *links[index + 1 :]]
+    return each, links
+
+
+def is_nameless(of: Nominal) -> bool:
+    """Whether it is "that thing", of which no more than adjectives is told."""
+    nameless = of.sort == "any" and of.kind is None and not of.anaphoric and of.reference is None
+    return nameless and of.is_single and of.determined and not of.indefinite and of.relation is None
 
 
 def is_told_beside(before: Nominal, of: Nominal) -> bool:

@@ -13,6 +13,8 @@ def runs_together(said: Sequence[Further]) -> bool:
     """Whether a stop, or a motion without an end, has nothing between it and the next: "stop pick it up"."""
     for before, after in itertools.pairwise(said):
         both = [one.part for one in (before, after) if isinstance(one.part, Clause)]
+        if after.separator is Separator.NOTHING and any(map(_watches, both[:1])):
+            return True  # "watch Ana open the door": she opens it
         ends = all(not stops(one) and not is_endless(one) for one in both)
         if after.separator is Separator.NOTHING and not ends and not all(_moves(one) for one in both):
             return True
@@ -31,6 +33,11 @@ def unclear_among(said: Sequence[Further]) -> Trouble | None:
         if stops(second) and after.separator is Separator.COMMA and not _moves(first):
             return Trouble("shall it be stopped now, or when that is done?", asks=True)
     return None
+
+
+def _watches(clause: Clause) -> bool:
+    """Whether it watches somebody, whose doing may follow."""
+    return bool(clause.bundles) and bool(clause.bundles[-1][-1].get("watches"))
 
 
 def _moves(clause: Clause) -> bool:

@@ -7,7 +7,14 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from executive.language.amounts import unclear_glasses
-from executive.language.features import COUNTED_FROM, ROBOT, SUPERLATIVES, described
+from executive.language.features import (
+    COUNTED_FROM,
+    ROBOT,
+    SUPERLATIVES,
+    described,
+    feature_of,
+    from_side,
+)
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, nominal_of, words
 from executive.language.phrases import Meaning, Nominal, Relative, Sort, Trouble
@@ -102,6 +109,13 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
     return replace(nominal, determined=determined, indefinite=indefinite, whose=whose)
 
 
+def _rank(parts: Parts) -> Nominal | Trouble | None:
+    """The second from the right, without a noun."""
+    one = Nominal("any", anaphoric=True, determined=True, said="one")
+    (rank,), (side,) = words(parts, "ORDINAL"), words(parts, "LEFT_RIGHT")
+    return described(described(one, (feature_of(rank),)), (from_side((side,)),))
+
+
 def _owned(parts: Parts) -> Nominal | Trouble | None:
     owner = words(parts, "OWNER", "OWNING")[0]
     named = owner.word_class == "OWNER"
@@ -178,6 +192,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "part_of": _part_of,
         "one": _one,
         "owned": _owned,
+        "rank": _rank,
         "simple": _simple,
         "np": _np,
     }

@@ -39,7 +39,7 @@ _TYPES: dict[str, Any] = {
     "stop": StopCommand,
 }
 _ASIDE = frozenset(
-    {"there_are", "again", "stays", "holds", "out", "tells"}
+    {"there_are", "again", "stays", "holds", "out", "tells", "watches"}
     | {"done", "condition", "late", "lifts", "reaches", "reports"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
