@@ -97,9 +97,7 @@ class TellingLeaf(Leaf):
         )
 
     def furniture(self, around: Surroundings, region: Region | None) -> list[str]:
-        """What stands in a room, each once: "the counter", "the fridge"; nothing without a room."""
-        if region is None:
-            return []
+        """What stands in a room, or anywhere without one, each once: "the counter", "the fridge"."""
         names = (thing.name for thing in around.things if not thing.movable and not thing.is_person)
         kinds = {kind_of(name) for name in self.inside(region, names)}
         return [f"the {kind}" for kind in sorted(kinds - _NO_FURNITURE)]

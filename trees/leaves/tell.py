@@ -76,7 +76,7 @@ class TellDescription(TellingLeaf):
         people = self._people(around, source)
         inside = region is not None or str(source) in MEANT_BY
         where = "here" if source is None else f"{'in' if inside else 'on'} the {source}"
-        furniture = self.furniture(around, region)
+        furniture = self.furniture(around, region) if source is None or region is not None else []
         words = f"{where} I see {listed([*furniture, *counted(things), *people]) or 'nothing'}"
         return self.say(
             words,

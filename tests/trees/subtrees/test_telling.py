@@ -83,7 +83,7 @@ def test_nothing_is_on_no_counter_even_where_nothing_is_seen_at_all(stage_with):
     [
         (CountTask("how many people are there", PEOPLE), "from here I see two people"),
         (CountTask("how many people are next to the table", PEOPLE, "table"), "from here I see two people"),
-        (DescribeTask("what do you see"), "here I see one red cup, Ana and Ben"),
+        (DescribeTask("what do you see"), "here I see the table, one red cup, Ana and Ben"),
         (DescribeTask("what is on the table", source="table"), "on the table I see one red cup"),
     ],
 )
@@ -122,7 +122,7 @@ def test_what_was_seen_elsewhere_is_not_told_to_be_here(stage_with):
 
     run(stage, DescribeTask("what do you see"))
 
-    assert said(stage)[1] == "here I see Ana"
+    assert said(stage)[1] == "here I see the table and Ana"
 
 
 @pytest.mark.parametrize(
@@ -153,3 +153,12 @@ def test_who_is_described_has_no_article(stage_with):
     )
 
     assert said(stage)[0].startswith("Ana is 1.")
+
+
+def test_before_furniture_with_nothing_on_it_the_furniture_is_told(stage_with):
+    stage = stage_with(table())
+
+    run(stage, DescribeTask("what do you see"))
+    run(stage, DescribeTask("what is on the table", source="table"))
+
+    assert said(stage) == ["here I see the table", "on the table I see nothing"]
