@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
+from executive.language.bare_lists import with_commas
 from executive.language.chart import Chart, TooTangledError
 from executive.language.contrasts import Reader, contrasted
 from executive.language.corrections import corrected
@@ -42,6 +43,9 @@ _PRAISE = frozenset({"good", "great", "well", "nice", "excellent", "perfect", "f
 """Words of what is said to whoever has done something, as well as before a command."""
 
 _PLACES = frozenset({"FURNITURE", "CONTAINER", "DOOR"})
+_THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"})
+_ASK = frozenset({"OPENING", "THERE_IS"})
+"""What begins with "you" and asks for something, or states where it is: "you could", "you see"."""
 
 LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
@@ -130,6 +134,10 @@ class CommandParser:
             if commands is not None:
                 return Parsed(text, commands=commands, manners=lattice.manners())
         if not outcomes:
+            listed = with_commas(lattice)
+            commands = None if listed is None else self._only_commands(listed)
+            if commands is not None:
+                return Parsed(text, commands=commands, manners=lattice.manners())
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
         if _asks_about_doing(lattice):
             return Parsed(text, question=Question("is that asked about, or shall it be done?"))
@@ -232,7 +240,9 @@ def _asks_about_doing(lattice: Lattice) -> bool:
     if not asks:
         return False
     said = (word for start in range(len(lattice.pieces)) for word in lattice.phrase(start))
-    states = any(word.word_class == "SHALL_GO" and lattice.is_behind_a_thing(word.start) for word in said)
+    states = any(word.word_class == "SHALL_GO" and lattice.ends_with(word.start, _THINGS) for word in said)
+    begins = {word.word_class for word in lattice.phrase(0)}
+    states = states or ("YOU_DO" in begins and begins.isdisjoint(_ASK))  # "you take sugar?"
     return states or any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
 
 

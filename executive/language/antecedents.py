@@ -105,6 +105,18 @@ class Antecedents(Discourse):
             return places[0]
         raise ask("what does 'it' stand for?")
 
+    def _looked_into(self) -> ObjectOf:
+        """What is looked into: the only thing that was opened, while it is open.
+
+        Raises:
+            UnresolvedError: Nothing was, or several things, or it may be what something was put into.
+        """
+        opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
+        since = {one.action for one in self._commands[opened[-1] :]} if opened else set()
+        if len(opened) != 1 or since & {"close", "walk_to", "go_home", "move", "place"} or self._mentioned:
+            raise ask("into what?")
+        return ObjectOf(opened[0])
+
     def _same_it(self, task: int) -> ObjectOf:
         """What "it" is beside two things of one clause: "put the bottle next to it and the can behind it".
 

@@ -207,6 +207,8 @@ def _goal(open_ones: list[Where]) -> Where:
 def _told(goal: Where, where: Where) -> Where:
     """What is said after where the thing goes tells where that is: "to the man standing by the door"."""
     of = goal.of
+    if of.sort == "me" and where.of.is_place:
+        raise trouble(f"are you at the {where.of.kind}, or shall it be put there?", asks=True)
     if of.reference or of.sort in ("me", "you"):
         raise unfit()
     if where.relation is None and of.is_place and where.of.sort != "room":

@@ -18,6 +18,7 @@ from executive.language.arranging import (
 )
 from executive.language.features import SUPERLATIVES
 from executive.language.going import target
+from executive.language.handled_thing import IT
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
@@ -130,6 +131,10 @@ def _is_aimed(items: Items) -> bool:
     """Whether a thing is to be turned towards another: "point the lamp at the table"."""
     details = (one for item in items.each for one in item.details)
     return any(isinstance(one, Where) and (one.preposition == "at" or one.role == "to") for one in details)
+
+
+def _look_inside(parts: Parts) -> Clause:
+    return clause(parts, [(draft("look_at", object=IT, inside=True),)])
 
 
 def _look_around(_parts: Parts) -> Clause:
@@ -326,6 +331,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "point_hand": _attend("point_at"),
     "show_where": _show_where,
     "look": _attend("look_at"),
+    "look_inside": _look_inside,
     "look_around": _look_around,
     "watch": _watch,
     "watch_over": _watch_over,

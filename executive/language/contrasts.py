@@ -212,7 +212,9 @@ class _Contrast:
         return self._lattice.pieces[position].text in _WEAK
 
     def _is_but(self, position: int) -> bool:
-        return self._lattice.pieces[position].text == _BUT
+        """Whether "but" stands there, and not "but first", which orders."""
+        orders = any(one.word_class == "BUT_FIRST" for one in self._lattice.phrase(position))
+        return self._lattice.pieces[position].text == _BUT and not orders
 
     def _stripped(self, end: int) -> int:
         """Where what stands before a place ends without its marks."""

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from executive.language.arranging import Arranged, arranged, guarded
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Item, Nominal, Trouble, Where
+from executive.language.phrases import Bundle, Clause, Item, Nominal, Trouble, Where
 
 
 def fronted(parts: Parts) -> Clause | Trouble | None:
@@ -15,28 +15,38 @@ def fronted(parts: Parts) -> Clause | Trouble | None:
     topic = next(part for part in parts if isinstance(part, Item))
     if (
         any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")[-1:])
-        or len(command.bundles) != 1
+        or not command.bundles
+        or any(_leans(bundle) for bundle in command.bundles[1:])
     ):
         return None
+    listed = any(mark.meaning == "," for mark in words(parts, "PAUSE")[-1:])
     one = _TOPIC((topic,))
     if not isinstance(one, Arranged):
         return one  # type: ignore[no-any-return]
     of = one.object
+    if of.plural and of.determined and not of.counted:
+        of = replace(of, count="all")
     first, *rest = command.bundles[0]
     said = first.get("object")
-    if said == of and not topic.details:
-        return replace(command, terse=True)  # "the cup: bring me the cup"
+    if said == one.object and len(command.bundles) == 1 and not topic.details:
+        return replace(command, terse=True, topic=listed)  # "the cup: bring me the cup"
     pronoun = "them" if of.count != 1 or of.plural else "it"
     if not isinstance(said, Nominal) or said.reference != pronoun or of.reference:
         return None
-    if of.sort not in ("thing", "container", "door") or (of.plural and not of.counted):
+    if of.sort not in ("thing", "container", "door") or (of.plural and of.count == 1):
         return None
     changed = first.replacing("object", of)
     for name, value in (("count", None if of.count == 1 else of.count), ("source", one.source)):
         if value is not None and first.get(name) is not None:
             return None
         changed = changed.with_slot(name, value)
-    return replace(command, bundles=((changed, *rest),), terse=True)
+    return replace(command, bundles=((changed, *rest), *command.bundles[1:]), terse=True, topic=listed)
+
+
+def _leans(bundle: Bundle) -> bool:
+    """Whether what is done to another thing in one breath leans on what was said before: "it and that"."""
+    named = bundle[0].get("object")
+    return not isinstance(named, Nominal) or named.reference is not None or named.anaphoric
 
 
 def _topic(parts: Parts) -> Arranged | None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
@@ -20,6 +19,7 @@ from executive.language.arranging import (
 from executive.language.handled_thing import (
     ASKER,
     BIN,
+    IT,
     PREVIOUS,
     TRASH,
     WHOEVER_IS_THERE,
@@ -30,16 +30,13 @@ from executive.language.handled_thing import (
     with_it,
 )
 from executive.language.lattice import Word
-from executive.language.lists import is_told_beside, said_again, said_twice, shared_adjective
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Bundle,
     Clause,
-    Item,
     Items,
     Meaning,
     Nominal,
-    Pair,
     Relative,
     Where,
     draft,
@@ -161,7 +158,8 @@ def _fetch(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
-def _recipient(nominal: Nominal) -> Nominal:
+def recipient(nominal: Nominal) -> Nominal:
+    """Somebody, if one person can be handed things there."""
     if nominal.reference == "here":
         return ME
     if nominal.reference == "them":
@@ -175,7 +173,7 @@ def _recipient(nominal: Nominal) -> Nominal:
 
 def handed(taken: Any, person: Nominal) -> Bundle:
     """What is picked up, handed to somebody."""
-    return (taken, draft("hand_over", object=PREVIOUS, to=_recipient(person)))
+    return (taken, draft("hand_over", object=PREVIOUS, to=recipient(person)))
 
 
 def _is_beside_somebody(relation: Relative) -> bool:
@@ -219,65 +217,20 @@ def _give_it(parts: Parts) -> Clause:
     return _give(with_it(parts))
 
 
+def _bring_it_me(parts: Parts) -> Clause:
+    """Bring me: what was taken before."""
+    return clause(parts, [_transport(Arranged(IT, person=ME))])
+
+
+def _give_it_me(parts: Parts) -> Clause:
+    return clause(parts, [given(Arranged(IT), ME)])
+
+
 def _carry(parts: Parts) -> Clause:
     each = arranged(parts)
     if any(one.goal is None for one in each):
         raise unfit()
     return clause(parts, [_transport(one) for one in each])
-
-
-def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
-    """Who gets what; further things are for who was named before: "me the cup and the can, Ana the box"."""
-    each: list[tuple[Nominal, list[Item]]] = []
-    for part in parts:
-        if isinstance(part, Pair):
-            each.append((part.person, [part.item]))
-        elif isinstance(part, Item):
-            each[-1][1].append(part)
-    if any(person.reference == "him" for person, _ in each[1:]):
-        raise trouble("who is meant?", asks=True)  # "give Ben the cup and her the bottle": not Ben
-    for _, items in each:
-        if len(items) > 1:
-            unclear = said_again(items[-2].of, items[-1].of, parts) or shared_adjective(items)
-            unclear = unclear or (said_twice(items, parts) if len(each) == 1 else None)
-            if unclear is not None:
-                raise trouble(unclear.message, asks=True)
-    every = [item.of for _, items in each for item in items]
-    if not all(map(is_told_beside, every, every[1:])):
-        raise unfit()
-    result = [_for_whom(person, one) for person, items in each for one in _arranged_apart(items)]
-    if any(one.goal is not None or (one.person is not None and one.person.sort != "me") for _, one in result):
-        raise unfit()
-    return result
-
-
-def _arranged_apart(items: Sequence[Item]) -> Iterator[Arranged]:
-    """Things that go together; where another one goes says nothing of those before it."""
-    together = [item for item in items if not (_is_another(item.of) and item.details)]
-    yield from arranged(tuple(together)) if together else ()
-    for item in items:
-        if item not in together:
-            yield from arranged((item,))
-
-
-def _is_another(of: Nominal) -> bool:
-    return of.anaphoric and of.ordinal == "other"
-
-
-def _for_whom(person: Nominal, one: Arranged) -> tuple[Nominal, Arranged]:
-    """Who gets a thing; another one of the same may be for somebody else: "me a cup and another for Ana"."""
-    goes = one.goal is not None and one.goal.relation is None and one.goal.preposition == "to"
-    other = one.goal.of if one.goal is not None and goes else one.person
-    if _is_another(one.object) and other is not None:
-        return _recipient(other), replace(one, goal=None, person=None)
-    return _recipient(person), one
-
-
-def _bring_pairs(parts: Parts) -> Clause:
-    return clause(
-        parts,
-        [handed(picked(one, fetched=True), person) for person, one in _pairs(parts)],
-    )
 
 
 _PASSES = frozenset({"pass", "passing"})
@@ -311,15 +264,11 @@ def given(one: Arranged, person: Nominal) -> Bundle:
             "hand_over",
             object=nominal,
             source=one.source,
-            to=_recipient(person),
+            to=recipient(person),
             hand=one.hand,
             count=count_of(nominal),
         ),
     )
-
-
-def _give_pairs(parts: Parts) -> Clause:
-    return clause(parts, [given(one, person) for person, one in _pairs(parts)])
 
 
 def _can_i_have(parts: Parts) -> Clause:
@@ -346,10 +295,10 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "bring": _bring,
     "carry": _carry,
     "bring_it": _bring_it,
+    "bring_it_me": _bring_it_me,
+    "give_it_me": _give_it_me,
     "give_it": _give_it,
-    "bring_pairs": _bring_pairs,
     "give": _give,
-    "give_pairs": _give_pairs,
     "can_i_have": _can_i_have,
     "want": _want,
 }

@@ -33,7 +33,6 @@ _COMPLETE = frozenset(
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
-_THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"})
 _PLACES = frozenset({"ON", "IN", "AT", "RELATION", "NEXT_TO"})
 _SUBJECTS = frozenset({*_NOUNS, "PERSON", "NAME"})
 _PREDICATES = frozenset({*_PLACES, "STATE", "DEGREE"})
@@ -300,9 +299,13 @@ class Lattice:
         """The words that begin exactly at a place."""
         return self._own[position]
 
-    def is_behind_a_thing(self, position: int) -> bool:
-        """Whether what ends at a place is a thing, which what follows may state something of."""
-        return not self._ended[position].isdisjoint(_THINGS)
+    def ends_with(self, position: int, classes: AbstractSet[str]) -> bool:
+        """Whether a phrase of one of some classes ends at a place."""
+        return not self._ended[position].isdisjoint(classes)
+
+    def begins_with(self, position: int, classes: AbstractSet[str]) -> bool:
+        """Whether a phrase of one of some classes begins at a place."""
+        return not self._begins[position].isdisjoint(classes)
 
     def manners(self) -> tuple[str, ...]:
         """Words that say how, and are passed over because it is always done like that."""

@@ -117,6 +117,12 @@ def with_others(each: Sequence[Item]) -> tuple[Item, ...]:
     return tuple(others)
 
 
+def _in_your_hand(_parts: Parts) -> Trouble:
+    """The apple you are holding: no sentence alone tells which one it is, and another would be looked for."""
+    told = "what is in the hand is called by its own words, or 'it' after it was picked up"
+    return Trouble(told, "holding")
+
+
 def _with_article(each: tuple[Item, ...]) -> tuple[Item, ...]:
     """With the article of the first: "the cups and saucers"."""
     first = each[0].of
@@ -272,6 +278,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "item": _item,
         "item_too": _item_too,
         "items": _items,
+        "in_your_hand": _in_your_hand,
         "both_items": _both_items,
         "joined": _joined,
         "only_item": _only_item,

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
+from typing import Any
 
-from executive.language.arranging import ME
+from executive.language.arranging import ME, Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.genders import may_be
+from executive.language.handling import given, handed, picked, recipient
 from executive.language.lattice import Word
+from executive.language.lists import is_told_beside, said_again, said_twice, shared_adjective
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Item, Meaning, Nominal, Pair, Trouble
+from executive.language.phrases import Clause, Item, Meaning, Nominal, Pair, Trouble
 
 
 def _us(_parts: Parts) -> Nominal:
@@ -58,6 +62,75 @@ def _own_pair(parts: Parts) -> Pair | Trouble | None:
     return Pair(made.person, replace(made.item, of=own))
 
 
+def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
+    """Who gets what; further things are for who was named before: "me the cup and the can, Ana the box"."""
+    each: list[tuple[Nominal, list[Item]]] = []
+    for part in parts:
+        if isinstance(part, Pair):
+            each.append((part.person, [part.item]))
+        elif isinstance(part, Item):
+            each[-1][1].append(part)
+    if any(person.reference == "him" for person, _ in each[1:]):
+        raise trouble("who is meant?", asks=True)  # "give Ben the cup and her the bottle": not Ben
+    for _, items in each:
+        if len(items) > 1:
+            unclear = said_again(items[-2].of, items[-1].of, parts) or shared_adjective(items)
+            for first, second in itertools.pairwise(items):
+                before = parts.index(second)  # "me the cup, the red one and the bowl"
+                unclear = unclear or said_again(first.of, second.of, parts[before - 1 : before])
+            unclear = unclear or (said_twice(items, parts) if len(each) == 1 else None)
+            if unclear is not None:
+                raise trouble(unclear.message, asks=True)
+    every = [item.of for _, items in each for item in items]
+    if not all(map(is_told_beside, every, every[1:])):
+        raise unfit()
+    result = [_for_whom(person, one) for person, items in each for one in _arranged_apart(items)]
+    if any(one.goal is not None or (one.person is not None and one.person.sort != "me") for _, one in result):
+        raise unfit()
+    return result
+
+
+def _arranged_apart(items: Sequence[Item]) -> Iterator[Arranged]:
+    """Things that go together; where another one goes says nothing of those before it."""
+    together = [item for item in items if not (_is_another(item.of) and item.details)]
+    yield from arranged(tuple(together)) if together else ()
+    for item in items:
+        if item not in together:
+            yield from arranged((item,))
+
+
+def _is_another(of: Nominal) -> bool:
+    return of.anaphoric and of.ordinal == "other"
+
+
+def _for_whom(person: Nominal, one: Arranged) -> tuple[Nominal, Arranged]:
+    """Who gets a thing; another one of the same may be for somebody else: "me a cup and another for Ana"."""
+    goes = one.goal is not None and one.goal.relation is None and one.goal.preposition == "to"
+    other = one.goal.of if one.goal is not None and goes else one.person
+    if _is_another(one.object) and other is not None:
+        return recipient(other), replace(one, goal=None, person=None)
+    return recipient(person), one
+
+
+def _bring_pairs(parts: Parts) -> Clause:
+    return clause(
+        parts,
+        [handed(picked(one, fetched=True), person) for person, one in _pairs(parts)],
+    )
+
+
+def _give_pairs(parts: Parts) -> Clause:
+    return clause(parts, [given(one, person) for person, one in _pairs(parts)])
+
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {"bring_pairs": _bring_pairs, "give_pairs": _give_pairs}
+
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {"us": _us, "pair": _pair, "pair_for_us": _pair_for_us, "own_pair": _own_pair}
+    {
+        "us": _us,
+        "pair": _pair,
+        "pair_for_us": _pair_for_us,
+        "own_pair": _own_pair,
+        **{name: guarded(meaning) for name, meaning in _COMMANDS.items()},
+    }
 )

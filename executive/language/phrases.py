@@ -277,6 +277,8 @@ class Clause:
         number: Which one of a numbered list it is.
         question: Whether it begins as a question does, and so may be meant for "which is ..." where nothing
             stands before it: "bring me the cup what is on the table".
+        topic: Whether it begins with its thing, which after "and" or a comma may be one more of what
+            precedes: "pick up the cup and the bottle, put it on the shelf".
         placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
     """
 
@@ -290,6 +292,7 @@ class Clause:
     terse: bool = False
     number: int | None = None
     question: bool = False
+    topic: bool = False
     placed: bool = False
 
 

@@ -27,7 +27,7 @@ from executive.language.phrases import (
 )
 from trees.tasks import RelationKind
 
-_LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO"})
+_LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO", "ROUND"})
 _WITHIN: Mapping[str, RelationKind] = {"ON": "on", "IN": "in", "AT": "next_to"}
 _FLAT = frozenset(
     {"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "tablecloth", "rug"}
@@ -64,6 +64,16 @@ def _relation(role: Role) -> Meaning:
         return None if kind is None else Where(role, nominal, None, kind, left_by=_left_by(parts))
 
     return meaning
+
+
+def _located_round(parts: Parts) -> Where | None:
+    """Near something on any of its sides; what is round somebody may be wherever he goes."""
+    of = parts[-1]
+    fits = isinstance(of, Nominal) and (of.is_place or of.sort == "thing")
+    return _BESIDE(parts) if fits else None
+
+
+_BESIDE = _relation("is")
 
 
 def _left(parts: Parts) -> _LeftBy | Trouble:
@@ -258,6 +268,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "to_in": _place("to", "in"),
         "to_place": _place("to", "to"),
         "located_from": _place("from", "on"),
+        "located_round": _located_round,
         "at_relation": _relation("either"),
         "to_relation": _relation("to"),
         "within": _within,

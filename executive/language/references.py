@@ -39,7 +39,7 @@ _TYPES: dict[str, Any] = {
     "stop": StopCommand,
 }
 _ASIDE = frozenset(
-    {"there_are", "again", "stays", "holds", "out", "tells", "watches"}
+    {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside"}
     | {"done", "condition", "late", "lifts", "reaches", "reports"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
@@ -218,6 +218,8 @@ class Resolver(StatedThings, DoneAlready):
         thing = one.get("object")
         if not isinstance(thing, Nominal):
             return None, thing
+        if one.get("inside"):
+            return None, self._looked_into()
         if thing.reference:
             meant = self._it(thing, one.action, one.get("source"))
             return (meant, self._description(meant)) if isinstance(meant, Nominal) else (None, meant)

@@ -28,12 +28,14 @@ from executive.language import (
 from executive.language.arrivals import as_done, at_last
 from executive.language.brief_tasks import takes_a_moment
 from executive.language.fronted import fronted
+from executive.language.lattice import Word
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Hand, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
 from executive.language.statements import is_statement, may_be_said, with_places
+from executive.language.told import as_told
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +108,15 @@ def _clause(parts: Parts) -> Clause | None:
                 return None
             command = changed
     return command
+
+
+def _you_do(parts: Parts) -> Clause | Trouble | None:
+    """A command that begins with who is to do it: "you take the cup"."""
+    command = as_told(parts[-1])
+    if not isinstance(command, Clause):
+        return command
+    clause = _clause((*(part for part in parts[:-1] if not isinstance(part, Word)), command))
+    return None if clause is None else replace(clause, terse=True)
 
 
 def _briefly(parts: Parts) -> Clause | None:
@@ -309,6 +320,8 @@ def _more(parts: Parts) -> Further | None:
     separator, part = parts
     if separator is Separator.COMMA and isinstance(part, Clause) and part.placed:
         return None  # "find the cup, in the kitchen, take the bowl"
+    if isinstance(part, Clause) and part.topic and separator not in (Separator.STOP, Separator.ASKED):
+        return None
     asked = separator is Separator.ASKED
     return Further(Separator.STOP if asked else separator, part, asked=asked)
 
@@ -347,6 +360,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "step_number": _step_number,
         "ordinal_step": _ordinal_step,
         "clause": _clause,
+        "you_do": _you_do,
         "briefly": _briefly,
         "clause_with_hand": _clause_with_hand,
         "fronted": fronted,

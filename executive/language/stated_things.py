@@ -10,6 +10,10 @@ from executive.language.phrases import Bundle, Draft, Mention, Nominal
 _AT_A_PLACE = frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"})
 
 
+_TAKES = frozenset({"pick", "place", "put_in", "hand_over"})
+"""Tasks of which the thing can be nothing that was gone to or opened before."""
+
+
 def _unrelated() -> UnresolvedError:
     return ask("what has the statement to do with the task?")
 
@@ -75,7 +79,9 @@ class StatedThings(Discourse):
             raise _unrelated()
         if thing.said == "both" and of.count not in (2, "both"):
             raise ask("which two are meant?")
-        if self._commands or first.get("source") is not None:
+        handled = self._recent(lambda entity: entity.of.sort in ("thing", "any")) or self._mentioned
+        takes = first.action in _TAKES and not handled  # "go to the hall. My keys are there. Bring them"
+        if (self._commands and not takes) or first.get("source") is not None:
             raise ask(f"what does {pronoun!r} stand for?")
         told = first.replacing("object", of).with_slot("source", stated.source)
         return told if of.count == 1 else told.with_slot("count", of.count)

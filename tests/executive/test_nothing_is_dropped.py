@@ -190,7 +190,6 @@ def test_the_same_thing_is_picked_up_twice_only_when_it_is_asked_about():
 @pytest.mark.parametrize(
     ("sentence", "told"),
     [
-        ("deliver it to me in the living room", "together they are no task"),
         ("open the drawer to the garden", "together they are no task"),
         ("put the cup", "after 'cup' something is missing"),
         ("pick up the", "after 'the' an object such as a cup or a box is missing"),
