@@ -133,8 +133,10 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
         elif one.goal is None and following.goal is not None:
             each[index] = replace(one, goal=following.goal)
     for index in range(1, len(items)):
+        before = each[index - 1]
+        if items[index].too and each[index].goal is None and each[index].source is not None:
+            each[index] = replace(each[index], goal=before.goal)  # "... and the plate from the shelf too"
         if items[index].too and not items[index].details:
-            before = each[index - 1]
             each[index] = replace(
                 each[index], goal=before.goal, source=before.source if before.goal else None
             )

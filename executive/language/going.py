@@ -106,6 +106,14 @@ def _toward(parts: Parts) -> Nominal | _By:
     return _By(goal) if by else goal
 
 
+def _toward_where(parts: Parts) -> Nominal:
+    """Where the cup is: to the cup."""
+    said = words(parts, "WHERE")[0].said
+    if said != "where":
+        raise unfit()
+    return target(next(part for part in parts if isinstance(part, Item)))
+
+
 def _toward_me(_parts: Parts) -> Nominal:
     return ME
 
@@ -311,6 +319,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         name: guarded(meaning)
         for name, meaning in {
             "toward": _toward,
+            "toward_where": _toward_where,
             "toward_me": _toward_me,
             "toward_inside": _toward_inside,
             "toward_relation": _toward_relation,

@@ -7,6 +7,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 
 from executive.language.addresses import is_whole
+from executive.language.begun_twice import without_beginnings
 from executive.language.hesitations import says_nothing
 from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
@@ -124,7 +125,7 @@ class Lattice:
 
     def __init__(self, plain: str, pieces: Sequence[Piece], vocabulary: Vocabulary) -> None:
         self.plain = plain
-        self.pieces = pieces = list(_uncontracted(pieces, vocabulary))
+        self.pieces = pieces = without_beginnings(list(_uncontracted(pieces, vocabulary)), vocabulary)
         size = len(pieces)
         texts = [piece.text if not piece.quoted else "" for piece in pieces]
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]

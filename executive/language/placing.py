@@ -12,7 +12,7 @@ from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.lists import another_of
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Relative, Where, draft
+from executive.language.phrases import Bundle, Clause, Item, Items, Meaning, Nominal, Relative, Where, draft
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
 """Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""
@@ -140,12 +140,26 @@ def _put_into(parts: Parts) -> Clause:
 
 def _discard(parts: Parts) -> Clause:
     """What is thrown away goes into the bin."""
-    each = arranged(parts)
-    if any(one.goal is not None or one.back or one.person is not None or one.source == BIN for one in each):
+    each = [_thrown(one) for one in arranged(parts)]
+    details = [
+        where for part in parts if isinstance(part, Items) for item in part.each for where in item.details
+    ]
+    out = any(isinstance(one, Where) and one.role == "from" and one.of.kind == BIN.kind for one in details)
+    if out or any(one.goal is not None or one.back or one.person is not None for one in each):
         raise unfit()
     goal = Where("to", BIN, "in")
     bundles = [(put_draft(thing(one, "throwing"), goal, one.source, one.hand),) for one in each]
     return clause(parts, bundles)
+
+
+def _thrown(one: Arranged) -> Arranged:
+    """Read "discard it in the bin" as into it; what is in the bin is thrown away."""
+    source = one.source
+    if source is None or source.kind != BIN.kind:
+        return one
+    if source == BIN or source.relation is not None:
+        raise unfit()
+    return replace(one, source=None)
 
 
 def _received(one: Arranged, verb: str) -> Arranged:
@@ -172,6 +186,14 @@ def _move_thing(parts: Parts) -> Clause:
         parts,
         [(put_draft(thing(one, "moving"), one.goal, one.source, one.hand),) for one in each if one.goal],
     )
+
+
+def _put_where(parts: Parts) -> Clause:
+    """Put it where the bowl is: that is the bowl's place by now."""
+    of = next(part for part in parts if isinstance(part, Nominal))
+    if of.reference or of.is_person:
+        raise unfit()
+    raise trouble(f"on the {of.kind or 'other'}, in it or next to it?", asks=True)
 
 
 def _drop(parts: Parts) -> Clause:
@@ -256,6 +278,7 @@ def _push(parts: Parts) -> Clause:
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put": _put,
     "put_it": _put_it,
+    "put_where": _put_where,
     "drop_off": _drop_off,
     "shall_go": _shall_go,
     "put_into": _put_into,

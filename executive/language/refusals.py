@@ -49,6 +49,8 @@ _DECIDING = frozenset({"HARM", "THROW"})
 
 _BEFORE_A_CLAUSE = frozenset({"and", "then", ",", ".", ";"})
 
+_BEFORE_ADJECTIVES = frozenset({"DET", "COLOR", "SIZE", "ANOTHER"})
+
 _SHOWN = 40
 """Characters of an offending word that are repeated to the user."""
 
@@ -143,7 +145,9 @@ class Explainer:
         here = [
             word for word in phrases if word.start <= chart.furthest < word.end and word.word_class != _LINK
         ]
-        here.sort(key=lambda word: (word.start - word.end, word.word_class != "NO_SKILL"))
+        here.sort(
+            key=lambda word: (word.start - word.end, word.word_class != _likely_at(lattice, word.start))
+        )
         before = [word for word in phrases if word.start < chart.furthest and word.word_class in _NEVER_USED]
         rest = [word for word in phrases if word.start == chart.furthest]
         for word in (*harmful, *here, *before, *rest):
@@ -200,6 +204,12 @@ class Explainer:
         return max(
             EXAMPLES, key=lambda item: len(words & set(item.lower().split())) / (3 + len(item.split()))
         )
+
+
+def _likely_at(lattice: Lattice, position: int) -> str:
+    """The class of a word that may be a verb or an adjective: "empty the can", "the empty can"."""
+    before = lattice.phrase(position - 1) if position else ()
+    return "QUALITY" if any(word.word_class in _BEFORE_ADJECTIVES for word in before) else "NO_SKILL"
 
 
 def _is_conditional(lattice: Lattice, position: int) -> bool:

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from executive.language.tokens import Piece
 
-_SMALL = frozenset({"the", "a", "an", "my", "your", "to", "into", "from", "and"})
+_SMALL = frozenset(
+    {"the", "a", "an", "my", "your", "to", "into", "from", "and", "on", "in", "at", "of", "with"}
+)
 """Words that mean the same when they are said twice."""
 
 _BEGINS = frozenset({"the", "that", "my", "your"})
