@@ -112,7 +112,13 @@ class WayFinder:
         about = footprints(self.scene)
         ways = (goal @ PlanarPose(-share * self.straight_m) for share in _STRAIGHT_SHARES)
         legs_m = self.settings.legs_radius_m + self.settings.sway_m
-        return next((before for before in ways if clearance_m(about, before) >= legs_m), goal)
+        free = (way for way in ways if min(clearance_m(about, way), self._apart_m(way)) >= legs_m)
+        return next(free, goal)
+
+    def _apart_m(self, place: PlanarPose) -> float:
+        """Distance to the nearest point that was seen; infinite without one."""
+        away = self.points - (place.x_m, place.y_m)
+        return float(np.hypot(away[:, 0], away[:, 1]).min(initial=math.inf))
 
     def _spares_m(self, body: PlanarPose) -> tuple[float | None, ...]:
         """What to leave beside the hands, the more the better; None where they have to get by as they can."""
