@@ -32,10 +32,15 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
         return Trouble(message, f"{amount:g}", asks=True)
     extreme = nominal.size if nominal.size in SUPERLATIVES else None
     if amount > 1 and extreme:
-        return Trouble(f"{amount:g} things that are each the {extreme} one", extreme)
+        return Trouble(one_by_one(extreme), extreme)
     if amount > 1 and nominal.ordinal not in (None, "other"):
-        return Trouble(f"{amount:g} things that are each the {nominal.ordinal} one", nominal.ordinal)
+        return Trouble(one_by_one(nominal.ordinal), nominal.ordinal)
     return replace(nominal, count=int(amount), counted=True, determined=True)
+
+
+def one_by_one(rank: str) -> str:
+    """Why several things cannot be chosen by what only one of them can be."""
+    return f"{rank!r} is one of them; name several things one by one"
 
 
 def _both(parts: Parts) -> Nominal | Trouble | None:
@@ -58,7 +63,7 @@ def _all(parts: Parts) -> Nominal | Trouble | None:
         return Trouble("every second one, or all the others?", "other", asks=True)
     only = nominal.size if nominal.size in SUPERLATIVES else nominal.ordinal
     if only not in (None, "other"):
-        return Trouble(f"several things that are each the {only} one", only)
+        return Trouble(one_by_one(only), only)
     amounts = [part for part in parts if isinstance(part, float)]
     count: int | str = int(amounts[0]) if amounts and 1 < amounts[0] <= MAX_COUNT else "all"
     return replace(nominal, count=count, counted=True, determined=True, plural=True)

@@ -243,8 +243,8 @@ class _Contrast:
         items = [one for one in self._reader.meanings("items", text) if isinstance(one, Items)]
         named: list[Item | Where] = list(dict.fromkeys(item for one in items for item in one.each))
         named += [one for one in self._reader.meanings("where", text) if isinstance(one, Where)]
-        for noun in ("one", self._noun_before):  # "the red, not the blue, cup"; "Ana's cup, not Ben's"
-            if noun and not named:
+        for noun in (self._noun_before if text.endswith("'s") else None, "one"):
+            if noun and not named:  # "Ana's cup, not Ben's"; "the red, not the blue, cup"
                 wordings = self._reader.meanings("item", f"{text} {noun}")
                 named += [one for one in wordings if isinstance(one, Item)]
         return named

@@ -156,6 +156,15 @@ def _walk(parts: Parts) -> Clause:
     return clause(parts, [(draft("walk_to", to=goal),) for goal in goals])
 
 
+def _walk_at_speed(parts: Parts) -> Clause:
+    """To somewhere at a speed: within the limits it cannot be chosen either."""
+    measure = next(part for part in parts if isinstance(part, Measure))
+    if measure.of not in _LIMITS:
+        raise unfit()
+    _bounded(measure)
+    raise trouble("how fast to walk to a place cannot be chosen", f"{measure.value:g} {_UNITS[measure.of]}")
+
+
 def _walk_bare(parts: Parts) -> Clause:
     """Terse: "go kitchen", "walk table"."""
     item: Item = parts[-1]
@@ -335,6 +344,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
             "move": _move,
             "move_on": _move_on,
             "walk_bare": _walk_bare,
+            "walk_at_speed": _walk_at_speed,
             "turn_around": _turn_around,
             "wait": _wait,
             "go_home": _go_home,

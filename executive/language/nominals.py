@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from executive.language.amounts import unclear_glasses
+from executive.language.amounts import one_by_one, unclear_glasses
 from executive.language.features import (
     COUNTED_FROM,
     ROBOT,
@@ -173,14 +173,14 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     if isinstance(told, Nominal) and told.plural and not told.counted and told.count == 1:
         only = told.size if told.size in SUPERLATIVES else told.ordinal
         if only not in (None, "other"):
-            return Trouble(f"several things that are each the {only} one", only)
+            return Trouble(one_by_one(str(only)), only)
     if (
         isinstance(told, Nominal)
         and isinstance(nominal, Nominal)
         and told.counted
         and told.ordinal not in (nominal.ordinal, "other")
     ):
-        return Trouble(f"several things that are each the {told.ordinal} one", told.ordinal)
+        return Trouble(one_by_one(str(told.ordinal)), told.ordinal)
     return told
 
 

@@ -251,7 +251,10 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
             ):
                 raise trouble("which door? is it behind the robot, or the one it walks through?", asks=True)
             if nominal.count != 1 or nominal.plural:
-                raise trouble(f"only one at a time can be told to {action}", nominal.kind)
+                raise trouble(
+                    f"only one at a time can be told to {action}; name each, as the left one and the right one",
+                    nominal.kind,
+                )
             if not nominal.reference and nominal.sort not in ("container", "door"):
                 what = nominal.kind or "thing"
                 raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)

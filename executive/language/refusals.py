@@ -2,47 +2,39 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Sequence
 
 from executive.language.chart import Chart
-from executive.language.lattice import Lattice
+from executive.language.examples import EXAMPLES, is_verb, nearest_example
+from executive.language.lattice import Lattice, Word
+from executive.language.typos import Typos
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
 
-EXAMPLES = (
-    "pick up the red cup",
-    "pick up the red cup on the table",
-    "pick up the blue box with the left hand",
-    "put the red cup on the shelf",
-    "put the ball in the box",
-    "bring me the bottle",
-    "hand the cup to Ana",
-    "open the fridge",
-    "close the drawer",
-    "walk to the kitchen",
-    "move forward 1 meter",
-    "turn left",
-    "wave to Ana",
-    "point at the bottle",
-    "look at the cup",
-    "find the red cup",
-    "count the cups on the table",
-    "what is on the table",
-    "say hello to Ana",
-    "wait 5 seconds",
-    "go home",
-    "stop",
-)
-"""Valid wordings to offer when nothing nearer is found."""
+__all__ = ["EXAMPLES", "Explainer", "printable"]
 
 _VERBS = frozenset({"PICK", "PUT", "OPEN", "WALK", "STOP"})
 _NOUNS = frozenset({"KIND", "THING"})
 _LINK = "LINK"
 _NEVER_USED = frozenset(
-    {"NEGATION", "CONTRAST", "CONDITION", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"}
+    {
+        *("NEGATION", "CONTRAST", "CONDITION", "LOOP", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"),
+        *("PRAISE", "ASKS_ROBOT"),
+    }
 )
 """Word classes that decide a refusal wherever they stand before the place that broke the parse."""
+
+_AT_LAST = frozenset({"NEGATION", "CONTRAST", "CONDITION", "LOOP", "PRAISE", "ASKS_ROBOT"})
+"""Word classes that explain a refusal where a sentence only seems to end too early: "don't move it"."""
+
+_DETERMINES = frozenset(
+    {"DET", "OWNER", "OWNING", "AMOUNT", "COLOR", "SIZE", "MATERIAL", "ORDINAL", "QUALITY"}
+)
+_SOMEBODY = frozenset({"NAME", "PERSON", "HIM"})
+_LEADS_TO_DOING = frozenset({"to", "should", "will", "must", "can", "may", "shall", "would", "has", "have"})
+
+_SHORT = 4
+"""Letters of a name in which another letter makes another name."""
 
 _DECIDING = frozenset({"HARM", "THROW"})
 """Word classes that explain a refusal better than the place that broke the parse, when nothing else does."""
@@ -53,10 +45,6 @@ _BEFORE_ADJECTIVES = frozenset({"DET", "COLOR", "SIZE", "ANOTHER"})
 
 _SHOWN = 40
 """Characters of an offending word that are repeated to the user."""
-
-_LONGEST_TYPO = 24
-_CORRECTIONS = 8
-"""Corrections of an unknown word that are tried."""
 
 
 def printable(word: str) -> str:
@@ -70,7 +58,7 @@ class Explainer:
 
     def __init__(self, vocabulary: Vocabulary, is_valid: Callable[[str], bool]) -> None:
         self._vocabulary, self._is_valid = vocabulary, is_valid
-        self._left: dict[int, dict[str, list[str]]] = {}
+        self._typos = Typos(vocabulary)
 
     def explain(self, lattice: Lattice, chart: Chart) -> Refusal:
         """Why there is no parse."""
@@ -88,8 +76,10 @@ class Explainer:
             message = f"a command begins with what to do, not with {shown!r}"
             return Refusal(message, shown, self.nearest_example(plain))
         ended = position >= len(lattice.pieces) or lattice.ends[position]
-        found = None if ended else self._refused(lattice, chart)
+        found = self._somebody_else(lattice, chart)
+        found = found or (None if ended else self._refused(lattice, chart))
         found = found or self._refused(lattice, chart, only=_DECIDING)
+        found = found or (self._refused(lattice, chart, only=_AT_LAST) if ended else None)
         found = found or no_skill
         if found is None and ended:
             return self._incomplete(lattice, chart)
@@ -122,11 +112,17 @@ class Explainer:
         piece = lattice.pieces[position]
         shown = printable(piece.text)
         message = f"the word {shown!r} is not known"
-        for candidate in self._similar(piece.text):
+        for candidate in self._typos.corrections(piece.text):
+            is_name = len(candidate) <= _SHORT and self._is_somebody(candidate)
+            if is_name and sorted(candidate) != sorted(piece.text):
+                continue  # "omi" is not "oma"
             corrected = lattice.plain[: piece.start] + candidate + lattice.plain[piece.end :]
             if self._is_valid(corrected):
                 return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
         return Refusal(message, shown, self.nearest_example(lattice.plain)), False
+
+    def _is_somebody(self, word: str) -> bool:
+        return any(reading.word_class in _SOMEBODY for _, reading in self._vocabulary.matches([word], 0))
 
     def _refused(
         self, lattice: Lattice, chart: Chart, only: frozenset[str] | None = None
@@ -141,6 +137,9 @@ class Explainer:
             for position in range(last + 1)
             for word in sorted(lattice.phrase(position), key=lambda one: -one.end)
         ]
+        if any(word.word_class == "QUALITY" and word.start == last for word in phrases):
+            other = "NO_SKILL" if self._is_adjective(lattice, last) else "QUALITY"
+            phrases = [one for one in phrases if (one.word_class, one.start) != (other, last)]
         harmful = [word for word in phrases if word.word_class in (only or ("HARM",))]
         here = [
             word for word in phrases if word.start <= chart.furthest < word.end and word.word_class != _LINK
@@ -150,12 +149,42 @@ class Explainer:
         )
         before = [word for word in phrases if word.start < chart.furthest and word.word_class in _NEVER_USED]
         rest = [word for word in phrases if word.start == chart.furthest]
-        for word in (*harmful, *here, *before, *rest):
+        own = [word for word in phrases if word.start == 0 and word.word_class == "SAID_OF_ONESELF"]
+        for word in (*harmful, *here, *before, *own, *rest):
             if only is None or word.word_class in only:
                 said = printable(word.said)
                 message = self._vocabulary.refusal_of(word.word_class, word.meaning, said)
                 if message is not None:
                     return said, message
+        return None
+
+    def _is_adjective(self, lattice: Lattice, position: int) -> bool:
+        """Whether a word that may be a verb too stands where it says how a thing is: "the empty can"."""
+        if not 0 < position < len(lattice.pieces):
+            return True
+        here = {word.word_class for word in lattice.phrase(position)}
+        before = {word.word_class for word in lattice.phrase(position - 1) if word.end == position}
+        may_be_done = "NO_SKILL" in here or self._begins(lattice.phrase(position))
+        return bool(before & _DETERMINES) or not may_be_done
+
+    @staticmethod
+    def _begins(words: Sequence[Word]) -> bool:
+        return any(is_verb(word.word_class) for word in words)
+
+    def _somebody_else(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:
+        """Who is told to do something that this robot is not: "let Ana open the fridge"."""
+        pieces = lattice.pieces
+        for start in range(min(chart.furthest + 2, len(pieces))):
+            if any(word.word_class in _NEVER_USED for word in lattice.phrase(start)):
+                return None  # "when Ana comes, wave"
+            for word in lattice.phrase(start):
+                does = word.end
+                while does < len(pieces) and pieces[does].text in _LEADS_TO_DOING:
+                    does += 1
+                later = chart.furthest <= does < len(pieces)
+                if word.word_class in _SOMEBODY and later and self._begins(lattice.phrase(does)):
+                    who = printable(word.said)
+                    return who, f"{who!r} is somebody else: only what this robot does itself can be told"
         return None
 
     def _no_skill(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:
@@ -170,40 +199,9 @@ class Explainer:
                     return printable(word.said), message
         return None
 
-    def _deletions(self, length: int) -> Mapping[str, list[str]]:
-        """Known words of a length by what is left of them without one letter."""
-        left = self._left.get(length)
-        if left is None:
-            left = self._left[length] = {}
-            for word in self._vocabulary.single_words:
-                if len(word) == length:
-                    for key in _without_one(word):
-                        left.setdefault(key, []).append(word)
-        return left
-
-    def _similar(self, word: str) -> Iterator[str]:
-        """Known words that differ by a letter or two, nearest first."""
-        if not 2 < len(word) <= _LONGEST_TYPO or not word.isalpha():
-            return
-        near = [self._deletions(length) for length in range(len(word) - 1, len(word) + 2)]
-        found = {one for key in _without_one(word) for left in near for one in left.get(key, ())}
-        letters = sorted(word)
-        ranked = sorted(
-            found,
-            key=lambda one: (
-                -difflib.SequenceMatcher(None, word, one).ratio(),
-                sorted(one) != letters,  # two letters that changed places
-                one,
-            ),
-        )
-        yield from ranked[:_CORRECTIONS]
-
-    def nearest_example(self, text: str) -> str:
-        """The valid wording that looks most like the text."""
-        words = set(text[:100].lower().split())
-        return max(
-            EXAMPLES, key=lambda item: len(words & set(item.lower().split())) / (3 + len(item.split()))
-        )
+    def nearest_example(self, text: str) -> str | None:
+        """A valid wording of what a text says to do."""
+        return nearest_example(text, self._vocabulary)
 
 
 def _likely_at(lattice: Lattice, position: int) -> str:
@@ -215,8 +213,4 @@ def _likely_at(lattice: Lattice, position: int) -> str:
 def _is_conditional(lattice: Lattice, position: int) -> bool:
     """Whether a condition stands before a place, which is the better reason to refuse: "when Ana comes"."""
     before = (word for start in range(position) for word in lattice.phrase(start))
-    return any(word.word_class == "CONDITION" for word in before)
-
-
-def _without_one(word: str) -> set[str]:
-    return {word, *(word[:index] + word[index + 1 :] for index in range(len(word)))}
+    return any(word.word_class in ("CONDITION", "LOOP") for word in before)
