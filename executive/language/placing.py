@@ -252,7 +252,7 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                 raise trouble("which door? is it behind the robot, or the one it walks through?", asks=True)
             if nominal.count != 1 or nominal.plural:
                 raise trouble(
-                    f"only one at a time can be told to {action}; name each, as the left one and the right one",
+                    f"only one at a time can be told to {action}; name each of them",
                     nominal.kind,
                 )
             if not nominal.reference and nominal.sort not in ("container", "door"):

@@ -1,4 +1,4 @@
-"""What is offered beside a refusal: a sentence that means something, and never another action or its opposite."""
+"""What is offered beside a refusal: a sentence that means something, and never the opposite."""
 
 import json
 from pathlib import Path
@@ -74,7 +74,7 @@ def test_what_is_offered_means_something_and_not_the_opposite():
         ("leave the bottle where it is", "needs no task"),
         ("pick up the empty can", "cannot be chosen by 'empty'"),
         ("pick up the half-full glass", "cannot be chosen by 'half full'"),
-        ("open both drawers", "name each"),
+        ("open both drawers", "name each of them"),
     ],
 )
 def test_a_refusal_says_what_it_is_about(said, told):
