@@ -27,7 +27,9 @@ _TALL_M, _TALL_EDGE_M = 1.3, 1.0
 opens towards whoever stands there."""
 _FROM_CORNER_M = 0.25
 _FROM_BORDER_M = 0.4
-"""Who stands in a room stands so far inside it."""
+"""Who stands in a room stands so far inside it,"""
+_SPOT_M = 0.05
+"""or so near to its middle where it is no larger than that."""
 _ROOM_M = 0.8
 _GRID_M = 0.25
 _ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
@@ -132,7 +134,8 @@ def stands_inside(place: Place, body: PlanarPose) -> bool:
     """Whether the body is well inside a region."""
     seen = PlanarPose.of(place.odom_T_place).to(body)
     half_x, half_y = (0.5 * size for size in getattr(place.shape, "size_m", (0.0, 0.0))[:2])
-    return abs(seen.x_m) <= half_x - _FROM_BORDER_M and abs(seen.y_m) <= half_y - _FROM_BORDER_M
+    room_x, room_y = (max(half - _FROM_BORDER_M, _SPOT_M) for half in (half_x, half_y))
+    return abs(seen.x_m) <= room_x and abs(seen.y_m) <= room_y
 
 
 def _height_m(place: Place, scene: PlanningScene) -> float:

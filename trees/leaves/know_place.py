@@ -1,4 +1,4 @@
-"""Know from the map where a place is."""
+"""Know where a place is: from the map, or because the robot began there."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from trees.destination import Place, aim_of
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.ports import ports
-from trees.regions import place_of_region
+from trees.regions import START, place_of_region, start
 
 
 class KnowPlace(Leaf):
-    """Find what the task is aimed at among the named regions of the map; nothing is looked at."""
+    """Find what the task is aimed at among the named regions of the map, or where the robot began."""
 
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(place=Place)
     CONTRACT = Contract(
         precondition="none",
-        postcondition="the region of that name, where the map has it",
+        postcondition="the region of that name, where the map has it, or the place where odometry began",
         deadline_s=1.0,
     )
     ASKS = True
@@ -27,6 +27,9 @@ class KnowPlace(Leaf):
     def step(self) -> Status | Failure:
         """Look it up."""
         aim, places = aim_of(self.get_input("task")), self.toolbox.places
+        if aim == START and aim not in places:
+            self._set_output("place", start())
+            return DONE
         if not isinstance(aim, str) or aim not in places:
             known = ", ".join(sorted(places)) or "nothing"
             return Failure.postcondition(f"there is no {aim} on the map", known=known)
