@@ -18,6 +18,7 @@ from executive.language.grammar import Rule, load_rules
 from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
 from executive.language.phrases import Nominal, Trouble
+from executive.language.records import sentences_of_records
 from executive.language.references import Resolver, UnresolvedError
 from executive.language.refusals import EXAMPLES, Explainer, printable
 from executive.language.scopes import UNCLEAR_ORDER
@@ -107,6 +108,8 @@ class CommandParser:
     def parse(self, text: str, remembers: bool = False) -> Parsed:
         """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
         parsed = self._parsed(text, remembers)
+        if not parsed.commands and (of_records := self._of_records(text, remembers)) is not None:
+            return of_records
         sentences = lines_as_sentences(text)
         if sentences is None:
             return parsed
@@ -116,6 +119,16 @@ class CommandParser:
         if not parsed.commands or _alike(parsed, of_lines):
             return replace(of_lines, text=text)
         return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
+
+    def _of_records(self, text: str, remembers: bool) -> Parsed | None:
+        """What "Action: grasp; Object: red cup" means, if that is one thing."""
+        found = [self._parsed(sentence, remembers) for sentence in sentences_of_records(text)]
+        understood = [one for one in found if one.commands]
+        if not understood and len(found) == 1:
+            return replace(found[0], text=text)
+        if not understood or not all(_alike(understood[0], one) for one in understood):
+            return None
+        return replace(understood[0], text=text)
 
     def _parsed(self, text: str, remembers: bool) -> Parsed:
         try:
