@@ -40,6 +40,7 @@ class Antecedents(Discourse):
         if action in ("open", "close"):
             return self._opened()
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
+        self._no_animal(recent)
         if not recent and action in ("look_at", "point_at", "find", "describe"):
             recent = self._recent(is_any)
         ahead = [one for one in self._said_before if one.sort in ("thing", "any")]
@@ -67,6 +68,16 @@ class Antecedents(Discourse):
         if recent[0].is_several:
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
+
+    def _no_animal(self, recent: Iterable[Entity]) -> None:
+        """Ask when "it" may be an animal that was named no earlier than the things that it may be.
+
+        Raises:
+            UnresolvedError: It may.
+        """
+        animals = [one.clause for one in self._entities if one.of.sort == "animal"]
+        if animals and any(max(animals) >= one.clause for one in recent):
+            raise ask("which of them does 'it' stand for?")
 
     def _that(self, thing: Nominal) -> Any:
         """What "that drawer" is after "the left drawer": a task's thing, or a place; None if none was named.

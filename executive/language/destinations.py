@@ -249,6 +249,10 @@ class Destinations(Antecedents):
                 return self._walk(places[0])  # "point at the door and walk to it"
             if len(recent) != 1:
                 raise ask("what does 'it' stand for?")
+            if recent[0].of.sort == "animal":
+                kind = recent[0].of.kind
+                told = f"walking after an animal ({kind!r}) is no skill of this robot"
+                raise UnresolvedError(Trouble(told, kind))
             return ObjectOf(recent[0].task)
         resolved = self._place(value, -1)
         if isinstance(value, Nominal):

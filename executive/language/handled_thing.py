@@ -33,6 +33,8 @@ def thing(one: Arranged, doing: str) -> Nominal:
     if nominal.is_person or nominal.sort == "you":
         told = f"{doing} a person" + (f" ({nominal.kind!r})" if nominal.kind else "")
         raise trouble(f"{told} is nothing that this robot does", nominal.kind)
+    if nominal.sort == "animal":
+        raise trouble(f"{doing} an animal ({nominal.kind!r}) is nothing that this robot does", nominal.kind)
     if nominal.is_place:
         raise trouble(
             f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 
 from executive.language.addresses import is_whole
 from executive.language.begun_twice import without_beginnings
+from executive.language.contracted import uncontracted
 from executive.language.hesitations import says_nothing
+from executive.language.titles import titled_names
 from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
 
@@ -34,9 +36,6 @@ _COMPLETE = frozenset(
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
-_PLACES = frozenset({"ON", "IN", "AT", "RELATION", "NEXT_TO"})
-_SUBJECTS = frozenset({*_NOUNS, "PERSON", "NAME"})
-_PREDICATES = frozenset({*_PLACES, "STATE", "DEGREE"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
@@ -96,24 +95,6 @@ class Word:
     said: str = ""
 
 
-def _uncontracted(pieces: Sequence[Piece], vocabulary: Vocabulary) -> Iterator[Piece]:
-    """The pieces, with "the cup's on the table" as "the cup is on the table"."""
-    texts = [piece.text for piece in pieces]
-    for index, piece in enumerate(pieces):
-        stem = piece.text.removesuffix("'s")
-        if stem == piece.text or piece.quoted or index + 1 == len(pieces):
-            yield piece
-            continue
-        begins = {reading.word_class for _, reading in vocabulary.matches(texts, index + 1)}
-        nouns = {reading.word_class for _, reading in vocabulary.matches([stem], 0)}
-        if begins.isdisjoint(_PREDICATES) or nouns.isdisjoint(_SUBJECTS):
-            yield piece
-            continue
-        middle = piece.end - len("'s")
-        yield Piece(stem, piece.start, middle)
-        yield Piece("is", middle, piece.end)
-
-
 class Lattice:
     """The readings of all pieces, with courtesies that may stand anywhere passed over.
 
@@ -125,7 +106,7 @@ class Lattice:
 
     def __init__(self, plain: str, pieces: Sequence[Piece], vocabulary: Vocabulary) -> None:
         self.plain = plain
-        self.pieces = pieces = without_beginnings(list(_uncontracted(pieces, vocabulary)), vocabulary)
+        self.pieces = pieces = without_beginnings(list(uncontracted(pieces, vocabulary)), vocabulary)
         size = len(pieces)
         texts = [piece.text if not piece.quoted else "" for piece in pieces]
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
@@ -135,6 +116,10 @@ class Lattice:
         self._text_ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
+        self._titled: dict[int, list[Word]] = {}
+        for first, end, word_class, name in titled_names(pieces, plain, self._begins, vocabulary):
+            word = Word(word_class, name, first, end, " ".join(texts[first:end]))
+            self._titled.setdefault(first, []).append(word)
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
 
@@ -222,7 +207,9 @@ class Lattice:
                 " ".join(texts[start : start + length]),
             )
             for length, reading in vocabulary.matches(texts, start)
+            if reading.word_class != "KIN_TITLE"
         ]
+        found += self._titled.get(start, ())
         if piece.quoted:
             found = [Word("QUOTED", piece.text, start, start + 1)]
         elif piece.is_mark:

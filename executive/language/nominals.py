@@ -39,8 +39,10 @@ _SORTS: Mapping[str, Sort] = {
     "ROOM": "room",
     "PERSON": "person",
     "PEOPLE": "person",
+    "ANIMAL": "animal",
+    "ANIMALS": "animal",
 }
-_PLURAL = frozenset({"KINDS", "THINGS", "ONES", "FURNITURES", "CONTAINERS", "DOORS", "PEOPLE"})
+_PLURAL = frozenset({"KINDS", "THINGS", "ONES", "FURNITURES", "CONTAINERS", "DOORS", "PEOPLE", "ANIMALS"})
 _MASS = frozenset({"SUBSTANCE", "PAIR"})
 _COLLECTIVE = frozenset({"fruit", "food"})
 """Kinds of which the singular may mean several."""
@@ -117,15 +119,16 @@ def _rank(parts: Parts) -> Nominal | Trouble | None:
 
 
 def _owned(parts: Parts) -> Nominal | Trouble | None:
-    owner = words(parts, "OWNER", "OWNING")[0]
-    named = owner.word_class == "OWNER"
+    owner = words(parts, "OWNER", "OWNING", "OWNING_ANIMAL")[0]
+    named, animal = owner.word_class == "OWNER", owner.word_class == "OWNING_ANIMAL"
     whose = f"{owner.meaning}'s" if named else owner.said
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal) or nominal.name is not None or nominal.kind is None:
         return nominal if isinstance(nominal, Trouble) else None
     if nominal.kind == "glass" and nominal.plural:
         return unclear_glasses(nominal)
-    somebody = Nominal("name" if named else "person", owner.meaning, determined=True)
+    sort: Sort = "name" if named else "person"
+    somebody = None if animal else Nominal(sort, owner.meaning, determined=True)
     return replace(nominal, name=f"{whose} {nominal.kind}", determined=True, owner=somebody)
 
 

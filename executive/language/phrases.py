@@ -8,7 +8,9 @@ from typing import Any, Literal, get_args
 
 from trees.tasks import RelationKind
 
-Sort = Literal["thing", "furniture", "container", "door", "room", "person", "me", "you", "name", "any"]
+Sort = Literal[
+    "thing", "furniture", "container", "door", "room", "person", "animal", "me", "you", "name", "any"
+]
 Reference = Literal["it", "them", "him", "this", "there", "here", "previous", "asker"]
 Preposition = Literal["on", "in", "at", "to"]
 Role = Literal["is", "from", "to", "either"]

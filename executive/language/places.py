@@ -48,18 +48,26 @@ def _place(role: Role, preposition: Preposition) -> Meaning:
         nominal = parts[-1]
         if not isinstance(nominal, Nominal):
             return None
+        if nominal.sort == "animal":
+            return _at_an_animal(nominal)
         atop = any("top" in word.said.split() for word in words(parts, "ON"))
         return Where(role, nominal, preposition, atop=atop, left_by=_left_by(parts))
 
     return meaning
 
 
+def _at_an_animal(nominal: Nominal) -> Trouble:
+    return Trouble(f"where an animal ({nominal.kind!r}) is, is no place: it moves", nominal.kind)
+
+
 def _relation(role: Role) -> Meaning:
-    def meaning(parts: Parts) -> Where | None:
+    def meaning(parts: Parts) -> Where | Trouble | None:
         nominal = parts[-1]
         link = words(parts, *_LINKS)[-1]
         if not isinstance(nominal, Nominal) or (nominal.sort == "you" and link.said == "by"):
             return None  # "by yourself"
+        if nominal.sort == "animal":
+            return _at_an_animal(nominal)
         kind = _relation_of(link, nominal)
         return None if kind is None else Where(role, nominal, None, kind, left_by=_left_by(parts))
 
@@ -99,9 +107,11 @@ def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
     return relation_kind(kind)
 
 
-def _within(parts: Parts) -> Relative | None:
+def _within(parts: Parts) -> Relative | Trouble | None:
     """The second half of "the person next to the table", said of the noun before it."""
     link, of = parts
+    if of.sort == "animal":
+        return _at_an_animal(of)
     if link.word_class in ("ON", "IN", "AT"):
         return Relative(_WITHIN[link.word_class], of) if of.is_place else None
     kind = _relation_of(link, of)

@@ -116,6 +116,7 @@ class Resolver(StatedThings, DoneAlready):
             yield bundle
             return
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
+        self._no_animal(recent)
         first = bundle[0]
         if not recent and self._people and first.action in ("look_at", "point_at") and thing.said != "both":
             slots = tuple(("person" if name == "object" else name, value) for name, value in first.slots)

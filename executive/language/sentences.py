@@ -199,11 +199,18 @@ def _done_before(parts: Parts) -> Clause | None:
     return as_done(clause) if clause.form == "ed" else None
 
 
+def _belongs_before(one: Any, other: Any) -> bool:
+    """Whether nothing parts the first words of a clause from the one before: "close it in the hall, wave"."""
+    return isinstance(one, Clause) and isinstance(other, Clause) and (other.placed or other.topic)
+
+
 def _ordered(scope: Literal["after_first", "after_last", "before_first", "before_last"]) -> Meaning:
     """Two clauses, one of them after a conjunction, which asks for a form of its own."""
 
     def meaning(parts: Parts) -> Group | None:
         clauses = _clauses(parts)
+        if any(_belongs_before(one, other) for one, other in itertools.pairwise(parts)):
+            return None
         expected = "base" if words(parts, "YOU_DO", "AFTER", "BUT_FIRST") else "ing"
         main = clauses.pop(0 if scope.endswith("last") else -1)
         if any(one.form != expected for one in clauses) or main.form != "base":
