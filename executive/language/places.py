@@ -265,6 +265,15 @@ def _decimal(parts: Parts) -> float | None:
     return float(whole.meaning) + float(fraction.meaning) / 10 if float(fraction.meaning) < 10 else None
 
 
+def _two_relations(parts: Parts) -> Trouble | None:
+    """To the right of the spoon and to the left of the fork."""
+    said = words(parts, "RELATION", "NEXT_TO")
+    if len({word.meaning for word in said}) < len(said):
+        return None  # "next to Ana and next to Ben" may be two things for two
+    both = " and ".join(repr(word.said) for word in said)
+    return Trouble(f"{both}: where something is, or goes, is told by one of them", said[-1].said)
+
+
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "located_on": _place("is", "on"),
@@ -281,6 +290,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "located_round": _located_round,
         "at_relation": _relation("either"),
         "to_relation": _relation("to"),
+        "two_relations": _two_relations,
         "within": _within,
         "qualified": _qualified,
         "trash": _trash,

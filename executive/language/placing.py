@@ -217,6 +217,19 @@ def _put_it(parts: Parts) -> Clause:
     return _put(with_it(parts))
 
 
+def _stays_so(parts: Parts) -> Clause:
+    """Leave the door open."""
+    words_said = words(parts, "LEAVE_SO", "OPENED", "CLOSED")
+    said = f"{words_said[0].said} ... {words_said[-1].said}"
+    raise trouble(f"{said!r}: what is to stay as it is needs no task; say 'open' or 'close'", said)
+
+
+def _is_open(parts: Parts) -> Clause:
+    """Is the fridge open?"""
+    word = words(parts, "OPENED", "CLOSED")[-1].said
+    raise trouble(f"whether something is {word!r} is not told by this robot yet", word)
+
+
 def _door_to_a_room(one: Arranged) -> Arranged:
     """Read "the door to the kitchen" as the kitchen door: what is opened goes nowhere."""
     door, goal = one.object, one.goal
@@ -288,6 +301,8 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "move_thing": _move_thing,
     "drop": _drop,
     "discard": _discard,
+    "stays_so": _stays_so,
+    "is_open": _is_open,
     "open": _opened("open"),
     "close": _opened("close"),
     "close_again": _close_again,

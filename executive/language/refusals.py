@@ -72,6 +72,9 @@ class Explainer:
         verbless = lattice.pieces and not chart.has_beginning_of("command")
         no_skill = self._no_skill(lattice, chart)
         if verbless and no_skill is None and self._refused(lattice, chart) is None:
+            denied = self._anywhere(lattice)
+            if denied is not None:
+                return Refusal(denied[1], denied[0], None)
             shown = printable(lattice.pieces[0].text)
             message = f"a command begins with what to do, not with {shown!r}"
             return Refusal(message, shown, self.nearest_example(plain))
@@ -185,6 +188,15 @@ class Explainer:
                 if word.word_class in _SOMEBODY and later and self._begins(lattice.phrase(does)):
                     who = printable(word.said)
                     return who, f"{who!r} is somebody else: only what this robot does itself can be told"
+        return None
+
+    def _anywhere(self, lattice: Lattice) -> tuple[str, str] | None:
+        """The first words of the sentence that deny, or make it depend: "please don't wake the baby"."""
+        for start in range(len(lattice.pieces)):
+            for word in sorted(lattice.phrase(start), key=lambda one: -one.end):
+                if word.word_class in _AT_LAST:
+                    said = printable(word.said)
+                    return said, self._vocabulary.refusal_of(word.word_class, word.meaning, said) or ""
         return None
 
     def _no_skill(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:

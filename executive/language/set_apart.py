@@ -24,6 +24,14 @@ man/woman boy/girl left_of/right_of in_front_of/behind on/under on/in
 _EXCLUDING = {frozenset(pair.split("/")) for pair in _NEVER_BOTH.split()}
 """Sizes, people and relations that are never both said of one."""
 
+_GENERAL = frozenset(
+    {
+        *("person", "man", "woman", "boy", "girl"),
+        *("child", "guest", "operator", "adult", "friend", "colleague"),
+    }
+)
+"""People of whom any other word may be said too: the woman may be the nurse."""
+
 _ROWS = (
     frozenset({"leftmost", "middle", "rightmost"}),
     frozenset({"top", "middle", "bottom"}),
@@ -161,7 +169,10 @@ def _person(nominal: Nominal, meant: Any) -> str:
     said = _described(Item(nominal)) or {}
     if frozenset({said.get("kind"), meant.get("kind")}) in _EXCLUDING:
         return _APART
-    return _APART if said.get("kind") == meant.get("kind") and _clashes(said, meant) else _SAME
+    kinds = {said.get("kind"), meant.get("kind")}
+    if len(kinds) == 2:
+        return _SAME if None in kinds or kinds & _GENERAL else _APART
+    return _APART if _clashes(said, meant) else _SAME
 
 
 def _described(item: Item) -> dict[str, Any] | None:
