@@ -101,7 +101,8 @@ def prepared(
     """The commands with what has to be done before them.
 
     Nothing is added for a robot that stands where it stands. Without rooms everything is taken to be at hand:
-    only what has a door, and is taken from or put into, makes it walk. From then on it has left the place
+    only what has a door, and is taken from or put into, makes it walk, and furniture that it does not stand
+    before, when it is to put there what it holds. From then on it has left the place
     where it was, and goes to whom or to where it is told to bring things. With rooms it does so from the
     start, and so it does after it was told to turn around or to go somewhere. A door behind which something
     goes is opened first, with empty hands: what is held is put down.
@@ -172,11 +173,20 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             beside = Nearness(_described(seen_from))
             before.append(Prepared(WalkToTask(f"walk to the {seen_from}", seen_from), unless_near=beside))
         there = _there(command, commands, known)
+        if not away and not walked and isinstance(there, str) and _is_carried(command, known):
+            before.append(
+                Prepared(WalkToTask(f"walk to the {there}", there), unless_near=Nearness(_described(there)))
+            )
         if away and there is not None and not walked:
             near = Nearness(_described(there)) if roams and not _is_person(there) else None
             before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there), unless_near=near))
         yield from before
         yield Prepared(command, index)
+
+
+def _is_carried(command: Command, known: Known) -> bool:
+    """Whether a command puts down what a hand holds by then: it may be meant for another table."""
+    return isinstance(command, PlaceTask) and (isinstance(command.object, ObjectOf) or known.in_hand(command))
 
 
 def _carried_to(index: int, commands: Sequence[Command], known: Known) -> Prepared | None:

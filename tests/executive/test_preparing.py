@@ -374,3 +374,15 @@ def test_a_robot_that_has_left_the_place_where_it_began_walks_to_what_is_meant()
 
     assert [type(step.command) for step in steps] == [WalkToTask, PickTask]
     assert steps[0].unless_near is not None
+
+
+@pytest.mark.requirement("M3")
+def test_what_is_held_is_carried_to_other_furniture_without_rooms_too():
+    commands = parse("pick up the blue cup and put it on the counter").commands
+
+    steps = prepared(commands, True)
+
+    assert [type(step.command) for step in steps] == [PickTask, WalkToTask, PlaceTask]
+    assert steps[1].unless_near is not None  # nobody walks to the table that the robot stands before
+    assert kinds("put the blue cup on the counter") == [PlaceTask]
+    assert [type(step.command) for step in prepared(commands, False)] == [PickTask, PlaceTask]
