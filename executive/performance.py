@@ -18,11 +18,13 @@ from executive.exit_codes import ExitCode
 from executive.meaning import shortened
 from executive.outputs.junit import write_junit
 from executive.outputs.report import Report, SafetyCounts
+from executive.real_pace import RealPace
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
 from executive.settled_heap import settled_heap
 from kinematics.trajectory_document import StoredTrajectory, write_trajectory
+from robots.clock import WallClock
 from robots.control.events import SetpointRefused, StopStarted
 from robots.description import load_description_for_tasks
 from robots.scene_description import SceneDescription
@@ -195,6 +197,8 @@ def _results(
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
+    if request.in_real_time:
+        assembly.session.watch_periods(RealPace(WallClock()))
     attendant.begin(assembly.session)
     with settled_heap(), _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)

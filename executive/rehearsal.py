@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from executive.attendant import Nobody
 from executive.check_report import CheckReport, MotionVerdict, Outcome
 from executive.config import leave_opengl_to_the_renderer
 from executive.errand import without_skill
@@ -13,9 +14,11 @@ from executive.exit_codes import ExitCode
 from executive.meaning import Command, StopCommand, wording
 from executive.references import references
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.script_run import settled
 from executive.statement import Statement
 from executive.task_result import TaskResult, chain
 from executive.task_script import script_for
+from executive.trust import USUAL_TRUST, OnQuestion, Trust
 from kinematics.requests import CheckRequest, PickPlan, PlanRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from robots.description import load_description_for_tasks
@@ -33,7 +36,14 @@ if TYPE_CHECKING:
     from trees.task_tree import TaskTree
 
 
-def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) -> CheckReport:
+def rehearse(
+    text: str,
+    robot: str | None,
+    scene: str | None,
+    seed: int | None,
+    trust: Trust = USUAL_TRUST,
+    on_question: OnQuestion = "ask",
+) -> CheckReport:
     """Say what a sentence or a script would do.
 
     Every command is judged from the start: the home posture with the head already turned to where a run
@@ -44,16 +54,21 @@ def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) 
         robot: Name of the robot.
         scene: Name of a scene, or path of a scene file.
         seed: Of everything random. What is left out is the script's, else the usual.
+        trust: How far a model's output is trusted.
+        on_question: Whether the first choice is taken where a question is open; else it is told.
 
     Raises:
         UserError: The script cannot be one.
         RobotsError: There is no such robot or scene.
     """
-    script = script_for(text)
+    script = script_for(text, trust)
     robot, scene = robot or script.robot or DEFAULT_ROBOT, scene or script.scene or DEFAULT_SCENE
     seed = next(value for value in (seed, script.seed, 0) if value is not None)
     world = load_scene(scene)
-    for one in script.statements:
+    statements = script.statements
+    if on_question == "first":
+        statements = tuple(settled(one, Nobody(), on_question, lambda _event: None) for one in statements)
+    for one in statements:
         lacking = without_skill(one.parsed.commands)
         if lacking is not None and one.expect != "refused":
             message = f"refused: {NoSkillError(lacking)}"
@@ -63,7 +78,7 @@ def rehearse(text: str, robot: str | None, scene: str | None, seed: int | None) 
             return CheckReport(text, robot, scene, outcome, code, message)
     notes: list[str] = []
     motions: list[MotionVerdict] = []
-    for one in script.statements:
+    for one in statements:
         if not one.parsed.commands:
             notes.append(f"{one.parsed.text!r}: {one.parsed.outcome}, as expected")
         for command in one.parsed.commands:

@@ -33,6 +33,7 @@ class RunRequest:
         keep_trajectories: Whether the recorded run holds the motions that were judged.
         on_question: What becomes of questions.
         trust: How far a model's output is trusted.
+        in_real_time: Whether simulated time passes no faster than time does.
         script: The task script that the statements come from, or None.
         junit: Where to write a JUnit report, or None.
         faults: What goes wrong on purpose in the simulated world, for tests and evaluations.
@@ -50,6 +51,7 @@ class RunRequest:
     keep_trajectories: bool = False
     on_question: OnQuestion = "ask"
     trust: Trust = field(default_factory=Trust)
+    in_real_time: bool = False
     script: Path | None = None
     junit: Path | None = None
     faults: tuple[PlannedFault, ...] = ()

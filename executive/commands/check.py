@@ -8,9 +8,17 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.choices import (
+    ConfidenceOption,
+    OnQuestionChoice,
+    OnQuestionOption,
+    PolicyChoice,
+    PolicyOption,
+)
 from executive.commands.config_option import ConfigOption
 from executive.config import use_config
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.trust import THRESHOLD, Trust
 
 
 def check(
@@ -36,15 +44,22 @@ def check(
         ),
     ] = 0.0,
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
+    junit: Annotated[Path | None, typer.Option(metavar="FILE.xml", help="Write a JUnit report here.")] = None,
+    on_question: OnQuestionOption = OnQuestionChoice.ASK,
+    confidence: ConfidenceOption = THRESHOLD,
+    policy: PolicyOption = PolicyChoice.ASK,
     config: ConfigOption = None,
+    plain: Annotated[bool, typer.Option("--plain", help="Lines, as always here.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
 ) -> None:
     """Say whether a stored trajectory is safe, or what a sentence would do; moves nothing."""
     from executive.run_log import require_writable, write_report
 
     use_config(config)
-    if report is not None:
-        require_writable(report)
+    del plain  # a check draws nothing
+    for path in (report, junit):
+        if path is not None:
+            require_writable(path)
     if text.endswith(".json"):
         from executive.stored_check import check_stored
 
@@ -52,9 +67,13 @@ def check(
     else:
         from executive.rehearsal import rehearse
 
-        answer = rehearse(text, robot, scene, seed)
+        answer = rehearse(text, robot, scene, seed, Trust(confidence, policy.value), on_question.value)
     if report is not None:
         write_report(report, answer.to_json())
+    if junit is not None:
+        from executive.outputs.junit import write_check_junit
+
+        write_check_junit(junit, text, answer)
     for line in [answer.message] if quiet else answer.lines():
         typer.echo(_sayable(line))
     raise typer.Exit(answer.exit_code)

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import sys
 from contextlib import ExitStack
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from executive.commands.choices import (
+    ConfidenceOption,
+    OnQuestionChoice,
+    OnQuestionOption,
+    PaceChoice,
+    PolicyChoice,
+    PolicyOption,
+)
 from executive.commands.config_option import ConfigOption
 from executive.config import runs_directory, use_config
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
@@ -18,21 +25,6 @@ from executive.trust import THRESHOLD, Trust
 if TYPE_CHECKING:
     from executive.attendant import Attendant
     from executive.outputs.display import Display
-
-
-class OnQuestionChoice(StrEnum):
-    """What becomes of a question."""
-
-    ASK = "ask"
-    FAIL = "fail"
-    FIRST = "first"
-
-
-class PolicyChoice(StrEnum):
-    """What happens below the confidence."""
-
-    ASK = "ask"
-    PARTIAL = "partial"
 
 
 def run(
@@ -49,15 +41,12 @@ def run(
         Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories too.")
     ] = None,
     junit: Annotated[Path | None, typer.Option(metavar="FILE.xml", help="Write a JUnit report here.")] = None,
-    on_question: Annotated[
-        OnQuestionChoice, typer.Option("--on-question", help="What becomes of a question.")
-    ] = OnQuestionChoice.ASK,
-    confidence: Annotated[
-        float, typer.Option(min=0.0, max=1.0, help="Below it a model's steps are not done unasked.")
-    ] = THRESHOLD,
-    policy: Annotated[
-        PolicyChoice, typer.Option(help="Below the confidence: ask, or do the other steps only.")
-    ] = PolicyChoice.ASK,
+    on_question: OnQuestionOption = OnQuestionChoice.ASK,
+    confidence: ConfidenceOption = THRESHOLD,
+    policy: PolicyOption = PolicyChoice.ASK,
+    pace: Annotated[
+        PaceChoice, typer.Option(help="As fast as the machine computes, or as time passes.")
+    ] = PaceChoice.FAST,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
     config: ConfigOption = None,
     plain: Annotated[
@@ -86,6 +75,7 @@ def run(
         video=video,
         on_question=on_question.value,
         trust=trust,
+        in_real_time=pace is PaceChoice.REAL,
         script=Path(text) if is_script(text) else None,
         junit=junit,
     )

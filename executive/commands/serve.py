@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.choices import ConfidenceOption, PolicyChoice, PolicyOption
 from executive.commands.config_option import ConfigOption
 from executive.config import (
     config_files,
@@ -16,10 +17,25 @@ from executive.config import (
     use_config,
 )
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.trust import THRESHOLD, Trust
 
 FolderOption = Annotated[
     Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
 ]
+
+_PACES = {"real": 1.0, "fast": 10.0}
+_SLOWEST, _FASTEST = 0.01, 10.0
+
+
+def _pace(text: str) -> float:
+    """A pace by name or number."""
+    try:
+        pace = _PACES.get(text) or float(text)
+    except ValueError:
+        raise typer.BadParameter(f"{text!r} is no pace; say 'real', 'fast' or a number") from None
+    if not _SLOWEST <= pace <= _FASTEST:
+        raise typer.BadParameter(f"{text} is not in the range {_SLOWEST:g} to {_FASTEST:g}")
+    return pace
 
 
 def serve(
@@ -28,14 +44,21 @@ def serve(
     seed: Annotated[int, typer.Option(min=0, help="Of everything random.")] = 0,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
     pace: Annotated[
-        float, typer.Option(min=0.01, max=10.0, help="Simulated seconds in a second; 1 is real time.")
-    ] = 1.0,
+        float,
+        typer.Option(
+            parser=_pace, metavar="real|fast|NUMBER", help="Simulated seconds in a second, 0.01 to 10."
+        ),
+    ] = "real",  # type: ignore[assignment]  # parsed by typer
+    confidence: ConfidenceOption = THRESHOLD,
+    policy: PolicyOption = PolicyChoice.ASK,
     ordinary: Annotated[
         bool, typer.Option("--ordinary", help="Do not use real-time scheduling even if it is permitted.")
     ] = False,
     evaluation: Annotated[
         bool, typer.Option("--evaluation", help="Let evaluations read the simulator's truth.")
     ] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Say nothing unless something is wrong.")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="Lines, as always here.")] = False,
     config: ConfigOption = None,
     folder: FolderOption = None,
 ) -> None:
@@ -47,10 +70,12 @@ def serve(
     from robots.description import load_description_for_tasks
     from robots.scene_file import load_scene
 
+    del plain  # nothing is drawn here
     use_config(config)
 
     def say(line: str) -> None:
-        typer.echo(line, err=True)
+        if not quiet:
+            typer.echo(line, err=True)
 
     leave_opengl_to_the_renderer()
     load_description_for_tasks(robot)
@@ -67,6 +92,7 @@ def serve(
         pace=pace,
         realtime=not ordinary,
         evaluation=evaluation,
+        trust=Trust(confidence, policy.value),
     )
     note_folder(request.record)
     service = Service(request, say)

@@ -1,8 +1,9 @@
-"""The executive of a served robot: ``python -m executive.live.executive_process FOLDER ROBOT RECORD``.
+"""The executive of a served robot: ``python -m executive.live.executive_process``.
 
 It attaches as the robot's commander and carries out what it is told. When the control process lets it go
-(it hung, and has woken up) it attaches again; when that is gone, it ends. Evaluations add a fault of the
-connection and a seed, and let it strike with SIGUSR1.
+(it hung, and has woken up) it attaches again; when that is gone, it ends. Its arguments: the folder of the
+sockets, the robot, the folder of the records, confidence and policy for models' output. Evaluations add a
+fault of the connection and a seed, and let it strike with SIGUSR1.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from executive.command_parser import parse
 from executive.live.control_link import AttachRefusedError, ControlLostError
 from executive.live.live_executive import LiveExecutive
 from executive.live.struck_connections import StruckConnections
+from executive.trust import Trust
 from kinematics.robot_model import RobotModel
 from robots.clock import WallClock
 from robots.description import load_description
@@ -37,6 +39,7 @@ def serve(
     folder: RuntimeFolder,
     robot: str,
     record: Path,
+    trust: Trust,
     connection: Callable[[UnixSocket], Connection] = Connection,
 ) -> int:
     """Serve until the control process ends; 0 then, 1 when it never took this process."""
@@ -49,7 +52,7 @@ def serve(
     try:
         while refused < _PATIENCE:
             try:
-                executive = LiveExecutive(folder, model, planning, world, record, connection)
+                executive = LiveExecutive(folder, model, planning, world, record, connection, trust)
             except NotServedError:
                 return 0
             except AttachRefusedError as wrong:
@@ -82,10 +85,11 @@ def main() -> int:
     """Serve."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _terminated)
-    folder, robot, record, *fault = sys.argv[1:]
+    folder, robot, record, threshold, policy, *fault = sys.argv[1:]
+    trust = Trust(float(threshold), "partial" if policy == "partial" else "ask")
     connection = StruckConnections(fault[0], int(fault[1])) if fault else Connection
     try:
-        return serve(RuntimeFolder(Path(folder)), robot, Path(record), connection)
+        return serve(RuntimeFolder(Path(folder)), robot, Path(record), trust, connection)
     except LiveError as wrong:
         _say(str(wrong))
         return 1

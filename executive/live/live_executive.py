@@ -30,6 +30,7 @@ from executive.session import Session
 from executive.statement import Statement
 from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
+from executive.trust import USUAL_TRUST, Trust
 from kinematics.robot_model import RobotModel
 from robots.errors import SceneError
 from robots.live.connection import Connection
@@ -66,6 +67,7 @@ class LiveExecutive:
         world: WorldModel,
         record: Path,
         connection: Callable[[UnixSocket], Connection] = Connection,
+        trust: Trust = USUAL_TRUST,
     ) -> None:
         """Attach.
 
@@ -73,7 +75,7 @@ class LiveExecutive:
             LiveError: The control process does not take this process as its commander.
         """
         self._link = link = ControlLink(folder, model, connection)
-        self._record = record
+        self._record, self._trust = record, trust
         self._order: Order | None = None
         self._conversation = Conversation()
         self._log: RunLog | None = None
@@ -182,7 +184,7 @@ class LiveExecutive:
             self._steps.busy = False
 
     def _results(self, said: Say) -> tuple[str, str, ExitCode, list[TaskResult]]:
-        statement = _statement(said, self._conversation)
+        statement = _statement(said, self._conversation, self._trust)
         self._steps.busy = True
         attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
         statement = settled(statement, attendant, "ask", self._note)
@@ -245,9 +247,9 @@ class _LineStream:
         pass
 
 
-def _statement(said: Say, before: Conversation) -> Statement:
+def _statement(said: Say, before: Conversation, trust: Trust) -> Statement:
     if said.text:
-        understood = before.understand(said.text)
+        understood = before.understand(said.text, trust)
         return Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
     text = f"move at {said.linear_m_s:g} m/s and {said.angular_rad_s:g} rad/s"
     return Statement(Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),)))

@@ -13,6 +13,7 @@ from types import FrameType
 
 from executive.errors import UserError
 from executive.live.caller import Caller
+from executive.trust import USUAL_TRUST, Trust
 from robots.clock import WallClock
 from robots.live.errors import AlreadyServedError, LiveError, NotServedError
 from robots.live.messages import GetStatus, Shutdown, Stop, write_control_message
@@ -32,7 +33,8 @@ class ServiceError(UserError):
 class ServiceRequest:
     """What to serve; as the control process's options.
 
-    ``fault`` is one of the connection's, for evaluations: it strikes at a signal.
+    ``fault`` is one of the connection's, for evaluations: it strikes at a signal; ``trust`` is for models'
+    output.
     """
 
     folder: Path
@@ -44,6 +46,7 @@ class ServiceRequest:
     realtime: bool = True
     evaluation: bool = False
     fault: str = ""
+    trust: Trust = USUAL_TRUST
 
 
 class Service:
@@ -142,6 +145,7 @@ class Service:
     def _start_executive(self, fault: str) -> subprocess.Popen[bytes]:
         request = self._request
         arguments = [os.fspath(request.folder), request.robot, os.fspath(request.record)]
+        arguments += [f"{request.trust.threshold!r}", request.trust.policy]
         arguments += [fault, str(request.seed)] if fault else []
         return subprocess.Popen(
             [sys.executable, "-m", "executive.live.executive_process", *arguments],

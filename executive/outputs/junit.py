@@ -8,9 +8,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from executive.exit_codes import ExitCode
 from executive.feedback import failure_lines, result_line
 
 if TYPE_CHECKING:
+    from executive.check_report import CheckReport
     from executive.script_run import Said
 
 # What XML 1.0 has no way to write.
@@ -44,6 +46,29 @@ def junit_xml(name: str, results: Sequence[Said]) -> str:
         elif last.failure is not None:
             ElementTree.SubElement(case, "system-out").text = _clean("\n".join(failure_lines(last.failure)))
     suite.attrib.update(tests=str(len(results)), failures=str(failures), errors="0", time=f"{total_s:.3f}")
+    return _document(suite)
+
+
+def write_check_junit(path: Path, name: str, check: CheckReport) -> None:
+    """Write one test case: what was judged without moving, which fails unless it is safe.
+
+    Raises:
+        OSError: The file cannot be written.
+    """
+    failed = check.exit_code is not ExitCode.DONE
+    suite = ElementTree.Element("testsuite", name=_clean(name), tests="1", failures=str(int(failed)))
+    suite.attrib.update(errors="0", time="0.000")
+    shown = " ".join(_clean(name).split())[:200]
+    case = ElementTree.SubElement(
+        suite, "testcase", classname=_clean(name), name=f"check: {shown}", time="0.000"
+    )
+    if failed:
+        failure = ElementTree.SubElement(case, "failure", type=check.outcome, message=_clean(check.message))
+        failure.text = _clean("\n".join(check.lines()))
+    path.write_text(_document(suite), "utf-8")
+
+
+def _document(suite: ElementTree.Element) -> str:
     suites = ElementTree.Element("testsuites")
     suites.append(suite)
     ElementTree.indent(suites)

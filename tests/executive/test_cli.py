@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import jsonschema
@@ -371,3 +372,30 @@ def test_surrogates_from_a_broken_terminal_are_refused_without_a_traceback(tmp_p
 
     assert done.returncode == 2
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.requirement("F2")
+def test_a_check_is_written_for_continuous_integration_too(executive, tmp_path):
+    report = tmp_path / "check.xml"
+
+    refused = executive("check", "pick up the purple elephant", "--junit", str(report), "--plain")
+
+    assert refused.exit_code == 2
+    (case,) = ElementTree.parse(report).getroot().iter("testcase")
+    assert "elephant" in case.find("failure").get("message")
+
+
+@pytest.mark.requirement("L8")
+def test_how_far_a_model_is_trusted_can_be_said_to_a_check(executive):
+    steps = '{"steps": [{"action": "wait", "duration_s": 1, "confidence": 0.5}]}'
+
+    assert executive("check", steps).exit_code == 3
+    assert executive("check", steps, "--confidence", "0.4").exit_code == 0
+
+
+@pytest.mark.parametrize(("pace", "told"), [("slow", "no pace"), ("99", "not in the range")])
+def test_a_pace_that_is_none_is_refused_before_anything_is_served(executive, pace, told):
+    answer = executive("serve", "--pace", pace)
+
+    assert answer.exit_code == 2
+    assert told in answer.output

@@ -1,0 +1,41 @@
+"""Options that several commands share."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+
+class OnQuestionChoice(StrEnum):
+    """What becomes of a question."""
+
+    ASK = "ask"
+    FAIL = "fail"
+    FIRST = "first"
+
+
+class PolicyChoice(StrEnum):
+    """What happens below the confidence."""
+
+    ASK = "ask"
+    PARTIAL = "partial"
+
+
+class PaceChoice(StrEnum):
+    """How fast simulated time passes."""
+
+    FAST = "fast"
+    REAL = "real"
+
+
+OnQuestionOption = Annotated[
+    OnQuestionChoice, typer.Option("--on-question", help="What becomes of a question.")
+]
+ConfidenceOption = Annotated[
+    float, typer.Option(min=0.0, max=1.0, help="Below it a model's steps are not done unasked.")
+]
+PolicyOption = Annotated[
+    PolicyChoice, typer.Option(help="Below the confidence: ask, or do the other steps only.")
+]
