@@ -57,7 +57,7 @@ class RecallPlace(Leaf):
         for pool in (world.put_down, seen if self._anything else {}):
             if (thing := self._only(aim, pool)) is not None:
                 return self._recall(thing, "object")
-        return Failure.postcondition(f"no {wanted} was seen before")
+        return Failure.postcondition(f"no {wanted} seen, now or before")
 
     def _recall(self, item: SceneObject, category: Category) -> Status:
         self._set_output("place", Place(item.name, category, item.shape, item.world_T_object, _CONFIDENCE))
