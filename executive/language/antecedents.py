@@ -154,6 +154,8 @@ class Antecedents(Discourse):
             raise ask("which one is meant?")  # of the red cup and the blue cup
         if not thing.anaphoric:
             return
+        if kind is None and thing.ordinal == "other" and not thing.said:
+            raise ask("another what?")
         if thing.ordinal in _COUNTED and any(one.of.ordinal not in _COUNTED for one in singles):
             raise ask(f"the {thing.ordinal} that was named, or from the left?")
         before = [one for one in same.values() if one.clause != self._clause and one.task in self._held]

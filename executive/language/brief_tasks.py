@@ -21,6 +21,6 @@ def takes_a_moment(command: Clause, said: str) -> bool:
 def _is_brief(one: Draft, *, quick: bool) -> bool:
     if one.action == "walk_to":
         return one.get("to") == ME and not quick
-    if one.get("holds") or (one.action == "hand_over" and one.get("to") != ME):
+    if one.get("holds") or one.get("watches") or (one.action == "hand_over" and one.get("to") != ME):
         return False
     return one.action in _TAKES_A_MOMENT

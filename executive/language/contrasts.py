@@ -38,7 +38,7 @@ _WEAK = frozenset({",", ":", "-"})
 """Marks after which what is said may still belong to what stands before them."""
 
 _PASSED = frozenset({"FILLER", "OPENING", "ADDRESSED"})
-_PLACING = frozenset({"where", "from", "with", "person"})
+_PLACING = frozenset({"where", "from", "with", "person", "number"})
 _MEASURES = frozenset({"FOR", "BY", "NUM", "AMOUNT", "TENS", "ARTICLE", "HALF", "QUARTER", "COUPLE"})
 _HEADINGS = frozenset({"FORWARD", "BACKWARD", "TURN_SIDE", "AT_SPEED", "IS_IT", "IF_THERE"})
 _UNITS = frozenset({"TIME", "LENGTH", "ANGLE", "LINEAR_SPEED", "ANGULAR_SPEED", "FOR", "BY"})
@@ -138,7 +138,7 @@ class _Contrast:
             rest = end
             while rest < self._end and (self._joins(rest) or self._is_but(rest)):
                 rest = max((one.end for one in self._lattice.phrase(rest)), default=rest + 1)
-            left = self._left(end, rest)
+            left = None if self._lattice.pieces[end - 1].is_mark else self._left(end, rest)
             if left is not None:
                 whole = rest >= self._end or self._begins_anew(rest)
                 doubtful = not whole and rest == end and self._commands_before and not self._breaks_off
@@ -161,8 +161,10 @@ class _Contrast:
         if self._word.meaning == FORGET or not all(map(self._is_comma, range(end, rest))):
             return None  # "not the bowl and the spoon": is the spoon meant?
         if not self._commands_before:
-            return before + following  # "not the bowl, the cup: bring me the cup"
+            return said + following  # "not the bowl, the cup: bring me the cup"
         placing = beginnings(self._lattice.phrase(rest), self._reader.commands) & _PLACING
+        if rest == end:
+            placing -= {"number"}  # "the right one"
         return said + following if placing or self._breaks_off else None
 
     @cached_property
@@ -263,7 +265,7 @@ class _Contrast:
         apart = Apart([command_json(one) for one in commands], self._reader.sort_of)
         named = self._named(span)
         if self._word.meaning == FORGET:
-            return bool(named) and all(map(apart.is_unrelated, named))
+            return bool(named) and all(apart.is_unrelated(one) or apart.stands_beside(one) for one in named)
         if self._is_turned(span):
             return True
         if named:
@@ -278,6 +280,7 @@ class _Contrast:
             allowed = classes | _SMALL | (_UNITS if "NUM" in classes else frozenset())
             anew = self._meanings(range(span.start, span.end), classes)
             old = self._meanings(range(self._word.start), classes)
+            old = old or self._meanings(range(span.end, self._end), classes)  # "not left but right"
             if len(anew) != 1 or len(old) != 1 or anew == old:
                 continue
             return all(

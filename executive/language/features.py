@@ -52,7 +52,7 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
             if part.side == "right":
                 first = nominal.ordinal == "first"
                 nominal = replace(nominal, ordinal="rightmost" if first else f"{nominal.ordinal}_from_right")
-        elif isinstance(part, Word) and part.word_class == "ANOTHER":
+        elif isinstance(part, Word) and part.word_class in ("ANOTHER", "OTHER"):
             nominal = nominal.described(Feature("ordinal", "other"))
     return nominal
 

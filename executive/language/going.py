@@ -166,7 +166,7 @@ def _walk(parts: Parts) -> Clause:
 def _walk_at_speed(parts: Parts) -> Clause:
     """To somewhere at a speed: within the limits it cannot be chosen either."""
     measure = next(part for part in parts if isinstance(part, Measure))
-    if measure.of not in _LIMITS:
+    if measure.of not in ("linear_speed", "angular_speed"):
         raise unfit()
     _bounded(measure)
     raise trouble("how fast to walk to a place cannot be chosen", f"{measure.value:g} {_UNITS[measure.of]}")

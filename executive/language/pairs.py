@@ -100,7 +100,7 @@ def _arranged_apart(items: Sequence[Item]) -> Iterator[Arranged]:
 
 
 def _is_another(of: Nominal) -> bool:
-    return of.anaphoric and of.ordinal == "other"
+    return of.anaphoric and (of.ordinal == "other" or not of.said)
 
 
 def _for_whom(person: Nominal, one: Arranged) -> tuple[Nominal, Arranged]:

@@ -81,8 +81,7 @@ def _given_out(parts: Parts, one: Arranged, people: tuple[Nominal, ...]) -> Clau
 def _shared(parts: Parts) -> Clause:
     """A can each for Ana and Ben."""
     (people,) = (part for part in parts if isinstance(part, _People))
-    (item,) = (part for part in parts if isinstance(part, Item))
-    (one,) = arranged((item,))
+    (one,) = arranged(parts)
     each = people.each or bool(words(parts, "EACH_ONE"))
     names = " and ".join(str(person.kind) for person in people.all)
     if not each:

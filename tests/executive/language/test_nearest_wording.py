@@ -25,7 +25,19 @@ VERBS = {
         "taking",
     }
     | {"bring", "bringing", "fetch", "carry", "give", "hand"},
-    "place": {"put", "putting", "place", "placing", "placed", "set", "lay", "drop", "dropping"},
+    "place": {
+        "put",
+        "putting",
+        "place",
+        "placing",
+        "placed",
+        "set",
+        "lay",
+        "drop",
+        "dropping",
+        "leave",
+        "leaving",
+    },
 }
 
 
