@@ -16,6 +16,10 @@ _ADDRESSES = frozenset({"wave", "say", "look_at", "point_at"})
 """What is done to somebody who stays in front of the robot."""
 
 
+_SEES = frozenset({"count", "find", "look_at", "describe"})
+"""Tasks after which what was opened is still looked into."""
+
+
 class Destinations(Antecedents):
     """Finds where a thing goes or is, and to whom."""
 
@@ -64,6 +68,15 @@ class Destinations(Antecedents):
             return {}
         self._sources[root] = places[0]
         return {"source": ObjectOf(opened[0])}
+
+    def _counted_in(self, named: Nominal) -> dict[str, Any]:
+        """The slot of where things are counted right after the only container that stands open was opened."""
+        opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
+        if len(opened) != 1 or named.sort not in ("thing", "any") or named.relation is not None:
+            return {}
+        since = {one.action for one in self._commands[opened[0] + 1 :]}
+        inside = [one for one in self._entities if one.task == opened[0] and one.of.sort == "container"]
+        return {"source": ObjectOf(opened[0])} if inside and since <= _SEES else {}
 
     def _description(self, nominal: Nominal) -> Any:
         self._note_name(nominal)

@@ -49,6 +49,7 @@ class Discourse:
         self._did: list[tuple[Draft, int]] = []
         self._entities: list[Entity] = []
         self._places: list[Nominal] = []
+        self._named_in: list[tuple[int, Nominal]] = []
         self._beside_places: list[Nominal] = []
         self._walks: list[Nominal] = []
         self._thing_walked_to: Nominal | None = None
@@ -113,6 +114,7 @@ class Discourse:
     def _name_place(self, value: Any) -> None:
         if isinstance(value, Nominal) and value.is_place and not value.reference:
             self._places.append(value)
+            self._named_in.append((self._clause, value))
         if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
             self._people.append(replace(value, relation=None) if value.sort == "name" else value)
 

@@ -10,6 +10,7 @@ from executive.language.antecedents import PUTS_DOWN
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
 from executive.language.done_already import DoneAlready
 from executive.language.handled_thing import PREVIOUS
+from executive.language.its_door import ItsDoor
 from executive.language.phrases import SEATS, Bundle, Clause, Draft, Nominal, Relative, Trouble
 from executive.language.stated_things import StatedThings
 from executive.meaning import Command, StopCommand
@@ -67,7 +68,7 @@ def _is_only_lifted(one: Draft) -> bool:
     return all(one.get(slot) is None for slot in ("hand", "source", "holds"))
 
 
-class Resolver(StatedThings, DoneAlready):
+class Resolver(StatedThings, ItsDoor, DoneAlready):
     """Turns clauses into commands, remembering what was named.
 
     Args:
@@ -186,6 +187,8 @@ class Resolver(StatedThings, DoneAlready):
         action, slots = self._slots(one, resolved, root)
         if one.get("out") and "source" not in slots and named is not None:
             slots.update(self._out_of(root))  # "open the fridge, take out the can"
+        if action == "count" and "source" not in slots and named is not None:
+            slots.update(self._counted_in(named))  # "open the fridge and tell me how many eggs are left"
         if self._was_put_there(action, slots, root):
             return ObjectOf(root)  # "carry it to the hall and leave it there"
         if isinstance(slots.get("object"), str):
@@ -227,7 +230,9 @@ class Resolver(StatedThings, DoneAlready):
         before = self._that(thing)
         if isinstance(before, ObjectOf):
             return None, before
-        thing = before or thing
+        thing = self._door_of_what(before or thing, one.action)
+        if isinstance(thing, ObjectOf):
+            return None, thing
         named = self._same_kind(thing)
         if _is_everything(one) and self._recent(lambda entity: entity.of.sort == "thing"):
             raise ask("all that was named, or everything there is?")
