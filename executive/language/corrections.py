@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from executive.language.beginnings import ONE, SAID_ALONE, SORTS, beginnings
-from executive.language.lattice import Lattice
+from executive.language.lattice import Lattice, Word
 from executive.language.replaced_slots import ADDS, LOSES, SAME, change, holds
 from executive.language.taking_back import DENIES, DISCARDS, Marker, Span, is_mark, marker_of
 from executive.meaning import Command, command_json
@@ -145,7 +145,7 @@ class _Repair:
         if self._marker.meaning == DENIES:
             begins = {one for one in begins if not one.startswith("bare ")}
             begins &= begins if self._marker.marked else _AFTER_NO
-        if self._marker.meaning == DISCARDS and any(map(self._separates, range(self._marker.span.start))):
+        if self._marker.meaning == DISCARDS and self._may_discard_several:
             return
         for start in range(self._marker.span.start):
             shared = begins & self._beginnings(start)
@@ -156,6 +156,19 @@ class _Repair:
                     candidate = self._candidate(old, new, shared)
                     if candidate is not None:
                         yield candidate
+
+    @property
+    def _may_discard_several(self) -> bool:
+        """Whether more than one command stands before "scratch that", all of which may be taken back."""
+        last = self._marker.span.start
+        if any(map(self._separates, range(last))):
+            return True
+        begun = [one for one in range(1, last) if any(map(self._is_verb, self._lattice.phrase(one)))]
+        halves = ((self._texts(0, one), self._texts(one, last)) for one in begun)
+        return any(all(self._understood(" ".join(half)) is not None for half in both) for both in halves)
+
+    def _is_verb(self, word: Word) -> bool:
+        return word.word_class in self._commands
 
     def _beginnings(self, position: int) -> set[str]:
         """As what a phrase that starts at a place can be taken."""
