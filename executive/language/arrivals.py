@@ -88,9 +88,9 @@ def _done_to_it(parts: Parts) -> Clause:
 def _has_it(parts: Parts) -> Clause:
     """Once you have the cup, with the cup in hand."""
     (of,) = (part for part in parts if isinstance(part, Nominal))
-    if of.sort != "thing" and not of.reference == "it":
+    if of.sort != "thing" and of.reference not in ("it", "them"):
         raise unfit()
-    if of.count != 1 or (of.plural and not of.paired):
+    if not of.determined or (not of.reference and (of.count != 1 or (of.plural and not of.paired))):
         raise unfit()
     carried = words(parts, "WITH")
     if carried and carried[0].said != "with":

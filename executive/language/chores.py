@@ -29,6 +29,8 @@ def _by_doing(parts: Parts) -> Group:
     if of is not None and (not of.is_place or not of.is_plain):
         raise unfit()
     source = of if chore.meaning == "clear" else None
+    if not all(_TIDIES & {one.action for one in bundle} for each in clauses for bundle in each.bundles):
+        raise unfit()
     done = tuple(_taken_from(replace(one, form="base"), source) for one in clauses)
     about = () if of is None else (of,)
     return Group((replace(done[0], about=(*done[0].about, *about)), *done[1:]), (), "after_first", doing=True)
