@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from executive.language.chart import Chart
 from executive.language.examples import EXAMPLES, is_verb, nearest_example
 from executive.language.lattice import Lattice, Word
+from executive.language.reasons import reason_at
 from executive.language.typos import Typos
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
@@ -24,7 +25,7 @@ _NEVER_USED = frozenset(
 )
 """Word classes that decide a refusal wherever they stand before the place that broke the parse."""
 
-_AT_LAST = frozenset({"NEGATION", "CONTRAST", "CONDITION", "LOOP", "PRAISE", "ASKS_ROBOT"})
+_AT_LAST = frozenset({"NEGATION", "CONTRAST", "CONDITION", "LOOP", "PRAISE", "ASKS_ROBOT", "MANNER", "DOUBT"})
 """Word classes that explain a refusal where a sentence only seems to end too early: "don't move it"."""
 
 _DETERMINES = frozenset(
@@ -84,12 +85,17 @@ class Explainer:
         found = found or self._refused(lattice, chart, only=_DECIDING)
         found = found or (self._refused(lattice, chart, only=_AT_LAST) if ended else None)
         found = found or no_skill
+        if found is None or self._is_link(found):
+            found = reason_at(lattice, position) or found
         if found is None and ended:
             return self._incomplete(lattice, chart)
         if found is not None:
             word, message = found
             return Refusal(message, word, None)
         shown = printable(lattice.pieces[position].text)
+        denied = self._anywhere(lattice) if position == 0 else None
+        if denied is not None:
+            return Refusal(denied[1], denied[0], None)
         if position == 0 and chart.expected >= _VERBS:
             message = f"a command begins with what to do, not with {shown!r}"
         else:
@@ -97,6 +103,10 @@ class Explainer:
             place = "here" if before is None or before.is_mark else f"after {printable(before.text)!r}"
             message = f"{shown!r} does not fit {place}"
         return Refusal(message, shown, self.nearest_example(plain))
+
+    def _is_link(self, found: tuple[str, str]) -> bool:
+        """Whether a refusal says no more than that a small word does not fit."""
+        return found[1] == self._vocabulary.refusal_of(_LINK, "link", found[0])
 
     def _incomplete(self, lattice: Lattice, chart: Chart) -> Refusal:
         missing = "an object such as a cup or a box" if chart.expected & _NOUNS else "something"

@@ -87,6 +87,13 @@ def test_what_is_offered_means_something_and_not_the_opposite():
         ("pick up the empty can", "cannot be chosen by 'empty'"),
         ("pick up the half-full glass", "cannot be chosen by 'half full'"),
         ("open both drawers", "name each of them"),
+        ("What can you do?", "this robot answers only"),
+        ("Did you bring me the red cup?", "this robot answers only"),
+        ("pick up the cup in 5 seconds", "how far, how long or when"),
+        ("wave to Ana or Ben", "say one of them"),
+        ("tell the students to be quiet", "telling somebody to do something"),
+        ("please don't wake the baby", "cannot be honoured"),
+        ("open the window a little", "how to do it ('a little')"),
     ],
 )
 def test_a_refusal_says_what_it_is_about(said, told):
