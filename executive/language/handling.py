@@ -153,6 +153,8 @@ def _fetch(parts: Parts) -> Clause:
             person = one.goal.of
             only_for(one, person)
         has_clear_place(one)
+        if one.object.sort == "door":
+            raise trouble(f"shall the {one.object.kind} be opened, or closed?", asks=True)
         taken = picked(one)
         bundles.append((taken,) if person is None else handed(taken, person))
     return clause(parts, bundles)

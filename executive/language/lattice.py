@@ -192,6 +192,15 @@ class Lattice:
         read = {reading.word_class for _, reading in vocabulary.matches(texts, position)}
         return self.pieces[position].is_number or not read.isdisjoint(_NUMBERS)
 
+    @staticmethod
+    def _is_idiom(word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
+        """Whether it means something else than its words: "take a photo", but not "take a photo frame"."""
+        return word.word_class == "IDIOM" and not any(
+            reading.word_class in _NOUNS and start + length > word.end
+            for start in range(word.start + 1, word.end)
+            for length, reading in vocabulary.matches(texts, start)
+        )
+
     def _follows_a_noun(self, start: int) -> bool:
         """Whether "and", "then" or a comma stands right before a place."""
         return start > 0 and self.pieces[start - 1].text in _LISTING
@@ -219,7 +228,7 @@ class Lattice:
         at = self._words[start]
         fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
         compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
-        idiom = max((word.end for word in found if word.word_class == "IDIOM"), default=0)
+        idiom = max((word.end for word in found if self._is_idiom(word, texts, vocabulary)), default=0)
         listed = self._follows_a_noun(start) and any(word.word_class in _REFUSED_VERBS for word in found)
         paired = start > 0 and any(
             start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
