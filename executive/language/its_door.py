@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from executive.language.discourse import Discourse, ask
-from executive.language.phrases import Nominal
+from executive.language.discourse import Discourse, UnresolvedError, ask
+from executive.language.lists import another_of
+from executive.language.phrases import Nominal, Trouble
 from trees import tasks
 from trees.tasks import ObjectOf
 
@@ -17,6 +18,7 @@ _WITH_A_DOOR = frozenset(
 )
 """Containers of which "the door" may be said."""
 
+_DONE = {"open": "opened", "close": "closed"}
 _LEAVES = frozenset({"walk_to", "move", "go_home"})
 """Tasks after which another door may be nearer."""
 
@@ -59,6 +61,24 @@ class ItsDoor(Discourse):
         if not both:
             return thing
         return ObjectOf(standing[both[0]]) if both[0] in standing else both[0]
+
+    def _another_door(self, thing: Nominal, action: str) -> Nominal:
+        """What "the bottom one" is after "the top drawer" of a task before, if nothing else can be opened.
+
+        Raises:
+            UnresolvedError: Nothing was named that opens, or several sorts of it.
+        """
+        opened = [one.of for one in self._entities if one.of.sort in ("container", "door")]
+        named = [*opened, *(one for one in self._places if one.sort in ("container", "door"))]
+        meant = another_of(thing, opened[-1:])
+        last = self._kind.kind if self._kind is not None else None
+        if meant.kind is None or meant.kind != last or any(one.kind != meant.kind for one in named):
+            what = last or "thing"
+            told = f"to {action} a {what} ({what!r}) is nothing that this robot can do"
+            raise (
+                UnresolvedError(Trouble(told, what)) if not named else ask(f"what shall be {_DONE[action]}?")
+            )
+        return meant
 
     def _still_near(self) -> list[Nominal]:
         """What has a door, was named before the last clause and not left since."""

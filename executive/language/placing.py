@@ -268,6 +268,9 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                     f"only one at a time can be told to {action}; name each of them",
                     nominal.kind,
                 )
+            if nominal.anaphoric and nominal.sort == "any" and not nominal.is_plain:
+                bundles.append((draft(action, object=nominal, hand=one.hand),))
+                continue  # "open the top drawer, then close the bottom one"
             if not nominal.reference and nominal.sort not in ("container", "door"):
                 what = nominal.kind or "thing"
                 raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)

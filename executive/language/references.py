@@ -233,6 +233,8 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         thing = self._door_of_what(before or thing, one.action)
         if isinstance(thing, ObjectOf):
             return None, thing
+        if thing.anaphoric and one.action in ("open", "close"):
+            thing = self._another_door(thing, one.action)
         named = self._same_kind(thing)
         if _is_everything(one) and self._recent(lambda entity: entity.of.sort == "thing"):
             raise ask("all that was named, or everything there is?")

@@ -73,3 +73,12 @@ def test_what_was_stated_after_an_order_is_what_is_moved_next():
     assert [one["action"] for one in told] == ["walk_to", "pick", "hand_over"]
     assert told[1]["from"] == "bed"
     assert tasks_of("pick up the cup. my keys are on the bed. bring them") == []
+
+
+def test_another_drawer_is_one_though_a_command_stands_between():
+    told = tasks_of("open the top drawer of the desk, then open the bottom one")
+
+    assert [one["object"]["kind"] for one in told] == ["drawer", "drawer"]
+    assert told[1]["object"]["relation"] == {"is": "in", "to": "table"}
+    assert tasks_of("open the fridge and the top drawer, then close the bottom one") == []
+    assert tasks_of("pick up the cup. open the left one") == []
