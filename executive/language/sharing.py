@@ -9,9 +9,21 @@ from typing import Any
 
 from executive.language.arranging import Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.features import described, feature_of
+from executive.language.handling import MEANINGS as HANDLING
 from executive.language.handling import given, handed, picked
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Bundle, Clause, Feature, Item, Meaning, Nominal, Relative
+from executive.language.phrases import (
+    Bundle,
+    Clause,
+    Feature,
+    Item,
+    Items,
+    Meaning,
+    Nominal,
+    Relative,
+    Where,
+)
+from executive.language.placing import MEANINGS as PLACING
 
 OTHER = "other"
 
@@ -29,6 +41,14 @@ class _Share:
     """One of several things, for somebody; ``last`` is whether it was called another or the other one."""
 
     person: Nominal
+    last: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _PlacedShare:
+    """One of several things, and where it is or goes; ``last`` as in ``_Share``."""
+
+    where: Where
     last: bool
 
 
@@ -55,10 +75,20 @@ def _people(parts: Parts) -> _People | None:
 
 def _share(parts: Parts) -> _Share | None:
     of, person = (part for part in parts if isinstance(part, Nominal))
-    bare = of.anaphoric and not of.plural and replace(of, ordinal=None).is_plain
-    if not bare or of.ordinal not in (None, OTHER) or not person.is_person:
+    if not _is_one_of_them(of) or not person.is_person:
         return None
     return _Share(person, of.ordinal == OTHER)
+
+
+def _is_one_of_them(of: Nominal) -> bool:
+    """Whether it is "one", "another" or "the other"."""
+    bare = of.anaphoric and not of.plural and replace(of, ordinal=None).is_plain
+    return bare and of.ordinal in (None, OTHER)
+
+
+def _placed_share(parts: Parts) -> _PlacedShare | None:
+    of, where = (part for part in parts if isinstance(part, (Nominal, Where)))
+    return _PlacedShare(where, of.ordinal == OTHER) if _is_one_of_them(of) else None
 
 
 def _handing(parts: Parts) -> Callable[[Arranged, Nominal], Bundle]:
@@ -107,11 +137,31 @@ def _shares(parts: Parts) -> Clause:
     return _given_out(parts, replace(one, object=single), people)
 
 
+def _placed_apart(parts: Parts) -> Any:
+    """Two cups, one on the table and one on the shelf."""
+    verb = words(parts, "PICK_UP", "PICK", "FETCH", "PUT", "PUT_IN")[0]
+    (of,) = (part for part in parts if isinstance(part, Nominal))
+    shares = [part for part in parts if isinstance(part, _PlacedShare)]
+    number = 2 if of.count == "both" else of.count
+    single = of.sort == "thing" and of.ordinal is None and number == len(shares) == 2
+    if not single or any(share.last for share in shares[:-1]):
+        raise trouble("which of them is where?", asks=True)
+    first = replace(of, count=1, counted=False, plural=False)
+    each = (first, replace(first, ordinal=OTHER))
+    items = Items(tuple(Item(one, (share.where,)) for one, share in zip(each, shares, strict=True)))
+    name = {"PUT": "put", "PUT_IN": "put_into", "FETCH": "fetch"}.get(verb.word_class, "pick")
+    return {**PLACING, **HANDLING}[name]((verb, items))
+
+
 def _leftover(parts: Parts) -> Item:
     return Item(parts[0], tuple(parts[1:]))
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {"shared": _shared, "shares": _shares}
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "shared": _shared,
+    "shares": _shares,
+    "placed_apart": _placed_apart,
+}
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
@@ -120,6 +170,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "leftover": _leftover,
         "people": _people,
         "share": _share,
+        "placed_share": _placed_share,
         **{name: guarded(meaning) for name, meaning in _COMMANDS.items()},
     }
 )
