@@ -87,7 +87,8 @@ def _is_one_of_them(of: Nominal) -> bool:
 
 
 def _placed_share(parts: Parts) -> _PlacedShare | None:
-    of, where = (part for part in parts if isinstance(part, (Nominal, Where)))
+    (of,) = (part for part in parts if isinstance(part, Nominal))
+    (where,) = (part for part in parts if isinstance(part, Where))
     return _PlacedShare(where, of.ordinal == OTHER) if _is_one_of_them(of) else None
 
 
