@@ -12,6 +12,7 @@ from typing import Any
 from executive.config import cache_directory, config_files
 from executive.language.bare_lists import with_commas
 from executive.language.chart import Chart, TooTangledError
+from executive.language.contrasted_answers import contrasted_answer
 from executive.language.contrasts import Reader, contrasted
 from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
@@ -165,6 +166,8 @@ class CommandParser:
         except (MalformedTextError, TooTangledError):
             return None
         selections = {description_of(one) for one in found if isinstance(one, Selection)} - {None}
+        if not selections:
+            return contrasted_answer(self._lattice(text), self._reader, self.parse_selection)
         return selections.pop() if len(selections) == 1 else None
 
     def _lattice(self, text: str) -> Lattice:

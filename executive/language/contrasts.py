@@ -82,13 +82,13 @@ class _Cut:
 
 def contrasted(lattice: Lattice, reader: Reader) -> tuple[Command, ...] | None:
     """What a sentence with a contrast means; None where that is open, or there is no contrast."""
-    word = _only_contrast(lattice)
+    word = only_contrast(lattice)
     if word is None or len(lattice.pieces) > MAX_WORDS or any(piece.quoted for piece in lattice.pieces):
         return None
     return _Contrast(lattice, word, reader).commands()
 
 
-def _only_contrast(lattice: Lattice) -> Word | None:
+def only_contrast(lattice: Lattice) -> Word | None:
     """The contrast of a sentence in which nothing else denies."""
     found: Word | None = None
     position, size = 0, len(lattice.pieces)

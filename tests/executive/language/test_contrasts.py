@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.command_parser import parse
+from executive.command_parser import parse, parse_selection
 
 
 @pytest.mark.requirement("L2", "L5")
@@ -54,3 +54,23 @@ def test_a_contrast_leaves_what_is_meant(said, meant):
 )
 def test_what_narrows_or_denies_is_refused(said):
     assert parse(said).refusal is not None
+
+
+@pytest.mark.parametrize(
+    ("answer", "meant"),
+    [
+        ("the red one, not the blue one", "the red one"),
+        ("not the left one, the right one", "the right one"),
+        ("not the small one but the big one", "the big one"),
+    ],
+)
+def test_an_answer_may_name_what_is_not_meant(answer, meant):
+    assert parse_selection(answer) == parse_selection(meant) is not None
+
+
+@pytest.mark.parametrize(
+    "answer",
+    ["not the red one", "the cup, not the red one", "the red one, not the big one", "not red, not blue"],
+)
+def test_an_answer_that_only_denies_chooses_nothing(answer):
+    assert parse_selection(answer) is None
