@@ -34,6 +34,7 @@ from kinematics.poses import Transform
 from trees.away_from_start import is_away
 from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
+from trees.drawer_inside import DrawerInside, inside_of_drawer
 from trees.failures import Failure, FailureKind
 from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
@@ -126,6 +127,7 @@ class Errand:
             frozenset(toolbox.places),
             self._stood_on,
             is_away(self._base()),
+            isinstance(inside_of_drawer(toolbox.world.scene), DrawerInside),
         )
 
     def _stood_on(self, task: PlaceTask) -> str | None:

@@ -17,7 +17,7 @@ from executive.at_hand import Nearness
 from executive.meaning import Command
 from trees.away_from_start import leads_away
 from trees.fridge_inside import is_behind_door
-from trees.handles import MEANT_BY
+from trees.handles import DRAWER, MEANT_BY
 from trees.tasks import (
     WHERE_IT_WAS,
     CountTask,
@@ -80,6 +80,7 @@ class Known:
         is_near: Tells whether a walk is needless.
         stood_on: Tells of what is to be put back what it stood on, by its name in the planning scene.
         rooms: Names of the rooms on the map; where there are any, not all that is spoken of is at hand.
+        drawer_is_open: Whether the inside of a drawer is known, and open to above.
         is_away: Whether the robot has left the place where it began: nor is all at hand then.
     """
 
@@ -90,6 +91,7 @@ class Known:
     rooms: frozenset[str] = frozenset()
     stood_on: Callable[[PlaceTask], str | None] = lambda _task: None
     is_away: bool = False
+    drawer_is_open: bool = False
 
 
 NOTHING_KNOWN = Known()
@@ -104,8 +106,8 @@ def prepared(
     only what has a door, and is taken from or put into, makes it walk, and furniture that it does not stand
     before, when it is to put there what it holds. From then on it has left the place
     where it was, and goes to whom or to where it is told to bring things. With rooms it does so from the
-    start, and so it does after it was told to turn around or to go somewhere. A door behind which something
-    goes is opened first, with empty hands: what is held is put down.
+    start, and so it does after it was told to turn around or to go somewhere. A door or drawer into
+    which something goes is opened first, with empty hands: what is held is put down.
 
     Args:
         commands: What was said, in order.
@@ -161,6 +163,12 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
                 before += _opening(door)
                 opened.add(door)
             away = away or door in opened
+        elif (drawer := _shut_drawer(index, commands, known, opened)) is not None:
+            if held and isinstance(command, PutInTask) and isinstance(command.object, ObjectDescription):
+                down = PlaceTask(f"put the {command.object} down until the {drawer} is open", command.object)
+                before.append(Prepared(down, may_fail=True))
+            before.append(Prepared(OpenTask(f"open the {drawer}", drawer)))
+            opened.add(str(drawer))
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
         if roams and inside is None and _behind_of(command, commands) is None:
             before += _fetching(index, commands, known)
@@ -241,6 +249,26 @@ def _door_for(index: int, commands: Sequence[Command]) -> str | None:
     for later in commands[index + 1 :]:
         if isinstance(later, PutInTask) and isinstance(later.object, ObjectOf) and later.object.task == index:
             return _behind(later, commands)
+    return None
+
+
+def _shut_drawer(
+    index: int, commands: Sequence[Command], known: Known, opened: set[str]
+) -> ObjectDescription | None:
+    """The drawer that has to be opened before a command: as for doors, but it is not walked to."""
+    if known.drawer_is_open or any(DRAWER in one.split() for one in opened):
+        return None
+    command = commands[index]
+    puts = [command] if isinstance(command, PutInTask) else []
+    if isinstance(command, PickTask):
+        later = (one for one in commands[index + 1 :] if isinstance(one, PutInTask))
+        puts = [put for put in later if put.object == ObjectOf(index)]
+    for put in puts:
+        if isinstance(put.to, ObjectOf):
+            continue  # it was named by a command that opened it, or found it
+        there = _described(put.to) if isinstance(put.to, str) else put.to
+        if isinstance(there, ObjectDescription) and there.kind == DRAWER:
+            return there
     return None
 
 

@@ -15,7 +15,7 @@ from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import half_height_m, top_m
 from trees.failures import Failure
-from trees.handles import BODY_OF, DRAWER, DRAWER_BOTTOM, DRAWER_WALL
+from trees.handles import BODY_OF, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, without_inside
 from trees.held import HeldObject
 from trees.scene_update import kind_of
 
@@ -86,6 +86,18 @@ def inside_of_drawer(scene: PlanningScene) -> DrawerInside | Failure:
     middle[2, 3] = floor_m
     around = (bottom.name, front.name, *(wall.name for wall in walls))
     return DrawerInside(middle, (length, width, height), around)
+
+
+def without_drawn(scene: PlanningScene) -> PlanningScene:
+    """A scene without what goes along with a drawer's front: its inside, and what stands in it."""
+    inside = inside_of_drawer(scene)
+    bare = without_inside(scene)
+    if isinstance(inside, Failure):
+        return bare
+    for name, item in list(bare.objects.items()):
+        if item.movable and inside.holds(item.world_T_object[:3, 3]):
+            bare = bare.without_object(name)
+    return bare
 
 
 def spots_in_drawer(held: HeldObject, inside: DrawerInside) -> tuple[Spot, ...]:

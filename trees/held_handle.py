@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from kinematics.opening_path import OpeningPath
 from kinematics.requests import Grasp
 from kinematics.scene import PlanningScene
-from trees.handles import HandleTarget, without_inside
+from trees.drawer_inside import without_drawn
+from trees.handles import HandleTarget
 from trees.toolbox import Toolbox
 
 Array = NDArray[np.float64]
@@ -37,7 +38,7 @@ class HeldHandle:
 def scene_of_hand(toolbox: Toolbox, target: HandleTarget, grasp: Grasp) -> PlanningScene:
     """The present scene, in which the hand may touch the handle and what it opens."""
     links = toolbox.model.description.grippers[grasp.hand].touch_links
-    scene = without_inside(toolbox.world.scene)
+    scene = without_drawn(toolbox.world.scene)
     parts = [name for name in (target.part, target.handle) if name in scene.objects]
     return scene.allowing((link, part) for link in links for part in parts)
 

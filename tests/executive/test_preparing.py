@@ -12,6 +12,7 @@ from executive.task_result import TaskResult, TaskTimes
 from trees.failures import Failure
 from trees.tasks import (
     WHERE_IT_WAS,
+    CloseTask,
     CountTask,
     FindTask,
     HandOverTask,
@@ -386,3 +387,25 @@ def test_what_is_held_is_carried_to_other_furniture_without_rooms_too():
     assert steps[1].unless_near is not None  # nobody walks to the table that the robot stands before
     assert kinds("put the blue cup on the counter") == [PlaceTask]
     assert [type(step.command) for step in prepared(commands, False)] == [PickTask, PlaceTask]
+
+
+@pytest.mark.requirement("M3")
+def test_a_drawer_is_opened_before_something_is_put_in_unless_it_is_open():
+    assert kinds("put the red cup in the drawer") == [OpenTask, PutInTask]
+    assert kinds("put the red cup in the top drawer and close it") == [OpenTask, PutInTask, CloseTask]
+    assert kinds("pick up the red cup and put it in the drawer") == [OpenTask, PickTask, PutInTask]
+    assert kinds("open the drawer and put the red cup in it") == [OpenTask, PutInTask]
+    commands = parse("put the red cup in the top drawer").commands
+    (first, _) = prepared(commands, True)
+    assert str(first.command.object) == "top drawer"
+    assert [step.command for step in prepared(commands, True, Known(drawer_is_open=True))] == list(commands)
+
+
+@pytest.mark.requirement("M3")
+def test_what_is_held_is_put_down_until_the_drawer_is_open():
+    commands = parse("put the red cup in the drawer").commands
+
+    steps = prepared(commands, True, Known(in_hand=lambda _put: True))
+
+    assert [type(step.command) for step in steps] == [PlaceTask, OpenTask, PutInTask]
+    assert steps[0].may_fail

@@ -9,7 +9,7 @@ from kinematics.shapes import Cylinder
 from robots.articulated import furniture_T_part, moving_solids, opened
 from robots.furniture import floor_pose, solids
 from robots.scene_file import load_scene
-from trees.drawer_inside import DrawerInside, inside_of_drawer, spots_in_drawer
+from trees.drawer_inside import DrawerInside, inside_of_drawer, spots_in_drawer, without_drawn
 from trees.failures import Failure, FailureKind
 from trees.held import HeldObject
 
@@ -88,3 +88,18 @@ def test_what_is_too_wide_has_no_spot():
     narrow = DrawerInside(poses.translation(0.5, 0.0, 0.9), (0.09, 0.4, 0.15), ("drawer",))
 
     assert spots_in_drawer(CUP, narrow) == ()
+
+
+def test_what_stands_in_a_drawer_goes_along_with_it_and_what_lies_on_the_chest_does_not():
+    scene = known(OPEN_M)
+    middle = inside_of_drawer(scene).odom_T_middle[:3, 3]
+    inside, on_top = middle + np.array([0.0, 0.0, 0.06]), middle + np.array([0.4, 0.0, 0.3])
+    things = [SceneObject("red can", Cylinder(0.03, 0.11), poses.translation(*inside))]
+    things.append(SceneObject("blue can", Cylinder(0.03, 0.11), poses.translation(*on_top)))
+
+    left = without_drawn(scene.with_objects([*scene.objects.values(), *things])).objects
+
+    assert "red can" not in left
+    assert "blue can" in left
+    assert not [name for name in left if name.startswith(("drawer bottom", "drawer wall"))]
+    assert [name for name in left if name.startswith("drawer")]

@@ -8,8 +8,9 @@ from py_trees.ports import PortInformation
 
 from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan, PlannedStep
 from trees.contract import Contract
+from trees.drawer_inside import without_drawn
 from trees.failures import Failure
-from trees.handles import CLOSE_TO, OPEN_TO, HandleTarget, without_inside
+from trees.handles import CLOSE_TO, OPEN_TO, HandleTarget
 from trees.job_leaf import JobLeaf
 from trees.plan_failures import no_plan_failure
 from trees.ports import ports
@@ -46,7 +47,7 @@ class PlanHandle(JobLeaf):
         return HandleRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=without_inside(toolbox.world.scene),
+            scene=without_drawn(toolbox.world.scene),
             handle=target.handle,
             parts=tuple(dict.fromkeys((target.part, target.handle))),
             path=target.path,
