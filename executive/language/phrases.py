@@ -281,6 +281,7 @@ class Clause:
             stands before it: "bring me the cup what is on the table".
         topic: Whether it begins with its thing, which after "and" or a comma may be one more of what
             precedes: "pick up the cup and the bottle, put it on the shelf".
+        you: What it is if "you" stands before it: see ``told``.
         placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
     """
 
@@ -295,6 +296,7 @@ class Clause:
     number: int | None = None
     question: bool = False
     topic: bool = False
+    you: str = ""
     placed: bool = False
 
 

@@ -35,7 +35,7 @@ from executive.language.phrases import Clause, Draft, Hand, Meaning, Nominal, Tr
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.speech import UNQUOTED
 from executive.language.statements import is_statement, may_be_said, with_places
-from executive.language.told import as_told
+from executive.language.told import as_told, told_or_done
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,11 +110,11 @@ def _clause(parts: Parts) -> Clause | None:
     return command
 
 
-def _you_do(parts: Parts) -> Clause | Trouble | None:
+def _you_do(parts: Parts) -> Clause | None:
     """A command that begins with who is to do it: "you take the cup"."""
     command = as_told(parts[-1])
-    if not isinstance(command, Clause):
-        return command
+    if command is None:
+        return None
     clause = _clause((*(part for part in parts[:-1] if not isinstance(part, Word)), command))
     return None if clause is None else replace(clause, terse=True)
 
@@ -260,6 +260,9 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
         for part in parts
         if isinstance(part, (Clause, Group, Further))
     ]
+    told = told_or_done(one.part for one in said if isinstance(one.part, Clause))
+    if told is not None:
+        return told if isinstance(told, Trouble) else None
     if may_be_said(parts):
         return Trouble(UNQUOTED, asks=True)
     if any(after.asked and is_statement(before.part) for before, after in itertools.pairwise(said)):

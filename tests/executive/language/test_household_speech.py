@@ -17,6 +17,7 @@ def tasks_of(sentence):
         ("pick up the um the blue one the blue cup", "pick up the blue cup"),
         ("pick up the spoon the fork and the knife", "pick up the spoon, the fork and the knife"),
         ("you take the cup, you give me", "take the cup and give it to me"),
+        ("you take the cup, you put it on the table", "take the cup and put it on the table"),
         ("come over to me robot", "come to me"),
         ("bring me the cup, would you love", "bring me the cup"),
         ("grab the cup for a sec", "grab the cup"),
