@@ -263,7 +263,7 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                 and (relation.kind, relation.to.sort) == ("behind", "you")
             ):
                 raise trouble("which door? is it behind the robot, or the one it walks through?", asks=True)
-            if nominal.count != 1 or nominal.plural:
+            if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
                 raise trouble(
                     f"only one at a time can be told to {action}; name each of them",
                     nominal.kind,
