@@ -12,7 +12,19 @@ from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.lists import another_of
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Bundle, Clause, Item, Items, Meaning, Nominal, Relative, Where, draft
+from executive.language.phrases import (
+    Benefit,
+    Bundle,
+    Clause,
+    Hand,
+    Item,
+    Items,
+    Meaning,
+    Nominal,
+    Relative,
+    Where,
+    draft,
+)
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
 """Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""
@@ -118,9 +130,16 @@ def _drop_off(parts: Parts) -> Clause:
 
 def _shall_go(parts: Parts) -> Clause:
     """The milk needs to go in the fridge: nothing is told of it but where it goes."""
-    if any(part.details for part in parts if isinstance(part, Item)):
+    first, *others = (part for part in parts if isinstance(part, Item))
+    if first.details or not all(one.details for one in others):
         raise unfit()
-    return _put(parts)
+    told = tuple(part for part in parts if not isinstance(part, (Word, Item)) and _is_detail(part))
+    return _put((*words(parts, "SHALL_GO"), replace(first, details=told), *others))
+
+
+def _is_detail(part: Any) -> bool:
+    """Whether it is said of a thing, rather than joining two."""
+    return isinstance(part, (Where, Hand, Benefit)) or part == "back"
 
 
 def _put_into(parts: Parts) -> Clause:

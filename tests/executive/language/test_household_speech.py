@@ -23,6 +23,10 @@ def tasks_of(sentence):
         ("grab the cup for a sec", "grab the cup"),
         ("show me where the cup is", "point at the cup"),
         ("the milk goes in the fridge", "put the milk in the fridge"),
+        (
+            "the milk goes in the fridge and the cups on the shelf",
+            "put the milk in the fridge and the cups on the shelf",
+        ),
         ("clear the bowl off the table", "take the bowl from the table"),
         ("go in the pantry", "go to the pantry"),
         ("the cups, bring them to me", "bring me the cups"),
