@@ -18,6 +18,7 @@ from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
 from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
+from executive.language.markup import without_marks, without_quotation_marks
 from executive.language.phrases import Nominal, Trouble
 from executive.language.records import sentences_of_records
 from executive.language.references import Resolver, UnresolvedError
@@ -48,6 +49,8 @@ _PLACES = frozenset({"FURNITURE", "CONTAINER", "DOOR"})
 _THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"})
 _ASK = frozenset({"OPENING", "THERE_IS"})
 """What begins with "you" and asks for something, or states where it is: "you could", "you see"."""
+
+_SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
@@ -111,6 +114,8 @@ class CommandParser:
         parsed = self._parsed(text, remembers)
         if not parsed.commands and (of_records := self._of_records(text, remembers)) is not None:
             return of_records
+        if not parsed.commands and (unmarked := self._unmarked(text, parsed, remembers)) is not None:
+            return unmarked
         sentences = lines_as_sentences(text)
         if sentences is None:
             return parsed
@@ -120,6 +125,23 @@ class CommandParser:
         if not parsed.commands or _alike(parsed, of_lines):
             return replace(of_lines, text=text)
         return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
+
+    def _unmarked(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
+        """What the text means without marks around its words, if it means nothing with them."""
+        if (plain := without_marks(text)) is not None:
+            found = self.parse(plain, remembers)
+            return replace(found, text=text) if found.refusal is None else None
+        plain = without_quotation_marks(text) if parsed.refusal is not None else None
+        if plain is None or self._speaks(text):
+            return None
+        found = self.parse(plain, remembers)
+        return replace(found, text=text) if found.commands else None
+
+    def _speaks(self, text: str) -> bool:
+        """Whether some word of a text is about speaking, so that what is quoted may be said."""
+        said = [word for word, _, _ in split_words(text)]
+        read = (reading for start in range(len(said)) for _, reading in self.vocabulary.matches(said, start))
+        return any(reading.word_class in _SPEAKS for reading in read)
 
     def _of_records(self, text: str, remembers: bool) -> Parsed | None:
         """What "Action: grasp; Object: red cup" means, if that is one thing."""

@@ -121,6 +121,26 @@ def _toward_where(parts: Parts) -> Nominal:
     return target(next(part for part in parts if isinstance(part, Item)))
 
 
+def _toward_location(parts: Parts) -> Nominal:
+    """The location of the cup: the cup, as far as walking goes."""
+    if words(parts, "WHERE")[0].said not in ("the location of", "the position of"):
+        raise unfit()
+    return target(next(part for part in parts if isinstance(part, Item)))
+
+
+def _toward_owner(parts: Parts) -> Nominal:
+    """Ana's location: Ana."""
+    (owner,) = words(parts, "OWNER", "OWNING")
+    return Nominal("name" if owner.word_class == "OWNER" else "person", owner.meaning, determined=True)
+
+
+def _toward_front(parts: Parts) -> Relative:
+    goal = target(next(part for part in parts if isinstance(part, Item)))
+    if goal.sort not in ("furniture", "container", "door"):
+        raise unfit()
+    return Relative("in_front_of", goal)
+
+
 def _toward_me(_parts: Parts) -> Nominal:
     return ME
 
@@ -336,6 +356,9 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         for name, meaning in {
             "toward": _toward,
             "toward_where": _toward_where,
+            "toward_location": _toward_location,
+            "toward_owner": _toward_owner,
+            "toward_front": _toward_front,
             "toward_me": _toward_me,
             "toward_inside": _toward_inside,
             "toward_relation": _toward_relation,

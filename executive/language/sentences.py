@@ -24,6 +24,7 @@ from executive.language import (
     sharing,
     speech,
     statements,
+    two_verbs,
 )
 from executive.language.arrivals import as_done, at_last
 from executive.language.brief_tasks import takes_a_moment
@@ -365,6 +366,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **statements.MEANINGS,
         **arrivals.MEANINGS,
         **chores.MEANINGS,
+        **two_verbs.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
         "step_number": _step_number,

@@ -1,0 +1,32 @@
+"""Marks that language models put around words: "**Step 1:** grasp the `cup`", "walk to <kitchen>".
+
+They are taken away where the text means nothing with them. Quotation marks are, where nothing in the text
+speaks: elsewhere they hold words to say, or what is written on something.
+"""
+
+from __future__ import annotations
+
+import re
+
+_AROUND = re.compile(r"\*\*|`+|^\s*#{1,4}\s+", re.MULTILINE)
+_ANGLES = re.compile(r"<([^\W\d][\w ]{0,30})>")
+_QUOTED = re.compile(r"\"([^\"]{1,60})\"|(?<!\w)'([^']{1,60})'(?!\w)")
+_CURLY = str.maketrans({**dict.fromkeys("\u201c\u201d\u201e", '"'), **dict.fromkeys("\u2018\u2019", "'")})
+_WRITTEN_ON = re.compile(
+    r"\b(?:with|called|named|labell?ed|marked|reads?|reading|says?|saying|titled|word|written|means?)\s*:?\s*[\"']"
+)
+
+
+def without_marks(text: str) -> str | None:
+    """The text without bold, code and angle brackets; None where there are none."""
+    plain = _ANGLES.sub(r"\1", _AROUND.sub("", text))
+    return plain if plain != text and plain.strip() else None
+
+
+def without_quotation_marks(text: str) -> str | None:
+    """The text without quotation marks; None where there are none, or where they tell what is written."""
+    text = text.translate(_CURLY)
+    if _WRITTEN_ON.search(text.lower()):
+        return None
+    plain = _QUOTED.sub(lambda match: match.group(1) or match.group(2), text)
+    return plain if plain != text else None
