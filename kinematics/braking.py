@@ -7,7 +7,7 @@ import pinocchio as pin
 import ruckig
 from numpy.typing import NDArray
 
-from kinematics.check_settings import DEFAULT_SETTINGS
+from kinematics.check_settings import SETPOINT_FRACTION
 from kinematics.errors import InvalidMotionError
 from kinematics.free_coordinates import FreeCoordinates
 from kinematics.robot_model import RobotModel
@@ -35,9 +35,8 @@ _BASE_ACCELERATION = np.array([1.5, 1.5, 1.5, 4.0, 4.0, 4.0])
 _BASE_JERK = np.array([20.0, 20.0, 20.0, 50.0, 50.0, 50.0])
 """Of the base while it is braked, m/s^2, rad/s^2, and their rates: as much as the legs can follow."""
 _ZMP_RESERVE_M = 0.005
-_ROOM = 1.0 + DEFAULT_SETTINGS.acceleration_fraction
-_JERK_ROOM = 1.0 + DEFAULT_SETTINGS.jerk_fraction
-"""As much as the checker gives: the path that is being braked may use it already."""
+_ROOM = 1.0 + SETPOINT_FRACTION
+"""The path that is being braked may use its limits fully already."""
 _LOOKS: Array = np.linspace(0.0, 1.0, 17)[1:].astype(np.float64)
 """Shares of a brake's time at which the ZMP is computed, and where a brake is looked at coarsely."""
 _AHEAD = 33
@@ -137,7 +136,7 @@ def _within(
     rate, slope, change = rate[..., None], slope[..., None], change[..., None]
     accelerations = rate**2 * a[k] + slope * v[k]
     jerks = rate**3 * bend[k] + 3.0 * rate * slope * a[k] + change * v[k]
-    most, most_jerk = acceleration[moves] * _ROOM, jerk[moves] * _JERK_ROOM
+    most, most_jerk = acceleration[moves] * _ROOM, jerk[moves] * _ROOM
     fits = (np.abs(accelerations) <= most).all(axis=(1, 2)) & (np.abs(jerks) <= most_jerk).all(axis=(1, 2))
     return [pair for pair, fit in zip(pairs, fits.tolist(), strict=True) if fit]
 
@@ -152,7 +151,7 @@ def keeps_limits(a: Array, start: Array, acceleration: Array, jerk: Array, perio
     if np.any(np.abs(a) > acceleration * _ROOM):
         return False
     change = np.diff(np.vstack([start, a]), axis=0) / period_s
-    return not np.any(np.abs(change) > jerk * _JERK_ROOM)
+    return not np.any(np.abs(change) > jerk * _ROOM)
 
 
 def keeps_jerk(v: Array, jerk: Array, period_s: float) -> bool:
@@ -161,7 +160,7 @@ def keeps_jerk(v: Array, jerk: Array, period_s: float) -> bool:
     A trajectory's acceleration steps at its samples. Such a step lies between other instants here than in the
     accelerations, and the jerk on its other side with it.
     """
-    return not np.any(np.abs(np.diff(v, 2, axis=0)) > jerk * _JERK_ROOM * period_s**2)
+    return not np.any(np.abs(np.diff(v, 2, axis=0)) > jerk * _ROOM * period_s**2)
 
 
 def _brake_time_s(limits: tuple[float, float]) -> float:

@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_settings import DEFAULT_SETTINGS
+from kinematics.check_settings import DEFAULT_SETTINGS, SETPOINT_FRACTION
 from robots.clock import Clock
 from robots.control.authority import HOLD, Authority
 from robots.control.refusal import Limit, Refusal
@@ -61,11 +61,11 @@ class SetpointGate:
         lower = -upper
         lower[0] = [limit.position[0] for limit in limits]
         self._upper, self._lower = upper, lower
-        # What the checker let pass as numerical noise must not be refused on the way.
+        # What the checker let pass as numerical noise, and brakes of it, must not be refused on the way.
         room = _ROUNDING * np.maximum(np.abs(upper), 1.0)
         room[0] += DEFAULT_SETTINGS.position_rad
-        room[1] += DEFAULT_SETTINGS.velocity_fraction * upper[1]
-        room[3] += DEFAULT_SETTINGS.acceleration_fraction * upper[3]
+        room[1] += SETPOINT_FRACTION * upper[1]
+        room[3] += SETPOINT_FRACTION * upper[3]
         self._most, self._least = upper + room, lower - room
         walking = description.walking.joint_acceleration if description.walking is not None else {}
         steps = np.array(
