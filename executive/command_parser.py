@@ -29,7 +29,7 @@ from executive.language.selection import Selection, description_of
 from executive.language.sentences import MEANINGS as SENTENCES
 from executive.language.sentences import Sentence
 from executive.language.speech import UNQUOTED
-from executive.language.tokens import MalformedTextError, lines_as_sentences, normalise, pieces_of
+from executive.language.tokens import MAX_LENGTH, MalformedTextError, lines_as_sentences, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.written import split_words
@@ -128,11 +128,16 @@ class CommandParser:
 
     def _unmarked(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
         """What the text means without marks around its words, if it means nothing with them."""
-        if (plain := without_marks(text)) is not None:
+        if len(text) > MAX_LENGTH:
+            return None
+        plain = without_marks(text)
+        if (plain or without_quotation_marks(text)) is None or self._speaks(text):
+            return None  # "say `id`": they belong to the words
+        if plain is not None:
             found = self.parse(plain, remembers)
             return replace(found, text=text) if found.refusal is None else None
         plain = without_quotation_marks(text) if parsed.refusal is not None else None
-        if plain is None or self._speaks(text):
+        if plain is None:
             return None
         found = self.parse(plain, remembers)
         return replace(found, text=text) if found.commands else None
@@ -145,6 +150,8 @@ class CommandParser:
 
     def _of_records(self, text: str, remembers: bool) -> Parsed | None:
         """What "Action: grasp; Object: red cup" means, if that is one thing."""
+        if len(text) > MAX_LENGTH:
+            return None
         found = [self._parsed(sentence, remembers) for sentence in sentences_of_records(text)]
         understood = [one for one in found if one.commands]
         if not understood and len(found) == 1:

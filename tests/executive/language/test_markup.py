@@ -38,5 +38,10 @@ def test_what_is_quoted_is_not_done_where_it_is_spoken_written_or_denied(text):
     assert tasks_of(text) == []
 
 
+@pytest.mark.parametrize("text", ["tell Tom the shift <script> is over", "tell Ben I love `id` him"])
+def test_marks_are_not_taken_out_of_what_may_be_said(text):
+    assert tasks_of(text) == []
+
+
 def test_words_to_say_keep_their_marks():
     assert tasks_of('say "**hello**"')[0]["text"] == "**hello**"
