@@ -39,6 +39,7 @@ from trees.failures import Failure, FailureKind
 from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
+from trees.odometry import body_pose
 from trees.questions import OTHER
 from trees.report_words import listed
 from trees.tasks import ObjectDescription, ObjectOf, PickTask, PlaceTask, Task, WalkToTask
@@ -126,7 +127,7 @@ class Errand:
             lambda wanted: is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m),
             frozenset(toolbox.places),
             self._stood_on,
-            is_away(self._base()),
+            is_away(body_pose(toolbox)),
             isinstance(inside_of_drawer(toolbox.world.scene), DrawerInside),
         )
 

@@ -157,16 +157,14 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         elif (door := _door_for(index, commands)) is not None:
             if door not in opened and not known.is_open:
                 if held and thing is not None:
-                    down = PlaceTask(f"put the {thing} down until the {door} is open", thing)
-                    before.append(Prepared(down, may_fail=True))
+                    before.append(_put_down(thing, door))
                     held = False
                 before += _opening(door)
                 opened.add(door)
             away = away or door in opened
         elif (drawer := _shut_drawer(index, commands, known, opened)) is not None:
             if held and isinstance(command, PutInTask) and isinstance(command.object, ObjectDescription):
-                down = PlaceTask(f"put the {command.object} down until the {drawer} is open", command.object)
-                before.append(Prepared(down, may_fail=True))
+                before.append(_put_down(command.object, str(drawer)))
             before.append(Prepared(OpenTask(f"open the {drawer}", drawer)))
             opened.add(str(drawer))
         walked = index > 0 and isinstance(commands[index - 1], WalkToTask)
@@ -241,15 +239,23 @@ def _opening(word: str) -> list[Prepared]:
 
 def _door_for(index: int, commands: Sequence[Command]) -> str | None:
     """What has to be open before a command: it puts something there, or picks up what goes there later."""
+    put = _put_of(index, commands)
+    return None if put is None else _behind(put, commands)
+
+
+def _put_of(index: int, commands: Sequence[Command]) -> PutInTask | None:
+    """The command itself where it puts something in, or the first one that puts in what it picks up."""
     command = commands[index]
     if isinstance(command, PutInTask):
-        return _behind(command, commands)
-    if not isinstance(command, PickTask):
-        return None
-    for later in commands[index + 1 :]:
-        if isinstance(later, PutInTask) and isinstance(later.object, ObjectOf) and later.object.task == index:
-            return _behind(later, commands)
-    return None
+        return command
+    later = commands[index + 1 :] if isinstance(command, PickTask) else ()
+    return next((put for put in later if isinstance(put, PutInTask) and put.object == ObjectOf(index)), None)
+
+
+def _put_down(thing: ObjectDescription, until_open: str) -> Prepared:
+    """What is held is put down until both hands are free for a door or a drawer."""
+    down = PlaceTask(f"put the {thing} down until the {until_open} is open", thing)
+    return Prepared(down, may_fail=True)
 
 
 def _shut_drawer(
@@ -258,18 +264,11 @@ def _shut_drawer(
     """The drawer that has to be opened before a command: as for doors, but it is not walked to."""
     if known.drawer_is_open or any(DRAWER in one.split() for one in opened):
         return None
-    command = commands[index]
-    puts = [command] if isinstance(command, PutInTask) else []
-    if isinstance(command, PickTask):
-        later = (one for one in commands[index + 1 :] if isinstance(one, PutInTask))
-        puts = [put for put in later if put.object == ObjectOf(index)]
-    for put in puts:
-        if isinstance(put.to, ObjectOf):
-            continue  # it was named by a command that opened it, or found it
-        there = _described(put.to) if isinstance(put.to, str) else put.to
-        if isinstance(there, ObjectDescription) and there.kind == DRAWER:
-            return there
-    return None
+    put = _put_of(index, commands)
+    if put is None or not isinstance(put.to, str | ObjectDescription):
+        return None  # what opened or found it has named it
+    there = _described(put.to)
+    return there if there.kind == DRAWER else None
 
 
 def _behind(put: PutInTask, commands: Sequence[Command]) -> str | None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from kinematics.poses import Transform
+from kinematics.walking.planar import PlanarPose, wrapped
 from trees.tasks import MoveTask
 
 _TURNED_RAD = 0.7
@@ -16,10 +16,9 @@ _GONE_M = 0.5
 """Hands do not get to what was in the middle of their reach."""
 
 
-def is_away(odom_T_base: Transform) -> bool:
+def is_away(body: PlanarPose) -> bool:
     """Tell it from where the base is in the odometry frame, whose origin is where the robot began."""
-    turned_rad = abs(math.atan2(float(odom_T_base[1, 0]), float(odom_T_base[0, 0])))
-    return turned_rad > _TURNED_RAD or math.hypot(*odom_T_base[:2, 3].tolist()) > _GONE_M
+    return abs(wrapped(body.yaw_rad)) > _TURNED_RAD or math.hypot(body.x_m, body.y_m) > _GONE_M
 
 
 def leads_away(move: MoveTask) -> bool:

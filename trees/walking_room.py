@@ -26,15 +26,14 @@ def walking_room(toolbox: Toolbox, settings: WalkingSettings) -> WalkingRoom:
     return WalkingRoom(settings, load, arms_are_tucked(toolbox))
 
 
-def no_room_to_turn(toolbox: Toolbox, settings: WalkingSettings, scan: NDArray[np.float64]) -> Failure | None:
+def no_room_to_turn(toolbox: Toolbox, room: WalkingRoom, scan: NDArray[np.float64]) -> Failure | None:
     """Why the robot cannot turn on the spot; None where there is room.
 
     Args:
         toolbox: Knows what is believed to stand about.
-        settings: The sizes of a robot that walks.
+        room: What the robot takes.
         scan: What the range sensor sees, shape (n, 3), m.
     """
-    room = walking_room(toolbox, settings)
     found = room.tightest_seen(scan), room.tightest(toolbox.world.scene, feet_pose(toolbox))
     tight = max(found, key=lambda spot: spot.lack_m)
     if tight.lack_m <= 0.0:

@@ -27,10 +27,10 @@ _PACES = {"real": 1.0, "fast": 10.0}
 _SLOWEST, _FASTEST = 0.01, 10.0
 
 
-def _pace(text: str) -> float:
-    """A pace by name or number."""
+def _pace(text: str | float) -> float:
+    """A pace by name or number; the default comes as a number."""
     try:
-        pace = _PACES.get(text) or float(text)
+        pace = _PACES.get(str(text)) or float(text)
     except ValueError:
         raise typer.BadParameter(f"{text!r} is no pace; say 'real', 'fast' or a number") from None
     if not _SLOWEST <= pace <= _FASTEST:
@@ -46,9 +46,12 @@ def serve(
     pace: Annotated[
         float,
         typer.Option(
-            parser=_pace, metavar="real|fast|NUMBER", help="Simulated seconds in a second, 0.01 to 10."
+            parser=_pace,
+            metavar="real|fast|NUMBER",
+            help="Simulated seconds in a second, 0.01 to 10.",
+            show_default="real",
         ),
-    ] = "real",  # type: ignore[assignment]  # parsed by typer
+    ] = _PACES["real"],
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
     ordinary: Annotated[

@@ -61,17 +61,15 @@ class ChangeViewpoint(ScannedWalk):
 
     def step(self) -> Status | Failure:
         """Set out once, and wait until the robot stands; tell how far a step for room was."""
-        before = self._handle
         status = super().step()
-        if before is None and self._handle is not None:
-            self._from = feet_pose(self.toolbox)
         if status is DONE and self._way == "room" and self._handle is not None:
             self._set_output("stepped_m", self._from.to(feet_pose(self.toolbox)).x_m)
         return status
 
     def steering(self, settings: WalkingSettings, scan: Array) -> Steering | Failure | None:
         """The way to go by what was asked for."""
-        body, room = feet_pose(self.toolbox), walking_room(self.toolbox, settings)
+        self._from = body = feet_pose(self.toolbox)
+        room = walking_room(self.toolbox, settings)
         if self._way == "ahead":
             room_m = room.free_way_m(scan, 1.0) - _ROOM_M
             if room_m < _LEAST_M:
@@ -82,7 +80,7 @@ class ChangeViewpoint(ScannedWalk):
             if room_m < _LEAST_BACK_M:
                 return Failure.infeasible("there is no room behind to look from", room_m=room_m)
             return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
-        narrow = no_room_to_turn(self.toolbox, settings, scan)
+        narrow = no_room_to_turn(self.toolbox, room, scan)
         if self._way == "room":
             return None if narrow is None else _to_room(settings, body, room, scan)
         return narrow or PathSteering(settings, (body, body @ PlanarPose(yaw_rad=_TURN_RAD)))

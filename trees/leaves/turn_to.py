@@ -14,7 +14,7 @@ from trees.failures import Failure
 from trees.odometry import bearing_rad, feet_pose
 from trees.ports import ports
 from trees.scanned_walk import ScannedWalk
-from trees.walking_room import no_room_to_turn
+from trees.walking_room import no_room_to_turn, walking_room
 
 
 class TurnTo(ScannedWalk):
@@ -34,6 +34,6 @@ class TurnTo(ScannedWalk):
 
     def steering(self, settings: WalkingSettings, scan: NDArray[np.float64]) -> Steering | Failure | None:
         """The turn, where hands and load have room for it."""
-        body = feet_pose(self.toolbox)
+        body, room = feet_pose(self.toolbox), walking_room(self.toolbox, settings)
         turn = PlanarPose(yaw_rad=bearing_rad(self.toolbox, self.get_input("place")))
-        return no_room_to_turn(self.toolbox, settings, scan) or PathSteering(settings, (body, body @ turn))
+        return no_room_to_turn(self.toolbox, room, scan) or PathSteering(settings, (body, body @ turn))

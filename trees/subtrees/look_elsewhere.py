@@ -18,6 +18,7 @@ from trees.leaves.choose_room import ChooseRoom
 from trees.leaves.locate import Locate
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.walk_to import WalkTo
+from trees.odometry import body_pose
 from trees.policy import Gaze
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import search_place
@@ -58,9 +59,7 @@ def turning_where_it_roams(way: Behaviour, _failure: Failure | None) -> bool:
 
 
 def _roams(toolbox: Toolbox) -> bool:
-    model = toolbox.model
-    base = model.frame_pose(toolbox.sensing.state().q, model.description.base_link)
-    return bool(toolbox.places) or is_away(base)
+    return bool(toolbox.places) or is_away(body_pose(toolbox))
 
 
 def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) -> Behaviour:

@@ -9,6 +9,7 @@ from kinematics.walking.planar import PlanarPose
 from robots.fake.fake_world import cup, person, table
 from robots.scene_description import Region
 from trees.build import build_tree
+from trees.odometry import feet_pose
 from trees.tasks import LookAtTask, MoveTask, ObjectDescription, PointAtTask, WaveTask
 
 BEHIND = person("Ana", (-1.5, 0.3))
@@ -58,6 +59,20 @@ def test_away_from_where_it_began_the_robot_turns_around_without_rooms_too(new_s
     tree = stage.play(build_tree(task, stage.toolbox))
 
     assert tree.status == "success"
+
+
+@pytest.mark.requirement("M3")
+def test_the_hand_beside_the_person_is_the_one_on_their_side_of_the_robot(new_stage):
+    stage = new_stage(walks=True)
+    assert stage.play(build_tree(MoveTask("turn", 0.0, 0.5, 3.0), stage.toolbox)).status == "success"
+    there = feet_pose(stage.toolbox) @ PlanarPose(1.5, -0.3)
+    assert there.y_m > 0.5  # to the left of where it began
+    stage.fake.world.put(person("Ana", (there.x_m, there.y_m)))
+
+    tree = stage.play(build_tree(WaveTask("wave to Ana", "Ana"), stage.toolbox))
+
+    assert tree.status == "success", tree.failure
+    assert tree.evidence["hand"] == "right"
 
 
 @pytest.mark.requirement("M3")
