@@ -37,6 +37,25 @@ def in_view(camera: CameraDescription, odom_T_camera: Transform, point: Array) -
     )
 
 
+def middle_of_most(points: Array, eye: Array, within_rad: float) -> Array:
+    """Where to look in order to see as many points as one picture can show.
+
+    Args:
+        points: What is to be seen, at least one, shape (n, 3).
+        eye: Where the camera is, shape (3,), in the frame of the points.
+        within_rad: Half the angle that a picture shows.
+
+    Returns:
+        The middle of the largest group about one of them, shape (3,). Two groups far apart have their
+        common middle where there is nothing to be seen.
+    """
+    rays = points - eye
+    rays = rays / np.linalg.norm(rays, axis=1, keepdims=True)
+    together: NDArray[np.bool_] = rays @ rays.T >= math.cos(within_rad)
+    middle: Array = points[together[int(together.sum(axis=1).argmax())]].mean(axis=0)
+    return middle
+
+
 def behind_a_hand(model: RobotModel, q: Array, eye: Array, point: Array, within_m: float) -> bool:
     """Whether the line of sight from ``eye`` to ``point`` passes a TCP nearer than ``within_m``."""
     frames = [model.description.grippers[hand].tcp_frame for hand in HANDS]

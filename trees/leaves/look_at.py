@@ -16,6 +16,7 @@ from trees.failures import Failure
 from trees.hand_ways import UnseenPlaces
 from trees.policy import Gaze
 from trees.ports import ports
+from trees.sight import middle_of_most
 from trees.steps import Target
 from trees.toolbox import Toolbox
 
@@ -119,5 +120,9 @@ class LookAtUnseen(Aim):
         return super().goal() if len(self.get_input("unseen").points) else None
 
     def joints(self) -> Mapping[str, float]:
-        """The goal of the joints that aim the camera, rad: at the middle of those places."""
-        return joints_that_show(self.toolbox, self.get_input("unseen").points.mean(axis=0))
+        """The goal of the joints that aim the camera, rad: where one picture shows most of those places."""
+        model, points = self.toolbox.model, self.get_input("unseen").points
+        camera = model.description.camera
+        eye = model.frame_pose(self.toolbox.motion.reference(), camera.frame)[:3, 3]
+        seen_rad = 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
+        return joints_that_show(self.toolbox, middle_of_most(points, eye, seen_rad))

@@ -24,7 +24,7 @@ from trees.subtrees.tidily import tidily
 from trees.subtrees.turned_to import BEHIND_RAD, turned_to
 from trees.toolbox import Toolbox
 
-_LOOKS_ON_WAY = 2
+_LOOKS_ON_WAY = 3
 """Near a table an arm that points passes over things that the search for one of them did not show; for what
 the first look found it may go elsewhere."""
 

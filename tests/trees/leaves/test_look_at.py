@@ -8,7 +8,7 @@ from trees.failures import FailureKind
 from trees.hand_ways import UnseenPlaces
 from trees.leaves.look_at import LookAt, LookAtTarget, LookAtUnseen, joints_that_show
 from trees.policy import Gaze
-from trees.sight import off_axis_rad
+from trees.sight import in_view, off_axis_rad
 
 DOWN_LEFT = Gaze("down left", tilt_rad=0.5, pan_rad=0.4, lean_rad=0.1)
 
@@ -189,6 +189,20 @@ def test_the_eyes_go_to_the_middle_of_what_was_not_seen(stage):
     model = stage.toolbox.model
     eye = model.frame_pose(stage.fake.sensing.state().q, model.description.camera.frame)
     assert np.abs(off_axis_rad(eye, places.mean(axis=0))).max() < 0.05
+
+
+def test_of_places_on_both_sides_the_eyes_go_to_those_that_are_more(stage):
+    right = np.array([(0.5, -0.6, 0.93), (0.5, -0.7, 0.93), (0.6, -0.6, 0.93)])
+    left = np.array([(0.5, 0.7, 0.93), (0.5, 0.6, 0.93)])
+
+    places = UnseenPlaces(np.vstack([left, right]))
+    assert stage.run(LookAtUnseen("look", stage.toolbox), unseen=places) is Status.SUCCESS
+
+    model = stage.toolbox.model
+    camera = model.description.camera
+    eye = model.frame_pose(stage.fake.sensing.state().q, camera.frame)
+    assert all(in_view(camera, eye, place) for place in right)
+    assert not any(in_view(camera, eye, place) for place in left)
 
 
 def test_where_everything_was_seen_the_eyes_stay(stage):
