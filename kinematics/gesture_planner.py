@@ -49,6 +49,9 @@ OFFER_ROOM_M = 0.55
 # Cosine of the angle between the fingers' closing and the way to the person, at most: a cup in an open hand
 # has 1 cm on each side, and is pulled against a finger when it leaves farther off than that.
 BESIDE_FINGERS = 0.12
+# Cosine of the angle between the way to the person and the hand's own axis backwards, at most: a can that was
+# pulled into the palm stayed in the open hand, and the hand that went home met the person's fingers.
+BEFORE_PALM = 0.2
 # Of the whole arm, how far a pointing hand is stretched.
 STRETCHED = 0.85
 # Where a carried object is, from the shoulder: ahead, inwards, down.
@@ -189,6 +192,12 @@ class GesturePlanner:
             way = (person - item_m)[:, :2]
             return np.asarray(np.sum(at.world_R_tcp[:, :2, 1] * way, axis=1) / np.hypot(*way.T))
 
+        def goes_with_pull(at: ArmFrames) -> bool:
+            """Whether the palm is not between the object and the person, who would pull it into the palm."""
+            way = (person - held.places_m(at))[0, :2]
+            along = float(at.world_R_tcp[0, :2, 0] @ way) / float(np.hypot(*way))
+            return upright(at) and along >= -BEFORE_PALM
+
         def residual(at: ArmFrames, place_weight: float, finger_weight: float) -> Array:
             far = np.hypot(*(person - at.shoulder_m)[:, :2].T)
             turn = poses.rotations_z(at.bearing_rad(person))
@@ -210,12 +219,13 @@ class GesturePlanner:
             return held.is_upright(at, OFFER_TILT_RAD)
 
         def out_of_the_way(at: ArmFrames) -> bool:
-            return upright(at) and abs(float(across(at, held.places_m(at))[0])) <= BESIDE_FINGERS
+            return goes_with_pull(at) and abs(float(across(at, held.places_m(at))[0])) <= BESIDE_FINGERS
 
         answer: MovePlan | NoPlan = NoPlan("nothing was tried", {})
         for place_weight, finger_weight, good, goodness, starts in (
             (1.0, 0.1, out_of_the_way, "with the fingers out of the way", 3),
             (OFFER_FREEDOM, 0.3, out_of_the_way, "with the fingers out of the way", STARTS),
+            (1.0, 0.0, goes_with_pull, "with the palm out of the way", STARTS),
             (1.0, 0.0, upright, "upright", STARTS),
         ):
             weighed = partial(residual, place_weight=place_weight, finger_weight=finger_weight)

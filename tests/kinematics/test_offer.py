@@ -1,12 +1,17 @@
 """What is offered is upright, within reach, and not behind a finger for who pulls."""
 
+from dataclasses import replace
+from typing import ClassVar
+
 import numpy as np
 import pytest
 
 from kinematics import poses
+from kinematics.arm_frames import arm_kinematics
 from kinematics.gesture_planner import BESIDE_FINGERS, GesturePlanner
 from kinematics.gesture_requests import OfferRequest
-from kinematics.requests import MovePlan
+from kinematics.gesture_task import GestureTask, Wish
+from kinematics.requests import MovePlan, NoPlan
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Cylinder
@@ -37,3 +42,41 @@ def test_what_hangs_from_a_hand_can_be_pulled_out_between_the_fingers(model, han
     towards = np.array(person[:2]) - tcp[:2, 3]
     assert upright[2] >= np.cos(0.06)
     assert abs(tcp[:2, 1] @ towards) / np.linalg.norm(towards) <= BESIDE_FINGERS + 0.01
+
+
+class _NoWay(GestureTask):
+    """Finds no way to any posture, and keeps what was wished for."""
+
+    wishes: ClassVar[list[Wish]] = []
+
+    def reach(self, name, wish):
+        self.wishes.append(wish)
+        return NoPlan("no way", {})
+
+    def swing(self, _postures):
+        raise NotImplementedError
+
+    def room_for(self, _sway_m):
+        raise NotImplementedError
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_a_palm_between_object_and_person_is_the_last_resort(model, hand):
+    frame = model.description.tcp_frames[hand]
+    held = poses.transform(np.eye(3), (0.0, 0.0, 0.0))  # grasped from the side, it stands
+    cup = SceneObject("cup", Cylinder(0.03, 0.1), held)
+    links = model.description.grippers[hand].touch_links
+    scene = PlanningScene().with_objects([cup]).with_attached("cup", frame, held, links)
+    person = (1.4, 0.0, 0.9)
+    _NoWay.wishes.clear()
+
+    request = OfferRequest(model.q_home, stance_at(model, model.q_home), scene, "cup", person, 1)
+    GesturePlanner(model, _NoWay).plan(request)
+
+    here = arm_kinematics(model, hand).at(model.q_home)
+    before, behind = (
+        replace(here, tcp_m=np.array([[0.5, 0.0, 1.2]]), world_R_tcp=poses.rotation_z(turn)[None])
+        for turn in (0.0, np.pi)
+    )
+    assert [wish.good(before) for wish in _NoWay.wishes] == [True, True, True, True]
+    assert [wish.good(behind) for wish in _NoWay.wishes] == [False, False, False, True]
