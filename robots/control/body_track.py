@@ -48,6 +48,7 @@ class BodyTrack:
         self._paused_at_s: float | None = None
         self._passed = 0.0
         self.now = self._at_rest(q)
+        self._last_v = self.now.v
 
     @property
     def resting(self) -> bool:
@@ -139,7 +140,33 @@ class BodyTrack:
                 return
             if profile is None or profile.is_late(self._period_s):
                 profile = self._stop_promptly(sampler, profile)
-        self._start(profile or StopProfile.at_once(self._model, self._stance, self.now, self._period_s))
+        self._start(profile or self._stop_at_once(sampler))
+
+    def _stop_at_once(self, sampler: TrajectorySampler | None) -> StopProfile:
+        """Stop with the feet in place; where the legs cannot do that in time, along the path.
+
+        Only where there is none each joint stops on its own.
+        """
+        standing = self._standing()
+        if sampler is not None and (standing is None or standing.is_late(self._period_s)):
+            of = self._model, self._stance, sampler, self._elapsed_s, self._period_s
+            prompt = StopProfile.promptly_along_path(*of)
+            if prompt is not None:
+                return prompt
+        if standing is not None:
+            return standing
+        return StopProfile.joint_by_joint(self._model, self._stance, self._followed(), self._period_s)
+
+    def _followed(self) -> MotionSample:
+        """What is commanded now, with the acceleration that the last two setpoints show.
+
+        Where a trajectory's acceleration steps, a brake that began with the new one would add its jerk.
+        """
+        shown = (self.now.v - self._last_v) / self._period_s
+        return MotionSample(self.now.q, self.now.v, shown)
+
+    def _standing(self) -> StopProfile | None:
+        return StopProfile.standing(self._model, self._stance, self._followed(), self._period_s)
 
     def _stop_promptly(self, sampler: TrajectorySampler, late: StopProfile | None) -> StopProfile | None:
         """Stop where an even brake along the path takes too long, or is none.
@@ -149,7 +176,7 @@ class BodyTrack:
         of = self._model, self._stance, sampler, self._elapsed_s, self._period_s
         return (
             StopProfile.promptly_along_path(*of)
-            or (None if late else StopProfile.standing(self._model, self._stance, self.now, self._period_s))
+            or (None if late else self._standing())
             or StopProfile.soon_along_path(*of)
             or late
         )
@@ -157,13 +184,14 @@ class BodyTrack:
     def brake_what_was_placed(self) -> None:
         """Bring joints to rest that ``place`` has moved."""
         if self.now.v.any():
-            self._start(StopProfile.at_once(self._model, self._stance, self.now, self._period_s))
+            self._start(self._stop_at_once(None))
 
     def halt(self) -> None:
         """Rest right here: the robot was told so already."""
         self._sampler = self._profile = self._next = None
         self._playing_out, self._paused_at_s = False, None
         self.now = self._at_rest(standing_at(self._model, self.now.q, self._stance))
+        self._last_v = self.now.v
 
     def place(self, joints: NDArray[np.intp], q: Array, v: Array) -> MotionSample:
         """Propose that something else moves some body joints; the rest holds."""
@@ -195,6 +223,7 @@ class BodyTrack:
         """The proposed instant is what the robot follows now."""
         if self._next is None:
             return
+        self._last_v = self.now.v
         self.now, self._next = self._next, None
         if self._profile is not None:
             self._row += 1

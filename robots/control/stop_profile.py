@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.braking import brake_along, brake_joints, brake_standing
+from kinematics.braking import brake_along, brake_joints, brake_standing, keeps_limits
 from kinematics.free_coordinates import free_coordinates
 from kinematics.prompt_brake import brake_promptly
 from kinematics.robot_model import RobotModel
@@ -23,6 +23,8 @@ _LATEST_S = 0.45
 """Setpoints that rest by then leave the body time to come to rest within half a second."""
 _LED_BACK_S, _LED_BACK_RAD = 0.2, 0.015
 """Legs that stopped each joint on its own are led back to the stance in this time, from this far at most."""
+_SHARE_LED_BACK, _LED_ON_S = 0.8, 0.06
+"""Of the limits, when they are led back while they brake, the rest being for that; and so long afterwards."""
 _STRAY_RAD = 1e-3
 """Legs farther than this from the stance are not straying between samples: something else is wrong."""
 
@@ -96,19 +98,14 @@ class StopProfile:
         return next((profile for profile in tried if profile is not None), None)
 
     @classmethod
-    def at_once(cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float) -> StopProfile:
-        """Category 2: bring every joint to rest as soon as its limits let it.
-
-        The feet stay where they are; should the legs have no way to do that, each joint stops on its
-        own, and the base goes where the soles put it.
-        """
-        return cls.standing(model, stance, now, period_s) or cls.joint_by_joint(model, stance, now, period_s)
-
-    @classmethod
     def standing(
         cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float
     ) -> StopProfile | None:
-        """Category 2 with the feet where they are, or None when the legs have no way to do that."""
+        """Category 2: every joint comes to rest as soon as its limits let it, with the feet where they are.
+
+        Returns:
+            None when the legs have no way to do that.
+        """
         rows = brake_standing(model, stance, free_coordinates(model, stance), now, period_s)
         return None if rows is None else cls(rows)
 
@@ -118,24 +115,39 @@ class StopProfile:
     ) -> StopProfile:
         """Category 2, each joint on its own: the last way out.
 
-        The legs do not stop where the standing feet want them, and push them against each other. Once
-        everything rests they are led there; from where they would be, no motion could begin.
+        The legs do not stop where the standing feet want them, and push them against each other. They are
+        led there, for from where they would be, no motion could begin: while all brakes, where the limits
+        have room for both, else once everything rests.
         """
-        q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], model.acceleration, model.jerk, period_s)
-        periods = len(q)
-        last = standing_at(model, np.concatenate([now.q[:7], q[-1]]), stance)
-        if last[3:7] @ now.q[3:7] < 0.0:  # the same turn, but blended the short way
-            last[3:7] *= -1.0
-        share = (np.arange(1, periods + 1) / periods)[:, None]
-        base = (1.0 - share) * now.q[:7] + share * last[:7]
-        base[:, 3:] /= np.linalg.norm(base[:, 3:], axis=1, keepdims=True)
-        base[-1] = last[:7]
-        still = np.zeros((periods, 6))
-        rows = MotionSample(np.hstack([base, q]), np.hstack([still, v]), np.hstack([still, a]))
+        acceleration, jerk = model.acceleration, model.jerk
+        braked = _each_braked(model, stance, now, _SHARE_LED_BACK, period_s, _LED_ON_S)
+        led = _resting_on_the_stance(model, stance, braked, period_s, stray_rad=_LED_BACK_RAD)
+        if led is not braked and keeps_limits(led.a[:, 6:], now.a[6:], acceleration, jerk, period_s):
+            return cls(led)
+        braked = _each_braked(model, stance, now, 1.0, period_s, _LED_BACK_S)
         after = round(_LED_BACK_S / period_s)
-        rest = np.zeros((after, model.nv))
-        held = MotionSample(np.repeat(rows.q[-1:], after, axis=0), rest, rest)
-        return cls(_resting_on_the_stance(model, stance, _joined(rows, held), period_s, after, _LED_BACK_RAD))
+        return cls(_resting_on_the_stance(model, stance, braked, period_s, after, _LED_BACK_RAD))
+
+
+def _each_braked(
+    model: RobotModel, stance: Stance, now: MotionSample, share: float, period_s: float, rest_s: float
+) -> MotionSample:
+    """Come to rest by a share of the limits, the base where the soles put it, and rest for so long."""
+    limits = share * model.acceleration, share * model.jerk
+    q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], *limits, period_s)
+    periods = len(q)
+    last = standing_at(model, np.concatenate([now.q[:7], q[-1]]), stance)
+    if last[3:7] @ now.q[3:7] < 0.0:  # the same turn, but blended the short way
+        last[3:7] *= -1.0
+    part = (np.arange(1, periods + 1) / periods)[:, None]
+    base = (1.0 - part) * now.q[:7] + part * last[:7]
+    base[:, 3:] /= np.linalg.norm(base[:, 3:], axis=1, keepdims=True)
+    base[-1] = last[:7]
+    still = np.zeros((periods, 6))
+    rows = MotionSample(np.hstack([base, q]), np.hstack([still, v]), np.hstack([still, a]))
+    after = round(rest_s / period_s)
+    rest = np.zeros((after, model.nv))
+    return _joined(rows, MotionSample(np.repeat(rows.q[-1:], after, axis=0), rest, rest))
 
 
 def _joined(first: MotionSample, second: MotionSample) -> MotionSample:

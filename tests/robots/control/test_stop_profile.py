@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.balanced_timing import time_in_balance
+from kinematics.check_settings import SETPOINT_FRACTION
 from kinematics.curves import RoundedPolyline
 from kinematics.free_coordinates import free_coordinates
 from kinematics.stance import stance_at
@@ -125,3 +126,54 @@ def test_a_stop_before_a_turn_of_the_path_is_soon_and_keeps_to_the_path(talos, s
 def test_a_fast_swing_can_be_stopped_soon_at_every_instant(talos, stance, swing):
     for t_s in np.arange(0.02, swing.t_s[-1], 0.03):
         assert len(braked(talos, stance, swing, t_s)) * PERIOD_S <= 0.45, t_s
+
+
+def stopped_at_once(talos, stance, trajectory, t_s):
+    """Speeds of the setpoints from one period before a stop until it rests, one row a period."""
+    track = BodyTrack(talos, stance, trajectory.q[0], PERIOD_S)
+    track.play(trajectory)
+    speeds = [track.now.v]
+    while len(speeds) * PERIOD_S <= t_s or not track.resting:
+        if len(speeds) == round(t_s / PERIOD_S):
+            track.brake(along_path=False)
+        track.propose()
+        track.commit()
+        speeds.append(track.now.v)
+    return np.array(speeds[round(t_s / PERIOD_S) - 2 :])
+
+
+@pytest.mark.requirement("S4")
+def test_a_stop_at_once_keeps_the_jerk_that_the_setpoints_show(talos, stance, swing):
+    # A trajectory's acceleration steps at its samples, and a stop may begin right after such a step.
+    for t_s in np.arange(0.05, swing.t_s[-1], 0.03):
+        v = stopped_at_once(talos, stance, swing, t_s)[:, 6:]
+        jerk = np.diff(v, 2, axis=0) / PERIOD_S**2
+        assert (np.abs(jerk) <= talos.jerk * (1.0 + SETPOINT_FRACTION)).all(), t_s
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("t_s", [0.3, GATHERING_S, 0.7])
+def test_joints_that_stop_each_on_its_own_rest_once(talos, stance, sampler, t_s):
+    _, v, _ = rows_of(StopProfile.joint_by_joint(talos, stance, sampler.at(t_s), PERIOD_S))
+
+    assert np.abs(v[:-1]).max(axis=1).min() > 0.0
+
+
+@pytest.mark.requirement("S4")
+def test_where_the_legs_cannot_stop_at_once_the_path_is_braked_along(talos, stance, swing, monkeypatch):
+    monkeypatch.setattr(StopProfile, "standing", lambda *_: None)
+    track = BodyTrack(talos, stance, talos.q_home, PERIOD_S)
+    track.play(swing)
+    for _ in range(180):
+        track.propose()
+        track.commit()
+
+    track.brake(along_path=False)
+
+    way = TrajectorySampler(swing).many(np.arange(0.36, 0.9, PERIOD_S)).q
+    rows = []
+    while not track.resting:
+        rows.append(track.propose().q)
+        track.commit()
+    assert len(rows) * PERIOD_S <= 0.45
+    assert max(np.abs(way - q).max(axis=1).min() for q in rows) < 2e-3

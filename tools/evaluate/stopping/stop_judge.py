@@ -21,6 +21,9 @@ REST_WITHIN_S = 0.5
 STAND_WITHIN_S = 2.2
 """A robot that walks makes its last steps first."""
 FINGER_MEAN_S = 0.1
+HELD_FOR_S = 0.1
+"""What touches nothing but the fingers' pads for so long is held. Fingers that close lift what they press by
+a hair, for an instant, while it still stands."""
 _EVERY = 5
 _OURS = ("stop", "hold", "stop of a walk")
 _GRIP = "grip of "
@@ -41,7 +44,7 @@ class StopJudge:
             In the last steps of a walk the limits of steps count, and no jerk: there is no limit for it.
         fell: Whether the robot fell.
         dropped: What was held at the stop and touched anything but the hand later.
-        held: What was held at the stop.
+        held: What was held at the stop, and which hand held it.
         foreign: Owners of setpoints after the stop that are neither stop, hold, nor a grip.
         bypassed: Setpoints that reached the robot after the stop past the gate.
         moved: Whether a setpoint moved a body joint after it had come to rest.
@@ -58,6 +61,7 @@ class StopJudge:
         self._jerk = np.array([limit.jerk for limit in limits])
         self._v: list[Array] = []
         self._fingers: deque[Array] = deque(maxlen=1 + round(FINGER_MEAN_S / PERIOD_S))
+        self._in_pads: deque[dict[str, str]] = deque(maxlen=round(HELD_FOR_S / PERIOD_S / _EVERY))
         self._periods = 0
         self._since: int | None = None
         self._watching_setpoints = False
@@ -88,7 +92,7 @@ class StopJudge:
             self.rest_within_s = STAND_WITHIN_S
         self._watching_setpoints = True
         self._uncounted = self._assembly.world.robot.taken - self._loop.statistics.accepted
-        self.held = {name: str(hand) for name, hand in self._truth.contacts.in_pads_only().items()}
+        self.held = self._held()
 
     def let_move(self) -> None:
         """From now on the robot may move again; falls and drops go on counting."""
@@ -99,6 +103,8 @@ class StopJudge:
         self._periods += 1
         self._v = [*self._v[-2:], self._loop.setpoint.v]
         if self._since is None:
+            if self._periods % _EVERY == 0:
+                self._in_pads.append(self._now_in_pads())
             return
         elapsed = self._periods - self._since
         if self._watching_setpoints:
@@ -110,6 +116,13 @@ class StopJudge:
                 pads = next(links for key, links in self._pads.items() if key == hand)
                 if not set(self._truth.contacts.of_object(name)) <= pads:
                     self.dropped.add(name)
+
+    def _now_in_pads(self) -> dict[str, str]:
+        return {name: str(hand) for name, hand in self._truth.contacts.in_pads_only().items()}
+
+    def _held(self) -> dict[str, str]:
+        now = self._now_in_pads()
+        return {name: hand for name, hand in now.items() if all(name in then for then in self._in_pads)}
 
     def _look_at_speeds(self, elapsed_s: float) -> None:
         speed = np.abs(self._truth.joint_velocities())
