@@ -54,6 +54,7 @@ class Discourse:
         self._walks: list[Nominal] = []
         self._thing_walked_to: Nominal | None = None
         self._people: list[Nominal] = []
+        self._people_named_in: dict[Nominal, int] = {}
         self._sources: dict[int, Nominal] = {}
         self._held: list[int] = []
         self._given: set[int] = set()
@@ -116,7 +117,20 @@ class Discourse:
             self._places.append(value)
             self._named_in.append((self._clause, value))
         if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
-            self._people.append(replace(value, relation=None) if value.sort == "name" else value)
+            person = replace(value, relation=None) if value.sort == "name" else value
+            self._people.append(person)
+            self._people_named_in.setdefault(person, self._clause)
+
+    def _together(self, said: str) -> tuple[Nominal, ...]:
+        """All who were named, if "them" can be nobody else: in one breath, or two of whom it is "both".
+
+        Who was named in words to say, or told by where he was found, is not among them.
+        """
+        people = tuple(dict.fromkeys(self._people))
+        clauses = {self._people_named_in.get(one) for one in people}
+        alone = None not in clauses and len(people) > 1 and all(one.is_single for one in people)
+        together = len(people) == 2 if said == "both" else len(clauses) == 1
+        return people if alone and together else ()
 
     def _is_several(self) -> bool:
         """Whether some things were named that "them" may stand for."""

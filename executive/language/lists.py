@@ -31,7 +31,7 @@ def _item_too(parts: Parts) -> Item:
 
 
 @dataclass(frozen=True, slots=True)
-class _Joined:
+class Joined:
     """What stands between two things of a list; with ``commas`` nothing but those; ``then`` is one later.
 
     ``company`` is "together with": whoever is named so may be meant to come along.
@@ -42,22 +42,22 @@ class _Joined:
     company: bool = False
 
 
-def _joined(parts: Parts) -> _Joined | None:
+def _joined(parts: Parts) -> Joined | None:
     if any(mark.meaning in (".", "!", "?") for mark in words(parts, "PAUSE")):
         return None  # "walk to the kitchen. The shelf": what about the shelf?
     said = [one for word in words(parts, "AND") for one in word.said.split()]
-    return _Joined(not said, not _LATER.isdisjoint(said), "with" in said)
+    return Joined(not said, not _LATER.isdisjoint(said), "with" in said)
 
 
 def has_company(parts: Parts) -> bool:
     """Whether somebody is to come along: "go to the table together with Ana"."""
-    return any(isinstance(part, _Joined) and part.company for part in parts)
+    return any(isinstance(part, Joined) and part.company for part in parts)
 
 
 def _items(parts: Parts) -> Items | Trouble | None:
     """A list; after a mere comma the last may say again which thing is meant: "the cup, the red one"."""
     each = with_others([part for part in parts if isinstance(part, Item)])
-    links = [part for part in parts if isinstance(part, _Joined)]
+    links = [part for part in parts if isinstance(part, Joined)]
     if len(links) == len(each) - 1:
         each, links = _named_at_last(each, links)
     if len(each) > 1 and len(links) == len(each) - 1:
@@ -76,7 +76,7 @@ def _items(parts: Parts) -> Items | Trouble | None:
     return shared_adjective(each) or Items(_with_article(each))
 
 
-def _named_at_last(each: tuple[Item, ...], links: list[_Joined]) -> tuple[tuple[Item, ...], list[_Joined]]:
+def _named_at_last(each: tuple[Item, ...], links: list[Joined]) -> tuple[tuple[Item, ...], list[Joined]]:
     """With "that thing, the stapler" as one thing: nobody counts a thing without a name among others."""
     for index, link in enumerate(links):
         first, second = each[index], each[index + 1]
@@ -142,7 +142,7 @@ def _both_items(parts: Parts) -> Items | Trouble | None:
     each = tuple(part for part in parts if isinstance(part, Item))
     if not all(one.of.is_single and one.of.determined and one.of.reference is None for one in each):
         return None
-    return None if any(link.commas for link in parts if isinstance(link, _Joined)) else _items(parts)
+    return None if any(link.commas for link in parts if isinstance(link, Joined)) else _items(parts)
 
 
 def _may_be_one(before: Nominal, last: Nominal) -> bool:
@@ -155,7 +155,7 @@ def _may_be_one(before: Nominal, last: Nominal) -> bool:
 
 def said_twice(each: Iterable[Item], links: Iterable[Any]) -> Trouble | None:
     """The question whether two things of a list, with no more than a comma between, are one."""
-    items, joined = tuple(each), [link for link in links if isinstance(link, _Joined)]
+    items, joined = tuple(each), [link for link in links if isinstance(link, Joined)]
     for (first, second), link in zip(itertools.pairwise(items), joined, strict=False):
         if link.commas and _may_say_it_again(first, second, len(items)):
             return _one_or_two(first.of, second.of)
@@ -170,7 +170,7 @@ def _may_say_it_again(first: Item, second: Item, among: int) -> bool:
     return names_a_sort or (among == 2 and not second.details)
 
 
-def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:
+def _told_later(each: Iterable[Item], links: Iterable[Joined]) -> Trouble | None:
     """The cup, then the bottle to Ana: whether the cup is for her too is not said."""
     for (first, second), link in zip(itertools.pairwise(each), links, strict=False):
         goes = any(isinstance(one, Where) and one.role == "to" for one in second.details)
@@ -179,7 +179,7 @@ def _told_later(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | Non
     return None
 
 
-def _may_come_along(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble | None:
+def _may_come_along(each: Iterable[Item], links: Iterable[Joined]) -> Trouble | None:
     """Wave to Ana together with Ben: he may be who waves too."""
     for (_, second), link in zip(itertools.pairwise(each), links, strict=False):
         if link.company and second.of.is_person:
@@ -189,7 +189,7 @@ def _may_come_along(each: Iterable[Item], links: Iterable[_Joined]) -> Trouble |
 
 def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:
     """The cup, the red one: after a mere comma it may be told again which thing is meant."""
-    commas = any(isinstance(link, _Joined) and link.commas for link in links)
+    commas = any(isinstance(link, Joined) and link.commas for link in links)
     if not commas or not (last.anaphoric or (last.kind is not None and last.kind == before.kind)):
         return None
     return _one_or_two(before, last)

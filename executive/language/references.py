@@ -111,7 +111,12 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         return self._description(self._same_kind(nominal))
 
     def _spread(self, bundle: Bundle) -> Iterator[Bundle]:
-        """One bundle for each thing that "them" stands for."""
+        """One bundle for each thing or person that "them" stands for."""
+        person = bundle[0].get("person")
+        if is_them(person) and bundle[0].action in ("wave", "say"):
+            people = self._together(person.said)
+            yield from ((bundle[0].replacing("person", one),) for one in people or (person,))
+            return
         thing = bundle[0].get("object")
         if not isinstance(thing, Nominal) or thing.reference != "them":
             yield bundle
@@ -119,9 +124,11 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
         self._no_animal(recent)
         first = bundle[0]
-        if not recent and self._people and first.action in ("look_at", "point_at") and thing.said != "both":
+        people = self._together(thing.said) or (() if thing.said == "both" else (thing,))
+        if not recent and self._people and people and first.action in ("look_at", "point_at"):
             slots = tuple(("person" if name == "object" else name, value) for name, value in first.slots)
-            yield (replace(first, slots=slots), *bundle[1:])  # "find a person and look at them"
+            for one in people:  # "find a person and look at them"
+                yield (replace(first, slots=slots).replacing("person", one), *bundle[1:])
             return
         roots = list(dict.fromkeys(entity.task for entity in recent))
         if not roots or (len(roots) == 1 and recent[0].of.is_single):

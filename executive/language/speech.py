@@ -9,18 +9,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import ME, clause, guarded, trouble, unfit
 from executive.language.discourse import is_them
 from executive.language.lattice import TIME, Word
+from executive.language.lists import Joined
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Meaning, Nominal, draft
 
 UNQUOTED = "which words shall be said? put them in quotation marks"
 
 _NO_SPEECH = """
+and or & plus as\\swell\\sas together\\swith along\\swith
 to for from with of by into at her his their its(?!') our not that your my you what whatever how why who whom
 where when whether if which something anything nothing about it(?!'s|\\sis|\\swas) them so a an
 in the\\stime the\\sdate the\\sday
@@ -61,6 +64,15 @@ _ORDERED = re.compile(
 
 _AT_THE_END = frozenset({"when", "once", "as", "report", "completion"})
 """Words of what is to be said when something else is done."""
+
+_THAT = re.compile(r"(?P<before>[\w', ]*?),? that (?=[\w' ]+)")
+"""How words begin that hold a "that" of their own, or one that belongs to whom or how they are told."""
+
+_THAT_TOO = re.compile(r"\b(?:and|but) (?:to )?\w+(?: and \w+)? that\b")
+"""A second message for somebody else: "... and Ben that lunch is over"."""
+
+_SPEAKERS = frozenset({"i", "we", "he", "she", "they", "you", "it", "there", "this"})
+"""Who "think that" or "know that", in words to say."""
 
 _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 """Characters that nobody says."""
@@ -110,6 +122,8 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if that and lowered.startswith("you"):
         raise unfit()
+    if _tells_whom(lowered, that=that):
+        raise trouble(UNQUOTED, asks=True)
     if (
         _UNSPOKEN.search(text)
         or (_SENTENCES.search(text) and not greeting)
@@ -120,6 +134,14 @@ def _speech(parts: Parts) -> str:
     ):
         raise trouble(UNQUOTED, asks=True)
     return text
+
+
+def _tells_whom(lowered: str, *, that: bool) -> bool:
+    """Whether words before or after a "that" may say who is told, or how: "Ben and Maria that it is late"."""
+    begins = None if that else _THAT.match(lowered)
+    before = begins["before"] if begins is not None else ""
+    told = bool(before) and before.split()[0] not in _SPEAKERS and not _STATED.match(f"{before} ")
+    return told or bool(_THAT_TOO.search(lowered))
 
 
 def _words(parts: Parts) -> Word:
@@ -140,6 +162,31 @@ def _say_done(parts: Parts) -> Clause:
     return clause(parts, [(done,)])
 
 
+@dataclass(frozen=True, slots=True)
+class _Told:
+    """Several people who are told the same."""
+
+    people: tuple[Nominal, ...]
+
+
+def _people_told(parts: Parts) -> _Told | None:
+    """Ana and Ben; after no more than a comma, who follows may be whom the words are about."""
+    people = tuple(part for part in parts if isinstance(part, Nominal))
+    named = all(one.is_person and one.is_single and not one.reference and one.sort != "me" for one in people)
+    *_, last = (part for part in parts if isinstance(part, Joined))
+    if not named or len(set(people)) < len(people) or last.commas or (words(parts, "BOTH") and people[2:]):
+        return None
+    return _Told(people)
+
+
+def _say_to_each(parts: Parts) -> Clause:
+    """Tell Ana and Ben that dinner is ready: each of them, one after the other."""
+    (told,) = (part for part in parts if isinstance(part, _Told))
+    each = tuple(part for part in parts if not isinstance(part, _Told))
+    said = [_say_to((*each, person)) for person in told.people]
+    return clause(parts, [bundle for one in said for bundle in one.bundles])
+
+
 def _say_to(parts: Parts) -> Clause:
     person = next(part for part in parts if isinstance(part, Nominal))
     if not is_them(person) and (not person.is_person or person.plural):
@@ -158,6 +205,8 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "say": _say,
     "say_to": _say_to,
     "say_done": _say_done,
+    "say_to_each": _say_to_each,
+    "people_told": _people_told,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
