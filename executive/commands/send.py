@@ -58,6 +58,7 @@ def _say(where: RuntimeFolder, said: Say, quiet: bool) -> tuple[str, str, int]:
     """Say one thing; returns the line, the outcome and the exit code."""
     from executive.live.caller import Caller
     from executive.live.desk import Cancel, write_desk_message
+    from executive.live.hearing import HungError, commander_of, hear_out
     from robots.live.messages import Stop, write_control_message
 
     result: dict[str, Any] = {}
@@ -74,7 +75,9 @@ def _say(where: RuntimeFolder, said: Say, quiet: bool) -> tuple[str, str, int]:
     interrupts = 0
     while not result:
         try:
-            caller.listen(take)
+            hear_out(caller, take, lambda: commander_of(where))
+        except HungError as hung:
+            return f"failed: {hung}", "failed", int(ExitCode.FAILED)
         except KeyboardInterrupt:
             interrupts += 1
             if interrupts == 1:

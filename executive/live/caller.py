@@ -19,6 +19,10 @@ class NoAnswerError(LiveError):
     """The other side does not answer, or has ended the connection."""
 
 
+class SilentError(NoAnswerError):
+    """The other side has said nothing for as long as it was waited for; the connection still stands."""
+
+
 class Caller:
     """A connection of somebody who asks."""
 
@@ -30,6 +34,11 @@ class Caller:
         """
         self._connection = Connection(connect_to(path))
         self._wall = WallClock()
+
+    @property
+    def peer_pid(self) -> int:
+        """The process that listens there."""
+        return self._connection.peer.pid
 
     def send(self, message: bytes) -> None:
         """Send without waiting."""
@@ -59,7 +68,8 @@ class Caller:
             within_s: Wall time to wait for the whole, or None.
 
         Raises:
-            NoAnswerError: The connection or the time ended before.
+            SilentError: The time ended before.
+            NoAnswerError: The connection did.
         """
         until_s = None if within_s is None else self._wall.now_s() + within_s
         while True:
@@ -72,7 +82,7 @@ class Caller:
                 raise NoAnswerError("the connection ended before the answer")
             left_s = 0.5 if until_s is None else until_s - self._wall.now_s()
             if left_s <= 0.0:
-                raise NoAnswerError(f"no answer within {within_s:g} s")
+                raise SilentError(f"no answer within {within_s:g} s")
             self._connection.flush()
             self._connection.wait(min(left_s, 0.5))
 

@@ -13,6 +13,7 @@ from types import FrameType
 
 from executive.errors import UserError
 from executive.live.caller import Caller
+from executive.live.hearing import HangWatch, commander_of
 from executive.trust import USUAL_TRUST, Trust
 from robots.clock import WallClock
 from robots.live.errors import AlreadyServedError, LiveError, NotServedError
@@ -21,6 +22,9 @@ from robots.live.runtime_folder import RuntimeFolder
 
 _READY_WITHIN_S = 120.0
 _LOOK_EVERY_S = 0.1
+_HUNG_S = 5.0
+"""An executive that was let go for so long hangs."""
+_ASK_EVERY = 20
 _RESTARTS = 5
 """An executive that ended so often is not started again: it would end once more."""
 
@@ -80,17 +84,21 @@ class Service:
         self._await_control()
         self.executive = self._start_executive(request.fault)
         self._started = 1
+        self._hang_watch = HangWatch(_HUNG_S)
 
     def watch(self) -> int:
         """Watch until the control process ends; Ctrl-C ends it, a second one is the emergency stop."""
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._interrupted)
-        heeded = 0
+        heeded = looks = 0
         while self.control.poll() is None:
             self._wall.sleep(_LOOK_EVERY_S)
+            looks += 1
             if self._interrupts > heeded:
                 heeded = self._interrupts
                 self._end(heeded)
+            if looks % _ASK_EVERY == 0 and not heeded:
+                self._end_what_hangs()
             if self.executive.poll() is not None and not heeded and self.control.poll() is None:
                 self._replace_executive()
         self.close()
@@ -125,6 +133,14 @@ class Service:
             caller.close()
         except LiveError as gone:
             self._say(str(gone))
+
+    def _end_what_hangs(self) -> None:
+        if not self._hang_watch.is_hung(commander_of(self.folder), self.executive.pid, self._wall.now_s()):
+            return
+        self._say(f"the executive hangs: the robot has been without it for {_HUNG_S:.0f} s; it is ended")
+        self.executive.kill()
+        self.executive.wait()
+        self._hang_watch.forget()
 
     def _await_control(self) -> None:
         until_s = self._wall.now_s() + _READY_WITHIN_S
