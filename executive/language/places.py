@@ -1,4 +1,4 @@
-"""What is said of where things are and go, which hand is used, and how far, long and fast."""
+"""What is said of where things are and go, and which hand is used."""
 
 from __future__ import annotations
 
@@ -14,10 +14,8 @@ from executive.language.phrases import (
     Benefit,
     Hand,
     Meaning,
-    Measure,
     Nominal,
     Preposition,
-    Quantity,
     Relative,
     Role,
     Trouble,
@@ -183,88 +181,6 @@ def _benefit(parts: Parts) -> Benefit | None:
     return Benefit(person) if isinstance(person, Nominal) and person.is_person else None
 
 
-def _measure(of: Quantity) -> Meaning:
-    def meaning(parts: Parts) -> Measure:
-        unit = next(part for part in reversed(parts) if isinstance(part, Word))
-        number = next(part for part in parts if isinstance(part, float))
-        return Measure(of, number * float(unit.meaning), f"{number:g}")
-
-    return meaning
-
-
-def _distances(parts: Parts) -> Measure | None:
-    """One meter twenty centimeters."""
-    return _larger_first("distance", "LENGTH", parts)
-
-
-def _durations(parts: Parts) -> Measure | None:
-    """One minute and thirty seconds: the larger unit first."""
-    return _larger_first("duration", "TIME", parts)
-
-
-def _larger_first(of: Quantity, unit_class: str, parts: Parts) -> Measure | None:
-    numbers = [part for part in parts if isinstance(part, float)]
-    units = [float(word.meaning) for word in words(parts, unit_class)]
-    joined = all(word.said in ("and", "&") for word in words(parts, "AND"))
-    if len(numbers) != 2 or units[0] <= units[1] or not joined:
-        return None
-    total = sum(number * unit for number, unit in zip(numbers, units, strict=True))
-    return Measure(of, total, f"{total:g}")
-
-
-def _and_a_half(of: Quantity, unit_class: str) -> Meaning:
-    """A minute and a half."""
-
-    def meaning(parts: Parts) -> Measure:
-        unit = float(words(parts, unit_class)[0].meaning)
-        number = float(words(parts, "ARTICLE", "AMOUNT")[0].meaning) + 0.5
-        return Measure(of, number * unit, f"{number:g}")
-
-    return meaning
-
-
-def _amount(parts: Parts) -> float | None:
-    numbers = [
-        float(part.meaning) for part in parts if isinstance(part, Word) and part.word_class != "BULLET"
-    ]
-    if len(numbers) == 2:
-        tens, ones = numbers
-        return tens + ones if 20 <= tens < 100 and 1 <= ones <= 9 else None
-    return numbers[0]
-
-
-def _number(parts: Parts) -> float | None:
-    found = [part for part in parts if isinstance(part, Word) and part.word_class != "BULLET"]
-    if found[0].word_class == "HALF":
-        return 0.5
-    if len(found) == 1:
-        return float(found[0].meaning)
-    first, second = found
-    if second.word_class == "QUARTERS":
-        return float(first.meaning) * float(second.meaning)
-    if second.word_class == "TENS":
-        return float(first.meaning) * 100 if second.meaning == "100" else None
-    return _amount(parts) if first.word_class == "TENS" else float(first.meaning) + float(second.meaning)
-
-
-def _hundreds(parts: Parts) -> float | None:
-    """A hundred and twenty."""
-    found = words(parts, "AMOUNT", "ARTICLE", "TENS")
-    if any(word.said not in ("and", "&") for word in words(parts, "AND")):
-        return None
-    index = next((index for index, word in enumerate(found[:2]) if word.meaning == "100"), None)
-    rest = () if index is None else found[index + 1 :]
-    below = _amount(tuple(rest)) if rest else None
-    if index is None or below is None or not 1 <= below < 100:
-        return None
-    return 100 * (float(found[0].meaning) if index else 1) + below
-
-
-def _decimal(parts: Parts) -> float | None:
-    whole, _, fraction = parts
-    return float(whole.meaning) + float(fraction.meaning) / 10 if float(fraction.meaning) < 10 else None
-
-
 def _two_relations(parts: Parts) -> Trouble | None:
     """To the right of the spoon and to the left of the fork."""
     said = words(parts, "RELATION", "NEXT_TO")
@@ -303,20 +219,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "left": _left,
         "hand": _hand,
         "benefit": _benefit,
-        "duration": _measure("duration"),
-        "durations": _durations,
-        "distances": _distances,
         "located_first": _located_first,
-        "duration_and_a_half": _and_a_half("duration", "TIME"),
-        "distance_and_a_half": _and_a_half("distance", "LENGTH"),
-        "distance": _measure("distance"),
-        "angle": _measure("angle"),
-        "linear_speed": _measure("linear_speed"),
-        "angular_speed": _measure("angular_speed"),
-        "amount": _amount,
-        "number": _number,
-        "decimal": _decimal,
-        "hundreds": _hundreds,
     }
 )
 

@@ -32,6 +32,12 @@ _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
 _LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
 """The end of a line without a mark."""
 
+_AFTER_A_NUMBER = re.compile("(?<=[0-9])(?=[\u00bc-\u00be\u2150-\u215e])")
+"""Where a sign for a fraction follows a number: "1½" is no eleven halves."""
+
+_NO_ZERO = re.compile(r"(?<![\w.,\"'])\.(?=\d)")
+"""Before the point of ".5"."""
+
 _NOT = re.compile(r"(?<!\S)!(?=\w)")
 """A mark that denies what follows, as people write who program."""
 
@@ -98,7 +104,9 @@ def normalise(text: str) -> str:
         if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Co", "Cn") and character not in _SPACES:
             code = f"U+{ord(character):04X}"
             raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
-    plain = " ".join(unicodedata.normalize("NFKC", text).translate(_PLAIN).split())
+    plain = " ".join(unicodedata.normalize("NFKC", _AFTER_A_NUMBER.sub(" ", text)).translate(_PLAIN).split())
+    if not ({'"', "'"} & set(plain)):
+        plain = _NO_ZERO.sub("0.", plain)
     if len(plain) > 1 and plain[0] == plain[-1] and plain[0] in "\"'" and plain.count(plain[0]) == 2:
         plain = plain[1:-1].strip()
     if _NOT.search(_QUOTATION.sub(" ", plain)):
