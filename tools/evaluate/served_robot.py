@@ -14,7 +14,7 @@ from executive.live.caller import Caller
 from executive.live.desk import Say, write_desk_message
 from executive.live.service import Service, ServiceRequest
 from robots.clock import WallClock
-from robots.live.errors import LiveError
+from robots.live.errors import LiveError, NotServedError
 from robots.live.messages import GetStatus, Hello, Shutdown, write_control_message, write_message
 from robots.live.state_slot import StateSlotReader
 from tools.evaluate.scenes import SENTENCE, pick_scene
@@ -136,9 +136,19 @@ class ServedRobot:
     def commanded(self) -> bool:
         """Whether the executive that was started last commands the robot."""
         self._wall.sleep(0.1)
-        if not self._folder.executive_socket.exists():
-            return False
-        return bool(self.status()["commander"] == self.service.executive.pid)
+        pid = self.service.executive.pid
+        return self._listener() == pid and bool(self.status()["commander"] == pid)
+
+    def _listener(self) -> int | None:
+        """The process that takes sentences; for a moment it may be another one than commands the robot."""
+        try:
+            caller = Caller(self._folder.executive_socket)
+        except NotServedError:
+            return None
+        try:
+            return caller.peer_pid
+        finally:
+            caller.close()
 
     def status(self) -> dict[str, Any]:
         """The control process's."""

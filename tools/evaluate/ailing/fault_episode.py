@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import traceback
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -51,8 +53,14 @@ def died(order: FaultOrder) -> list[FaultRecord]:
     return [FaultRecord(order.seed, order.fault, error="the process died")]
 
 
+_STOOD_S = 1.0
+"""So long after a cancel it stands still."""
+Standing = Literal["home", "there"]
+"""Where a robot stands still that a fault strikes: at home, or as it was when it was struck in its task."""
+
+
 class _Episode:
-    def __init__(self, order: FaultOrder, standing: bool = False) -> None:
+    def __init__(self, order: FaultOrder, standing: Standing | None = None) -> None:
         self._order, self._standing = order, standing
         rng = episode_rng(order.seed, 4)
         self._fault: BodyFault = BODY_FAULTS[order.fault]
@@ -66,7 +74,9 @@ class _Episode:
         self._servo = gain.stiffness / most_nm, gain.damping / most_nm, 1.0 / most_nm
         contact_nm = description.contact_effort_nm.get(joint, np.inf)
         self._shown_rad = min(_SHOWN_RAD, _SHOWN_MARGIN * contact_nm / gain.stiffness)
-        self._t_s = 1.0 if standing else float(rng.uniform(*WHEN_S))
+        when_s = float(rng.uniform(*WHEN_S))
+        self._halted_s = when_s if standing == "there" else math.inf
+        self._t_s = 1.0 if standing == "home" else when_s + (_STOOD_S if standing == "there" else 0.0)
         self._phase, self._struck_phase = "", ""
         self._struck = False
         self._noticed: HealthChanged | None = None
@@ -87,10 +97,11 @@ class _Episode:
     def run(self) -> FaultRecord:
         assembly = self._run.assembly
         session, truth = assembly.session, assembly.world.truth
-        if self._standing:
-            session.hold(self._t_s + WATCHED_S)
+        if self._standing != "home":
+            self._run.run()
+        if self._standing is not None:
+            session.hold(self._t_s + WATCHED_S - assembly.clock.now_s())
             return self._record(False, False)
-        self._run.run()
         claimed_falsely = any(
             ended.outcome == "done"
             and "pick" in ended.text
@@ -121,8 +132,9 @@ class _Episode:
         typed = noticed is not None and noticed.ailment in expected
         typed = typed and noticed is not None and self._is_blamed(noticed.part)
         fells_standing = None
-        if self._fell and not self._standing:
-            fells_standing = _Episode(self._order, standing=True).run().fell
+        if self._fell and self._standing is None:
+            stands: tuple[Standing, ...] = ("home", "there")
+            fells_standing = any(_Episode(self._order, standing).run().fell for standing in stands)
         low, high = self._asked
         return FaultRecord(
             seed=self._order.seed,
@@ -166,6 +178,9 @@ class _Episode:
         assembly, i = self._run.assembly, self._index
         truth = assembly.world.truth
         self._periods += 1
+        if assembly.clock.now_s() >= self._halted_s:
+            self._halted_s, self._run.stopped = math.inf, True
+            assembly.session.cancel("it is to stand still")
         if self._struck:
             setpoint = assembly.loop.setpoint
             wanted = float(setpoint.q[i])
@@ -179,5 +194,7 @@ class _Episode:
         if self._periods % _REST_EVERY == 0:
             self._fell = self._fell or truth.fallen()
         if self._late is not None:
-            bodies = len(assembly.model.joints)
-            self._late = max(self._late, float(np.abs(truth.joint_velocities()[:bodies]).max()))
+            speed = np.abs(truth.joint_velocities()[: len(assembly.model.joints)])
+            if self._fault.of_a_motor and i < len(speed):
+                speed[i] = 0.0  # a limb without its motor hangs, and swings as long as it likes
+            self._late = max(self._late, float(speed.max()))

@@ -35,9 +35,10 @@ class FaultRecord:
         shown_rad: A joint that was asked to move by less, and is not off by as much, has not shown a jam.
         refused: Whether the next command was refused with the reason.
         state: The state machine's at the end.
-        late_rad_s: Speed of the fastest joint in the last second.
+        late_rad_s: Speed of the fastest joint in the last second; without the one whose motor fails.
         fell: Whether the robot fell.
-        fells_standing: For a fall: whether the same fault fells a robot that only stands.
+        fells_standing: For a fall: whether the same fault fells a robot that stands still, at home or in the
+            posture in which it was struck.
         dropped: Objects held at the end of the task that touched anything else later.
         typed: Whether the ailment is the fault, and the part is the one that was struck; a stuck joint of
             a leg holds the others back too, for both legs and the floor are one chain.

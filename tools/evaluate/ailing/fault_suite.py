@@ -38,7 +38,9 @@ def _line(record: FaultRecord) -> str:
     )
     broken = ", ".join(record.faults) or "ok"
     fell = (
-        "" if not record.fell else f", fell ({'also' if record.fells_standing else 'not'} when only standing)"
+        ""
+        if not record.fell
+        else f", fell ({'also' if record.fells_standing else 'not'} when standing still)"
     )
     where = f"{record.part} at {record.t_s:.1f} s ({record.phase})".strip()
     return f"seed {record.seed}: {broken}; {where}: {noticed}, {record.outcome}, {record.state}{fell}"
