@@ -96,13 +96,14 @@ def _out_of(parts: Parts) -> Nominal | Trouble | None:
 
 
 def _some(parts: Parts) -> Nominal | Trouble | None:
-    """A few cups: nobody knows how many; some water, any cup: one."""
+    """A few cups, some cups: nobody knows how many; some water, any cup: one."""
     nominal = described(nominal_of(parts), parts)
     if not isinstance(nominal, Nominal):
         return nominal
     if not nominal.plural and words(parts, "MANY")[0].meaning != "some":
         return None
-    return replace(nominal, count="some" if nominal.plural else 1, determined=True)
+    how_many = "some" if words(parts, "MANY")[0].meaning == "some" else "many"
+    return replace(nominal, count=how_many if nominal.plural else 1, determined=True, indefinite=True)
 
 
 def _everything(_parts: Parts) -> Nominal:

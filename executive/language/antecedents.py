@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from executive.language.discourse import Discourse, Entity, ask
+from executive.language.discourse import Entity, ask
 from executive.language.phrases import Nominal
+from executive.language.repeated_nouns import RepeatedNouns
 from trees.tasks import ObjectOf
 
 _OPENED = ("container", "door")
@@ -29,7 +30,7 @@ def _is_alike(source: Any, place: Nominal) -> bool:
     return all(getattr(source, slot) in (None, getattr(place, slot)) for slot in said)
 
 
-class Antecedents(Discourse):
+class Antecedents(RepeatedNouns):
     """Finds the thing that a word refers to."""
 
     def _it(self, nominal: Nominal, action: str, out_of: Any = None) -> Any:
@@ -85,7 +86,9 @@ class Antecedents(Discourse):
         Raises:
             UnresolvedError: It may be one of several.
         """
-        if thing.whose not in ("that", "this") or thing.kind is None or not thing.is_plain or thing.plural:
+        if thing.whose not in ("that", "this"):
+            return self._told_before(thing)
+        if thing.kind is None or not thing.is_plain or thing.plural:
             return None
         same = [one for one in self._entities if one.of.kind == thing.kind]
         acted = {one.task: one.of for one in same}

@@ -172,8 +172,10 @@ def _asked(
             and action == "find"
         ):
             raise trouble("which object is meant?", asks=True)
-        if nominal.count == "some" and action != "find":
+        if nominal.is_vague and action != "find":
             raise unfit()
+        if nominal.count == "many":
+            raise trouble("whether there are many of them is not told; how many there are can be counted")
         if nominal.counted and not (action in ("count", "describe") and nominal.count == "all"):
             raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
         if (

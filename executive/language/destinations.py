@@ -130,9 +130,9 @@ class Destinations(Antecedents):
     def _destination(self, nominal: Nominal) -> Any:
         """A place, a person or a thing as the value of a slot."""
         before = self._that(nominal)
-        if isinstance(before, ObjectOf):
+        if isinstance(before, ObjectOf) and (nominal.is_single or nominal.whose):
             return before
-        nominal = before or nominal
+        nominal = before if isinstance(before, Nominal) else nominal
         named = self._same_kind(nominal)
         if nominal.anaphoric and nominal.is_plain:
             raise ask("which one is meant?")  # "put the box in that one"
@@ -158,6 +158,7 @@ class Destinations(Antecedents):
             raise ask("which one is meant?")
         if named.sort in ("thing", "any"):
             self._mentioned.append(named)
+            self._mentioned_in.append((self._clause, named))
         return self._description(named)
 
     def _place(self, value: Any, root: int, *, into: bool = False, beside: bool = False) -> Any:
@@ -274,7 +275,8 @@ class Destinations(Antecedents):
             self._beside_places.append(value.to)
         return resolved
 
-    def _person(self, value: Nominal) -> Any:
+    def _person(self, value: Nominal, *, anew: bool = False) -> Any:
+        """Who is meant; ``anew`` where it is said where he is: "find the guest in the hall"."""
         if value.reference == "him" or is_them(value):
             named = dict.fromkeys(self._people)
             people = [one for one in named if may_be(value.said, one)] or list(named)
@@ -290,5 +292,6 @@ class Destinations(Antecedents):
             if len(same) > 1:
                 raise ask(f"which {value.kind} is meant by {value.whose!r}?")
             value = same[0] if same else value  # "find the man in the kitchen and wave to that man"
+        value = value if anew else self._as_before(value)
         self._name_place(value)
         return self._destination(value)

@@ -60,6 +60,7 @@ class Discourse:
         self._given: set[int] = set()
         self._unsaid_giving: tuple[int, int] | None = None
         self._mentioned: list[Nominal] = []
+        self._mentioned_in: list[tuple[int, Nominal]] = []
         self._put_to: tuple[int, Nominal] | None = None
         self._kind: Nominal | None = None
         self._mention: Mention | None = None

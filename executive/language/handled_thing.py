@@ -42,7 +42,7 @@ def thing(one: Arranged, doing: str) -> Nominal:
     if nominal.reference == "this":
         raise trouble("which one is meant?", asks=True)
     unclear = nominal.plural and not nominal.reference and not nominal.counted and not nominal.determined
-    if unclear or nominal.count == "some":
+    if unclear or nominal.is_vague:
         raise trouble("how many of them?", asks=True)
     if (
         nominal.sort == "any"

@@ -132,6 +132,11 @@ class Nominal:
         return self.count == 1 and not self.plural and not self.paired
 
     @property
+    def is_vague(self) -> bool:
+        """Whether nobody knows how many are meant: "some cups", and "many", of which a few are none."""
+        return self.count in ("some", "many")
+
+    @property
     def is_plain(self) -> bool:
         """Whether the noun says it all."""
         return all(getattr(self, name) is None for name in _DESCRIBES)

@@ -279,9 +279,11 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
             if (
                 nominal.sort == "door"
                 and relation is not None
-                and (relation.kind, relation.to.sort) == ("behind", "you")
+                and relation.kind == "behind"
+                and (relation.to.sort == "you" or relation.to.is_person)
             ):
-                raise trouble("which door? is it behind the robot, or the one it walks through?", asks=True)
+                who = "the robot" if relation.to.sort == "you" else relation.to.kind or "somebody"
+                raise trouble(f"which door? is it behind {who}, or the one just walked through?", asks=True)
             if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
                 raise trouble(
                     f"only one at a time can be told to {action}; name each of them",

@@ -161,6 +161,8 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         meant = self._held_as(thing, one.get("source")) if isinstance(thing, Nominal) else thing
         if meant is None and thing.reference:
             meant = self._carried(thing)
+        if meant is None:
+            meant = self._same_thing(one, thing)
         return (one, None) if meant is None else (one.replacing("object", meant), meant)
 
     def _carried(self, thing: Nominal) -> Any:
@@ -234,7 +236,7 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         if thing.reference:
             meant = self._it(thing, one.action, one.get("source"))
             return (meant, self._description(meant)) if isinstance(meant, Nominal) else (None, meant)
-        before = self._that(thing)
+        before = self._still_there(one, thing, self._that(thing))
         if isinstance(before, ObjectOf):
             return None, before
         thing = self._door_of_what(before or thing, one.action)
@@ -259,6 +261,8 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
                 continue
             if name == "object":
                 slots["object"] = resolved
+            elif name == "count" and isinstance(resolved, ObjectOf):
+                continue  # "the two cups, ... the cups": as many as there were
             elif name == "there":
                 slots.update(self._there(value, root))
             elif name == "source":
@@ -266,7 +270,7 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
             elif name in ("to", "on"):
                 slots[name] = self._goal(one.action, value, root)
             elif name == "person":
-                slots["person"] = self._person(value)
+                slots["person"] = self._person(value, anew=one.get("source") is not None)
             elif name == "text":
                 slots["words"] = value
             else:
@@ -285,13 +289,17 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         self._people = [replace(one, relation=relation) if one == person else one for one in self._people]
 
     def _source(self, value: Any, root: int) -> Any:
-        place = self._only_place(value, root) if value.reference == "there" else value
+        place = self._only_place(value, root) if value.reference == "there" else self._as_before(value)
         self._sources[root] = place
         source = self._place(place, root)
-        self._name_place(place)
+        if not isinstance(source, ObjectOf):
+            self._name_place(place)
         return source
 
-    def _goal(self, action: str, value: Any, root: int) -> Any:
+    def _goal(self, action: str, said: Any, root: int) -> Any:
+        value = self._as_before(said)
+        if value is not said and value == self._sources.get(root):
+            raise ask(f"the same {value.kind}, or another one?")  # "from the big table ... on the table"
         if action == "walk_to":
             goal = self._walk(value)
         elif action == "hand_over" and is_them(value):
@@ -300,9 +308,11 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
             goal = self._place(value, root, into=action == "put_in")
         if action == "hand_over" and _is_unsaid(value):
             self._unsaid_giving = (len(self._commands), root)
-        self._name_place(value)
+        if not isinstance(goal, ObjectOf):
+            self._name_place(value)
         if action in ("place", "put_in") and _is_movable(value):
             self._put_to = (self._clause, value)
+        self._not_at_itself(goal, root)
         return goal
 
     def _was_put_there(self, action: str, slots: Mapping[str, Any], root: int) -> bool:

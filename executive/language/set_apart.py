@@ -86,7 +86,7 @@ class Apart:
 
     def _verdicts(self, excluded: Item | Where) -> list[str]:
         of = excluded.of
-        if of.reference or of.sort == "you" or of.count in ("some", "all") or of.kind in _PARTS:
+        if of.reference or of.sort == "you" or of.is_vague or of.count == "all" or of.kind in _PARTS:
             return [_SAME]
         found = [(one["action"], self._compared(excluded, one)) for one in self._commands]
         beside = {action for action, verdicts in found if _APART in verdicts}

@@ -37,7 +37,7 @@ def _mention(parts: Parts) -> Clause:
     placed = one.source is not None or nominal.relation is not None
     if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
         raise unfit()
-    if nominal.count == "some" or (nominal.plural and not nominal.counted):
+    if nominal.is_vague or (nominal.plural and not nominal.counted):
         nominal = replace(nominal, count="all")
     return Clause((), "base", mention=Mention(nominal, one.source))
 
@@ -75,7 +75,7 @@ def _mention_how(parts: Parts) -> Clause:
 
 def _named(nominal: Nominal, source: Nominal | None = None) -> Clause:
     """A statement that the next task takes its thing from."""
-    if nominal.count == "some" or (nominal.plural and not nominal.determined and not nominal.counted):
+    if nominal.is_vague or (nominal.plural and not nominal.determined and not nominal.counted):
         raise unfit()
     if nominal.plural and not nominal.counted:
         nominal = replace(nominal, count="all")
