@@ -23,7 +23,7 @@ from executive.clarification import (
 )
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.meaning import Command, StopCommand
-from executive.preparing import Known, Prepared, prepared, spoken_by
+from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, spoken_by
 from executive.references import PREVIOUS, references, with_references
 from executive.room_words import missing_room
 from executive.session import TASK_TIMEOUT_S, Session
@@ -74,6 +74,7 @@ class Errand:
         self._on_question = on_question
         self._provenance = tuple(provenance) or (None,) * len(self._commands)
         self._acted_on: list[tuple[str, ...]] = []
+        self._roams = False
 
     def steps(self) -> Steps:
         """Carry everything out; returns the results of the tasks that were begun."""
@@ -83,7 +84,9 @@ class Errand:
         results: list[TaskResult] = []
         speaker = ""
         found: dict[int | None, str] = {}
-        for step in prepared(self._commands, self._walks(), self._known()):
+        steps = list(prepared(self._commands, self._walks(), self._known()))
+        while steps:
+            step = steps.pop(0)
             if self._is_needless(step):
                 continue
             provenance = None if step.said is None else self._provenance[step.said]
@@ -98,6 +101,9 @@ class Errand:
                 results.append(replace(result, provenance=provenance))
                 if result.outcome == "failed" and step.may_fail:
                     break
+                if step.said is not None and not names and self._may_be_elsewhere(command, result):
+                    steps = list(looked_for(self._commands, step.said, self._known(), bool(speaker)))
+                    break
                 if result.outcome != "done":
                     return tuple(results)
                 names += [] if result.acted_on is None else [result.acted_on]
@@ -106,9 +112,27 @@ class Errand:
                     found[step.finds_for] = result.acted_on
                 if step.finds_speaker:
                     speaker = str(result.evidence.get("found", ""))
-            if step.said is not None:
+            else:
+                if step.said is None:
+                    continue
                 self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
         return tuple(results)
+
+    def _may_be_elsewhere(self, command: Command, result: TaskResult) -> bool:
+        """Whether what was not seen from here is to be looked for elsewhere, once in an errand.
+
+        Not where the robot roams anyhow, nor what has been seen, nor what is not where it was said to be.
+        """
+        if self._roams or not self._walks() or not isinstance(command, Bringing) or command.count != 1:
+            return False
+        known = self._known()
+        unseen = result.outcome == "failed" and result.failure is not None and result.failure.is_unseen
+        if not unseen or result.attempts > 1 or known.rooms or known.is_away:
+            return False
+        source = command.source
+        before_it = isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source)))
+        self._roams = not before_it
+        return self._roams
 
     def _is_needless(self, step: Prepared) -> bool:
         """Whether what has been seen and done meanwhile makes a step superfluous."""

@@ -106,7 +106,8 @@ def prepared(
     only what has a door, and is taken from or put into, makes it walk, and furniture that it does not stand
     before, when it is to put there what it holds. From then on it has left the place
     where it was, and goes to whom or to where it is told to bring things. With rooms it does so from the
-    start, and so it does after it was told to turn around or to go somewhere. A door or drawer into
+    start, and so it does after it was told to turn around or to go somewhere, and once something was not to be
+    seen from where it stands (``looked_for``). A door or drawer into
     which something goes is opened first, with empty hands: what is held is put down.
 
     Args:
@@ -123,6 +124,17 @@ def prepared(
         find = FindTask("see who speaks", person=SPEAKER)
         steps.insert(0, Prepared(find, finds_speaker=True))
     return tuple(steps)
+
+
+def looked_for(
+    commands: Sequence[Command], index: int, known: Known, speaker_is_known: bool
+) -> tuple[Prepared, ...]:
+    """From one command on, with what has to be done where it is not to be seen from here: it is walked to."""
+    steps = prepared(commands, True, replace(known, is_away=True))
+    done = [place for place, step in enumerate(steps) if step.said is not None and step.said < index]
+    begins = done[-1] + 1 if done else 0
+    finding = () if speaker_is_known else tuple(step for step in steps[:begins] if step.finds_speaker)
+    return (*finding, *(step for step in steps[begins:] if not (speaker_is_known and step.finds_speaker)))
 
 
 def spoken_by(command: Command, name: str) -> Command:

@@ -89,6 +89,12 @@ class Failure:
         return replace(self, cause=cause)
 
     @property
+    def is_unseen(self) -> bool:
+        """Whether no look showed what is meant: the root tells what was ``seen`` in its place."""
+        root = self.root
+        return root.kind is FailureKind.POSTCONDITION and isinstance(root.numbers.get("seen"), str)
+
+    @property
     def choices(self) -> tuple[str, ...]:
         """What a person has to choose from, when several things fit; at the root of the chain."""
         return self._listed("choices")

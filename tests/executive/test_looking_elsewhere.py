@@ -1,0 +1,111 @@
+"""What is not to be seen from where the robot stands is walked to, also without rooms on a map."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from executive.command_parser import parse
+from executive.errand import Errand, drive
+from executive.preparing import Known
+from executive.task_result import TaskResult, TaskTimes
+from trees.failures import Failure
+
+
+def unseen(name):
+    return Failure.postcondition(f"no {name} seen", seen="table, red can")
+
+
+class Notes:
+    """A session that notes what is asked of it; the first tasks fail as they are told to."""
+
+    now_s = 0.0
+
+    def __init__(self, *failures, can_walk=True):
+        self.toolbox = SimpleNamespace(can_walk=can_walk, places=())
+        self.told, self.went_to, self.failures = [], [], list(failures)
+
+    def task_steps(self, command, _timeout_s):
+        self.told.append(command.text)
+        self.went_to += [command.to] if command.action == "walk_to" else []
+        yield
+        failure = self.failures.pop(0) if self.failures else None
+        outcome = "failed" if failure else "done"
+        found, named = {"found": "Ana"}, "blue bottle"
+        times = TaskTimes()
+        return TaskResult(command.text, command.action, outcome, 1, failure, found, times, acted_on=named)
+
+
+class ErrandHere(Errand):
+    """Nothing is held; what the robot stands before is told."""
+
+    before, in_hand = (), False
+
+    def _known(self):
+        return Known(
+            is_near=lambda wanted: wanted.at_hand and wanted.thing.kind in self.before,
+            in_hand=lambda _task: self.in_hand,
+        )
+
+
+class Nobody:
+    """Asks and stops nothing."""
+
+    def attend(self, _session):
+        pass
+
+
+def carried_out(notes, sentence, errand=ErrandHere):
+    results = drive(errand(notes, parse(sentence).commands).steps(), Nobody(), notes)
+    return [result.outcome for result in results]
+
+
+@pytest.mark.requirement("L6", "M6")
+def test_what_was_not_seen_from_here_is_walked_to():
+    notes = Notes(unseen("bottle"))
+
+    assert carried_out(notes, "pick up the bottle") == ["failed", "done", "done"]
+    assert notes.told == ["pick up the bottle", "come within reach of the bottle", "pick up the bottle"]
+
+
+def test_what_was_done_before_is_not_done_again():
+    notes = Notes(None, unseen("Tom"))
+
+    assert carried_out(notes, "wave to Ana; give the can to Tom")[-1] == "done"
+    assert notes.told.count("wave to Ana") == 1
+    assert notes.went_to[-1] == "Tom"
+
+
+def test_who_speaks_is_found_before_the_robot_goes_away():
+    notes = Notes(unseen("bottle"))
+
+    carried_out(notes, "bring me the bottle")
+
+    assert notes.told[1] == "see who speaks"
+    assert notes.went_to[-1] == "Ana"
+
+
+def test_it_is_looked_for_once():
+    notes = Notes(unseen("bottle"), unseen("bottle"))
+
+    assert carried_out(notes, "pick up the bottle") == ["failed", "failed"]
+    assert notes.told == ["pick up the bottle", "come within reach of the bottle"]
+
+
+class ErrandBeforeTheTable(ErrandHere):
+    before = ("table",)
+
+
+@pytest.mark.parametrize(
+    ("notes", "sentence", "errand"),
+    [
+        (Notes(unseen("cup")), "pick up the cup on the table", ErrandBeforeTheTable),
+        (Notes(unseen("cup"), can_walk=False), "pick up the cup", ErrandHere),
+        (Notes(Failure.infeasible("the door is stuck")), "pick up the cup", ErrandHere),
+        (Notes(Failure.postcondition("it slipped", seen=True)), "pick up the cup", ErrandHere),
+        (Notes(unseen("cup")), "pick up both cups", ErrandHere),
+        (Notes(unseen("cup")), "count the cups", ErrandHere),
+    ],
+)
+def test_not_all_that_fails_is_looked_for_elsewhere(notes, sentence, errand):
+    assert carried_out(notes, sentence, errand) == ["failed"]
+    assert len(notes.told) == 1
