@@ -74,6 +74,8 @@ class Errand:
         self._on_question = on_question
         self._provenance = tuple(provenance) or (None,) * len(self._commands)
         self._acted_on: list[tuple[str, ...]] = []
+        self._speaker = ""
+        self._found: dict[int | None, str] = {}
         self._roams = False
 
     def steps(self) -> Steps:
@@ -82,41 +84,42 @@ class Errand:
         if refused is not None:
             return (refused,)
         results: list[TaskResult] = []
-        speaker = ""
-        found: dict[int | None, str] = {}
         steps = list(prepared(self._commands, self._walks(), self._known()))
         while steps:
-            step = steps.pop(0)
-            if self._is_needless(step):
+            step, begun = steps.pop(0), len(results)
+            if self._is_needless(step) or (yield from self._step(step, results)):
                 continue
-            provenance = None if step.said is None else self._provenance[step.said]
-            command = spoken_by(step.command, speaker) if speaker else step.command
-            about = step.finds_for if step.said is None else step.said
-            if about in found:
-                command = _of_one(command, found[about])
-            names: list[str] = []
-            waiting = list(self._filled(command))
-            while waiting:
-                result = yield from self._task(waiting.pop(0))
-                results.append(replace(result, provenance=provenance))
-                if result.outcome == "failed" and step.may_fail:
-                    break
-                if step.said is not None and not names and self._may_be_elsewhere(command, result):
-                    steps = list(looked_for(self._commands, step.said, self._known(), bool(speaker)))
-                    break
-                if result.outcome != "done":
-                    return tuple(results)
-                names += [] if result.acted_on is None else [result.acted_on]
-                waiting[:0] = [_of_one(command, name) for name in result.others]
-                if step.finds_for is not None and result.acted_on is not None:
-                    found[step.finds_for] = result.acted_on
-                if step.finds_speaker:
-                    speaker = str(result.evidence.get("found", ""))
-            else:
-                if step.said is None:
-                    continue
-                self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
+            first = len(results) == begun + 1
+            if not first or step.said is None or not self._may_be_elsewhere(step.command, results[-1]):
+                break
+            steps = list(looked_for(self._commands, step.said, self._known(), bool(self._speaker)))
         return tuple(results)
+
+    def _step(
+        self, step: Prepared, results: list[TaskResult]
+    ) -> Generator[OpenQuestion | None, str | None, bool]:
+        """Carry out one step, on several objects one after the other; whether the errand goes on."""
+        provenance = None if step.said is None else self._provenance[step.said]
+        command = spoken_by(step.command, self._speaker) if self._speaker else step.command
+        about = step.finds_for if step.said is None else step.said
+        if about in self._found:
+            command = _of_one(command, self._found[about])
+        names: list[str] = []
+        waiting = list(self._filled(command))
+        while waiting:
+            result = yield from self._task(waiting.pop(0))
+            results.append(replace(result, provenance=provenance))
+            if result.outcome != "done":
+                return result.outcome == "failed" and step.may_fail
+            names += [] if result.acted_on is None else [result.acted_on]
+            waiting[:0] = [_of_one(command, name) for name in result.others]
+            if step.finds_for is not None and result.acted_on is not None:
+                self._found[step.finds_for] = result.acted_on
+            if step.finds_speaker:
+                self._speaker = str(result.evidence.get("found", ""))
+        if step.said is not None:
+            self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
+        return True
 
     def _may_be_elsewhere(self, command: Command, result: TaskResult) -> bool:
         """Whether what was not seen from here is to be looked for elsewhere, once in an errand.

@@ -102,13 +102,13 @@ def prepared(
 ) -> tuple[Prepared, ...]:
     """The commands with what has to be done before them.
 
-    Nothing is added for a robot that stands where it stands. Without rooms everything is taken to be at hand:
-    only what has a door, and is taken from or put into, makes it walk, and furniture that it does not stand
-    before, when it is to put there what it holds. From then on it has left the place
-    where it was, and goes to whom or to where it is told to bring things. With rooms it does so from the
-    start, and so it does after it was told to turn around or to go somewhere, and once something was not to be
-    seen from where it stands (``looked_for``). A door or drawer into
-    which something goes is opened first, with empty hands: what is held is put down.
+    Nothing is added for a robot that stands where it stands. Without rooms everything is taken to be at
+    hand: only what has a door, and is taken from or put into, makes it walk, and furniture that it does not
+    stand before, when it is to put there what it holds. From then on it has left the place where it was,
+    and goes to whom or to where it is told to bring things. With rooms it does so from the start, and so it
+    does after it was told to turn around or to go somewhere, and once something was not to be seen from
+    where it stands (``looked_for``). A door or drawer into which something goes is opened first, with empty
+    hands: what is held is put down.
 
     Args:
         commands: What was said, in order.
