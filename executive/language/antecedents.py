@@ -14,6 +14,7 @@ from trees.tasks import ObjectOf
 _OPENED = ("container", "door")
 _COUNTED = ("first", "second", "third", "fourth", "fifth", "last")
 PUTS_DOWN = ("place", "put_in", "hand_over")
+_CONTRASTED = ("color", "size", "material", "ordinal")
 _MOVES = ("pick", *PUTS_DOWN)
 
 
@@ -174,3 +175,24 @@ class Antecedents(RepeatedNouns):
         kinds = dict.fromkeys(one.kind for one in (*([self._kind] if self._kind else []), *named) if one.kind)
         if len(kinds) > 1:
             raise ask("which one is meant?", [f"the {kind}" for kind in kinds])
+
+    def _only_contrast(self, other: Nominal) -> None:
+        """Ask when "the blue one" beside something may be of a kind that was named just before.
+
+        "The red cup next to the blue one" is next to a blue cup; "pick up the red cup and put the bottle next
+        to the blue one" may be next to either.
+
+        Raises:
+            UnresolvedError: It may.
+        """
+        handled = self._kind
+        if handled is None:
+            return
+        told = [slot for slot in _CONTRASTED if getattr(other, slot) is not None]
+        lately = [
+            one.of for one in self._entities if one.clause >= self._clause - 1 and one.of.sort == "thing"
+        ]
+        named = [one for one in lately if one.kind != handled.kind]
+        if any(getattr(handled, slot) is not None for slot in told):
+            named = [one for one in named if any(getattr(one, slot) is not None for slot in told)]
+        self._only_kind(named)

@@ -8,11 +8,11 @@ counts only if the sentence ordered it before.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import guarded, trouble, unfit
+from executive.language.arranging import ME, clause, guarded, trouble, unfit
 from executive.language.going import goal_of
 from executive.language.handled_thing import IT
 from executive.language.phrase_parts import Parts, words
@@ -98,6 +98,36 @@ def _has_it(parts: Parts) -> Clause:
     return replace(_done("pick", {"object": of}), placed=bool(carried))
 
 
+@dataclass(frozen=True, slots=True)
+class _Carrying:
+    """What is carried along; ``in_hand`` is whether it was said to be in the hand."""
+
+    of: Nominal
+    in_hand: bool
+
+
+def _carrying(parts: Parts) -> _Carrying | None:
+    if words(parts, "WITH")[0].said != "with":
+        raise unfit()
+    return _Carrying(parts[1], bool(words(parts, "IN_HAND")))
+
+
+def _walk_with(parts: Parts) -> Clause:
+    """Go to Ana with the cup: it is picked up first, unless it was.
+
+    To a place or to somebody without a name, what is in no hand yet may tell which one is meant: "the table
+    with the lamp".
+    """
+    carried = parts[-1]
+    goal = ME if words(parts, "COME_BACK") else parts[-2]
+    if not isinstance(goal, Nominal):
+        raise unfit()
+    known = carried.in_hand or goal.sort in ("me", "name") or goal.kind == "operator"
+    (taken,) = _has_it((carried.of,)).bundles
+    held = tuple(one.with_slot("condition", None if known else "with") for one in taken)
+    return clause(parts, [held, (draft("walk_to", to=goal),)])
+
+
 def _done_when(parts: Parts) -> Clause:
     """When you have found them; when you find them, if that was ordered."""
     (clause,) = (part for part in parts if isinstance(part, Clause))
@@ -153,6 +183,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
             "it_is": _it_is,
             "done_to_it": _done_to_it,
             "has_it": _has_it,
+            "carrying": _carrying,
+            "walk_with": _walk_with,
             "done_when": _done_when,
             "by_then_first": _first,
             "by_then_last": _last,

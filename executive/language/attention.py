@@ -44,6 +44,8 @@ _BESIDE = ("RELATION", "NEXT_TO")
 _AIMS = frozenset({"point", "pointing", "pointed"})
 """Verbs that say of a thing where it is to point, if they say that it points at anything."""
 
+_INTO = frozenset({"in", "into", "inside"})
+
 _HERE = frozenset({"there", "room", "here"})
 """Words that may stand for the place that was named before, or for all that is in view."""
 
@@ -98,7 +100,10 @@ def _attend(action: str) -> Callable[[Parts], Clause]:
                 raise unfit()
             nominal = target(Item(item.of, tuple(one for one in item.details if not isinstance(one, Hand))))
             slot = "person" if nominal.is_person else "to" if nominal.is_place else "object"
-            bundles.append((draft(action, **{slot: nominal}, hand=side),))
+            looks_in = nominal.sort == "container" and any(
+                _INTO & set(word.said.split()) for word in words(parts, "LOOK_AT")
+            )
+            bundles.append((draft(action, **{slot: nominal}, hand=side, looks_in=looks_in or None),))
         return clause(parts, bundles)
 
     return meaning
@@ -193,15 +198,33 @@ def _asked(
     return bundles
 
 
+def _identifies(parts: Parts, verb: str) -> bool:
+    return any(word.said in ("identify", "identifying", "identified") for word in words(parts, verb))
+
+
 def _find(parts: Parts) -> Clause:
     if words(parts, "WHERE") and any(word.said == "show me" for word in words(parts, "TELL_ME")):
         raise unfit()  # which is to point at it
+    if _identifies(parts, "FIND") and any(
+        item.of.kind is None and not item.of.reference
+        for part in parts
+        if isinstance(part, Items)
+        for item in part.each
+    ):
+        raise unfit()  # "identify the object on the table": what is it?
     bundles = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
     if any(_HERE & set(word.said.split()) for word in words(parts, "IS_THERE", "LEFT_OVER")):
         bundles = [(one.with_slot("there_are", True),) for (one,) in bundles]
     elif words(parts, "IF_THERE"):
         bundles = [(one.with_slot("there_are", "opened"),) for (one,) in bundles]
     return clause(parts, bundles)
+
+
+def _find_him(parts: Parts) -> Clause:
+    """Tell me where she is: who was named before."""
+    (said,) = words(parts, "WHERE_IS_HE")
+    person = Nominal("person", reference="him", determined=True, said=said.meaning)
+    return clause(parts, [(draft("find", person=person),)])
 
 
 def _is_it(parts: Parts) -> Clause:
@@ -282,6 +305,8 @@ def _describe(parts: Parts) -> Clause:
     bundles = _asked(parts, "describe")
     for (one,) in bundles:
         nominal = one.get("object")
+        if nominal.kind is not None and _identifies(parts, "DESCRIBE"):
+            raise unfit()  # which is to find it
         if nominal.is_person:
             raise unfit()
         if (
@@ -338,6 +363,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "watch": _watch,
     "watch_over": _watch_over,
     "find": _asking(_find),
+    "find_him": _find_him,
     "is_it": _asking(_is_it),
     "whether_at": _whether_at,
     "search": _search,

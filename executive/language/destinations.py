@@ -9,6 +9,7 @@ from executive.language.antecedents import Antecedents, is_any
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
 from executive.language.genders import may_be
 from executive.language.phrases import Nominal, Relative, Trouble, Where
+from executive.language.placing import HOLDERS
 from trees import tasks
 from trees.tasks import ObjectDescription, ObjectOf
 
@@ -69,6 +70,16 @@ class Destinations(Antecedents):
         self._sources[root] = places[0]
         return {"source": ObjectOf(opened[0])}
 
+    def _seen_in(self, named: Nominal, root: int) -> dict[str, Any]:
+        """The slot of where a thing is right after a container was looked into."""
+        last = self._did[-1][0] if self._did else None
+        if last is None or not last.get("looks_in") or named.sort not in ("thing", "any"):
+            return {}
+        if named.relation is not None:
+            return {}
+        self._sources[root] = last.get("to")
+        return {"source": self._destination(last.get("to"))}
+
     def _counted_in(self, named: Nominal) -> dict[str, Any]:
         """The slot of where things are counted right after the only container that stands open was opened."""
         opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
@@ -125,6 +136,7 @@ class Destinations(Antecedents):
                 return self._same_it(recent[0].task)
         if nominal.anaphoric:
             self._only_kind(self._mentioned)
+            self._only_contrast(nominal)
         return self._place(nominal, root, beside=True)
 
     def _destination(self, nominal: Nominal) -> Any:
@@ -181,8 +193,29 @@ class Destinations(Antecedents):
         if value.reference:
             raise ask("which place is meant?")
         if value.anaphoric and not beside:
+            holder = self._holder_like(into=into)
+            if holder is not None:
+                return self._destination(
+                    replace(value, kind=holder.kind, sort=holder.sort, anaphoric=False, said="")
+                )
             self._only_kind((*self._places, *self._mentioned))
         return self._destination(value)
+
+    def _holder_like(self, *, into: bool) -> Nominal | None:
+        """What "the blue one" is that something is put into or onto, which cannot hold anything itself.
+
+        Raises:
+            UnresolvedError: Nothing was named that holds things.
+        """
+        handled = self._kind
+        if handled is None or handled.is_place or handled.kind in HOLDERS:
+            return None
+        lately = (one.of for one in self._entities)
+        named = dict.fromkeys((*self._places, *self._mentioned, *lately))
+        holders = [one for one in named if one.is_place or one.kind in HOLDERS]
+        if into and not holders:
+            raise ask("which one is meant?")
+        return holders[0] if len({one.kind for one in holders}) == 1 else None
 
     def _met(self) -> Nominal | None:
         """Whom the robot has gone to just before, when nobody else was named since.

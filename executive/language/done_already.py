@@ -112,6 +112,8 @@ class DoneAlready(Doubts):
         """
         word, goal = one.get("condition"), one.get("to")
         on_the_way = bool(self._commands) and isinstance(goal, Nominal) and not goal.reference
+        if word == "with":  # "go to the table with the lamp"
+            raise ask("shall it be carried along, or does it tell where to go?")
         if word == "there":
             raise ask("which place does 'there' stand for?")
         if word is not None and not on_the_way:
@@ -121,10 +123,15 @@ class DoneAlready(Doubts):
             raise UnresolvedError(UNCLEAR_ORDER)
 
     def _is_done_already(self, action: str, slots: Mapping[str, Any]) -> bool:
-        """Whether the task before walks to the same place, or opens or closes the same."""
+        """Whether the task before walks to the same place, opens or closes the same, or finds it."""
         last = self._commands[-1] if self._commands else None
         if action == "walk_to":
             return isinstance(last, tasks.WalkToTask) and last.to == slots["to"]
+        if isinstance(last, tasks.FindTask) and action == "find":  # "find the cup and tell me where it is"
+            meant = slots.get("object")
+            if isinstance(meant, ObjectOf):
+                return all(isinstance(one, tasks.FindTask) for one in self._commands[meant.task :])
+            return slots.get("person") is not None and slots.get("person") == last.person
         if isinstance(last, (tasks.OpenTask, tasks.CloseTask)) and last.action == action:
             return bool(last.object == slots["object"])
         return False

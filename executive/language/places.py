@@ -166,6 +166,10 @@ def _inside(_parts: Parts) -> Where:
     return Where("to", Nominal("any", reference="it"), "in")
 
 
+def _from_inside(_parts: Parts) -> Where:
+    return Where("from", Nominal("any", reference="it", determined=True), "at")
+
+
 def _hand(parts: Parts) -> Hand | None:
     sides = words(parts, "LEFT_RIGHT")
     marks = words(parts, "PAUSE")
@@ -216,6 +220,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "back": _back,
         "somewhere": _somewhere,
         "inside": _inside,
+        "from_inside": _from_inside,
         "left": _left,
         "hand": _hand,
         "benefit": _benefit,

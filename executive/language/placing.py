@@ -49,6 +49,9 @@ _HOLDS = frozenset(
 _CARRIES = frozenset({"plate", "tray", "platter", "pallet", "saucer"})
 """Things that others are moved to by putting them onto it."""
 
+HOLDERS = _HOLDS | _CARRIES
+"""Things that others are put into or onto."""
+
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
 

@@ -12,6 +12,7 @@ from executive.language.done_already import DoneAlready
 from executive.language.handled_thing import PREVIOUS
 from executive.language.its_door import ItsDoor
 from executive.language.phrases import SEATS, Bundle, Clause, Draft, Nominal, Relative, Trouble
+from executive.language.ranked import Ranked
 from executive.language.stated_things import StatedThings
 from executive.meaning import Command, StopCommand
 from trees import tasks
@@ -40,7 +41,7 @@ _TYPES: dict[str, Any] = {
     "stop": StopCommand,
 }
 _ASIDE = frozenset(
-    {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside"}
+    {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in"}
     | {"done", "condition", "late", "lifts", "reaches", "reports"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
@@ -68,7 +69,7 @@ def _is_only_lifted(one: Draft) -> bool:
     return all(one.get(slot) is None for slot in ("hand", "source", "holds"))
 
 
-class Resolver(StatedThings, ItsDoor, DoneAlready):
+class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
     """Turns clauses into commands, remembering what was named.
 
     Args:
@@ -143,7 +144,7 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
 
     def _bundle(self, bundle: Bundle, text: str) -> None:
         last: Any = None
-        for each in bundle:
+        for each in self._ranked_alike(bundle):
             one = each
             if one.get("fetched"):
                 one, held = self._fetched(one)
@@ -172,6 +173,8 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
             UnresolvedError: It may be.
         """
         meant = self._it(thing, "pick")
+        if isinstance(meant, Nominal):
+            raise ask("what does 'it' stand for?")  # "pick up the cup after bringing me"
         if self._held and isinstance(meant, ObjectOf) and meant.task not in self._held:
             raise ask("which of them does 'it' stand for?")
         return meant
@@ -196,6 +199,8 @@ class Resolver(StatedThings, ItsDoor, DoneAlready):
         action, slots = self._slots(one, resolved, root)
         if one.get("out") and "source" not in slots and named is not None:
             slots.update(self._out_of(root))  # "open the fridge, take out the can"
+        if action in ("count", "pick", "find") and "source" not in slots and named is not None:
+            slots.update(self._seen_in(named, root))  # "look in the drawer and take the pen"
         if action == "count" and "source" not in slots and named is not None:
             slots.update(self._counted_in(named))  # "open the fridge and tell me how many eggs are left"
         if self._was_put_there(action, slots, root):

@@ -224,6 +224,8 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         others = tuple(replace(clause, form="base") for clause in clauses)
         if scope == "before_first":
             main = _said_after(main, others)
+        if scope == "before_last" and _takes_out(main):
+            main = _said_after(main, others)  # "take the pen out before closing the drawer"
         if scope == "after_last" and not but_first:
             others = tuple(_said_after(one, (main,)) for one in others)
         return Group(
@@ -235,6 +237,10 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         )
 
     return meaning
+
+
+def _takes_out(command: Clause) -> bool:
+    return any(one.get("out") and one.get("source") is None for bundle in command.bundles for one in bundle)
 
 
 def _said_after(done_first: Clause, said_first: tuple[Clause, ...]) -> Clause:
