@@ -20,6 +20,8 @@ from executive.language.phrases import Clause, Draft, Item, Meaning, Nominal, dr
 from executive.language.scopes import Group, Separator
 
 _THERE = Nominal("any", reference="there")
+STILL = "still"
+"""Value of ``done`` where a task that was ordered before counts only if none since undid it."""
 
 
 def as_done(clause: Clause, unless_ordered: str | None = None) -> Clause:
@@ -35,6 +37,18 @@ def as_done(clause: Clause, unless_ordered: str | None = None) -> Clause:
 
     bundles = tuple(tuple(told(one) for one in bundle) for bundle in clause.bundles)
     return replace(clause, form="base", bundles=bundles)
+
+
+def done_by_then(clause: Clause) -> Clause:
+    """A clause after "after": "find it. After finding it, ..." finds it once.
+
+    "Open it, close it. After opening it, ..." opens it anew, for it is not open by then.
+    """
+
+    def told(one: Draft) -> Draft:
+        return one if one.get("done") else one.with_slot("done", STILL)
+
+    return replace(clause, bundles=tuple(tuple(told(one) for one in bundle) for bundle in clause.bundles))
 
 
 def _done(action: str, slots: Mapping[str, Any], condition: str | None = None) -> Clause:

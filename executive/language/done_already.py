@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from executive.language.arrivals import STILL
 from executive.language.discourse import UnresolvedError, ask
 from executive.language.doubts import Doubts
 from executive.language.genders import may_be
@@ -16,6 +17,17 @@ from trees.tasks import ObjectOf
 
 _SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive", "lifts", "reaches")
 """Slots that say how a task was ordered, not what it is."""
+
+_GOES = frozenset({"walk_to", "move", "go_home"})
+_PUTS = frozenset({"place", "put_in", "hand_over"})
+_UNDOES = {
+    "open": frozenset({"close"}),
+    "close": frozenset({"open"}),
+    "pick": _PUTS,
+    **dict.fromkeys(_PUTS, frozenset({"pick", *_PUTS})),
+    **dict.fromkeys(_GOES, _GOES),
+}
+"""After which tasks another one is not done any more."""
 
 _TOLD = ("kind", "name", "color", "size", "material", "ordinal", "relation")
 
@@ -44,7 +56,11 @@ class DoneAlready(Doubts):
             return ObjectOf(self._did[-1][1])
         meant = self._spoken_of(one)
         said = _slots_of(one)
+        since: set[str] = set()
         for before, root in reversed(self._did):
+            if one.get("done") == STILL and since & _UNDOES.get(one.action, frozenset()):
+                return None  # "open it, close it; after opening it, ..."
+            since.add(before.action)
             if one.action == "pick" and meant == root and root in self._held and "source" not in said:
                 return ObjectOf(root)  # "get the cup; once you have picked it up, ..."
             if before.action != one.action:
@@ -80,7 +96,18 @@ class DoneAlready(Doubts):
             return isinstance(known, Nominal) and may_be(person.said, known)
         if person != ordered.get("person"):
             return False
-        return meant == root or said.get("object") == ordered.get("object")
+        if meant == root or said.get("object") == ordered.get("object"):
+            return True
+        return self._is_only_such(said.get("object"), root)
+
+    def _is_only_such(self, thing: Any, root: int) -> bool:
+        """Whether a thing is told by no more than the only one of its kind that was named: "the cup"."""
+        if not isinstance(thing, Nominal) or thing.reference or thing.indefinite or thing.kind is None:
+            return False
+        same = [one for one in self._entities if one.of.kind == thing.kind]
+        if {one.task for one in same} != {root} or thing.is_single != same[-1].of.is_single:
+            return False
+        return all(getattr(thing, name) in (None, getattr(same[-1].of, name)) for name in _TOLD)
 
     def _let_go(self, root: int) -> ObjectOf:
         """What was put down or in, or given away, is let go of by then.

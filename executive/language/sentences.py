@@ -27,7 +27,7 @@ from executive.language import (
     statements,
     two_verbs,
 )
-from executive.language.arrivals import as_done, at_last
+from executive.language.arrivals import as_done, at_last, done_by_then
 from executive.language.brief_tasks import takes_a_moment
 from executive.language.fronted import fronted
 from executive.language.lattice import Word
@@ -222,6 +222,8 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         if scope.endswith("last") and apart and not but_first:
             return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
         others = tuple(replace(clause, form="base") for clause in clauses)
+        if scope.startswith("after") and not but_first:
+            others = tuple(done_by_then(clause) for clause in others)
         if scope == "before_first":
             main = _said_after(main, others)
         if scope == "before_last" and _takes_out(main):
