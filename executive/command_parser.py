@@ -15,6 +15,7 @@ from executive.language.chart import Chart, TooTangledError
 from executive.language.contrasted_answers import contrasted_answer
 from executive.language.contrasts import Reader, contrasted
 from executive.language.corrections import corrected
+from executive.language.going import NO_DIRECTION
 from executive.language.grammar import Rule, load_rules
 from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
@@ -272,11 +273,17 @@ class CommandParser:
                 text, question=Question("this can be read in several ways; which is meant?", choices)
             )
         troubles = [one for one in outcomes if isinstance(one, Trouble)]
-        trouble = min(troubles, key=lambda one: (not one.asks, one != UNCLEAR_ORDER))
+        trouble = min(troubles, key=_rank_of)
         if trouble.asks:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
+
+
+def _rank_of(trouble: Trouble) -> tuple[bool, bool, bool]:
+    """How well a trouble explains a sentence, the lowest best; any "go" can lack a direction."""
+    no_more = trouble.message == NO_DIRECTION
+    return no_more, not trouble.asks, trouble != UNCLEAR_ORDER
 
 
 def _asks_about_doing(lattice: Lattice) -> bool:

@@ -152,7 +152,7 @@ def _asked(
     """What is asked about; ``existing`` is whether there is any such thing, be it one or several."""
     bundles: list[Bundle] = []
     for one in map(found_there, arranged(parts)):
-        nominal = one.object
+        nominal, one_of = one.object, None
         if (
             one.goal is not None
             or one.back
@@ -192,9 +192,12 @@ def _asked(
             and not whole
         ):
             message = f"which one of the {plural(nominal.kind or 'thing')}? {action} is for one"
-            raise trouble(message, asks=True, rivals=True)
+            if action != "find":
+                raise trouble(message, asks=True, rivals=True)
+            one_of = message
         slot = "person" if action == "find" and nominal.is_person else "object"
-        bundles.append((draft(action, **{slot: replace(nominal, count=1)}, source=one.source or source),))
+        told = draft(action, **{slot: replace(nominal, count=1)}, source=one.source or source)
+        bundles.append((told.with_slot("one_of", one_of),))
     return bundles
 
 
@@ -258,11 +261,14 @@ def _search_beside(parts: Parts) -> Clause:
         thing = one.get("object")
         if thing is None or one.get("source") is not None or thing.relation is not None:
             raise unfit()
-        found.append((draft("find", object=replace(thing, relation=Relative(kind, of))),))
+        beside = draft("find", object=replace(thing, relation=Relative(kind, of)))
+        found.append((beside.with_slot("one_of", one.get("one_of")),))
     return clause(parts, found)
 
 
 def _count(parts: Parts) -> Clause:
+    if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
+        raise unfit()
     bundles = _asked(parts, "count")
     for (one,) in bundles:
         nominal = one.get("object")
@@ -308,7 +314,8 @@ def _describe(parts: Parts) -> Clause:
         if nominal.kind is not None and _identifies(parts, "DESCRIBE"):
             raise unfit()  # which is to find it
         if nominal.is_person:
-            raise unfit()
+            told = "describing somebody is no skill of this robot yet: it describes things and what is there"
+            raise trouble(told, nominal.kind)
         if (
             nominal.sort == "any"
             and nominal.kind is None

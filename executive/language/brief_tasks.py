@@ -8,6 +8,10 @@ from executive.language.phrases import Clause, Draft
 _TAKES_A_MOMENT = frozenset({"pick", "hand_over", "look_at", "point_at", "find", "count", "describe"})
 
 
+_GAZES = frozenset({"look_at", "point_at"})
+"""Tasks that may be kept up for the minute that is said: "look at the cup for a minute"."""
+
+
 def takes_a_moment(command: Clause, said: str) -> bool:
     """Whether a command is only said to be a short one: "come here for a sec".
 
@@ -15,12 +19,14 @@ def takes_a_moment(command: Clause, said: str) -> bool:
     too, and a walk "real quick" a speed.
     """
     drafts = [one for bundle in command.bundles for one in bundle]
-    return all(_is_brief(one, quick="quick" in said) for one in drafts)
+    return all(_is_brief(one, quick="quick" in said, minute="min" in said) for one in drafts)
 
 
-def _is_brief(one: Draft, *, quick: bool) -> bool:
+def _is_brief(one: Draft, *, quick: bool, minute: bool) -> bool:
     if one.action == "walk_to":
         return one.get("to") == ME and not quick
+    if minute and one.action in _GAZES:
+        return False
     if one.get("holds") or one.get("watches") or (one.action == "hand_over" and one.get("to") != ME):
         return False
     return one.action in _TAKES_A_MOMENT

@@ -16,6 +16,7 @@ from functools import cached_property
 from executive.language.beginnings import ONE, SAID_ALONE, SORTS, beginnings
 from executive.language.lattice import Lattice, Word
 from executive.language.replaced_slots import ADDS, LOSES, SAME, change, holds
+from executive.language.said_fully import said_fully
 from executive.language.taking_back import DENIES, DISCARDS, Marker, Span, is_mark, marker_of
 from executive.meaning import Command, command_json
 
@@ -54,6 +55,9 @@ def corrected(
     marker = marker_of(lattice)
     if marker is None:
         return None
+    named = said_fully(lattice, marker)
+    if named is not None:
+        return understood(named)
     return _Repair(lattice, marker, commands, understood).commands()
 
 

@@ -42,6 +42,10 @@ class Destinations(Antecedents):
         ]
         if into:
             recent = [entity for entity in recent if entity.of.sort in ("container", "thing", "any")]
+        if not into and (walked := self._walked_to_just_now()) is not None:
+            opened = [one for one in recent if one.of.sort == "container"]
+            if len(opened) == len(recent) and opened and not self._mentioned:
+                return self._destination(walked)  # "close the fridge, walk to the table, put the cup on it"
         roots = [entity.of for entity in recent]
         others = [place for place in dict.fromkeys(places) if place not in roots]
         if len(recent) != 1 or others or self._mentioned:
@@ -51,6 +55,14 @@ class Destinations(Antecedents):
         if recent[0].task in self._held or recent[0].is_several:
             raise ask("what does 'it' stand for?")
         return self._same_it(recent[0].task)
+
+    def _walked_to_just_now(self) -> Nominal | None:
+        """The furniture that the task before walked to, where nothing else was named as a place since."""
+        if not self._commands or self._commands[-1].action != "walk_to" or not self._walks:
+            return None
+        last = self._walks[-1]
+        is_last = last.sort == "furniture" and not last.reference and self._places[-1:] == [last]
+        return last if is_last else None
 
     def _out_of(self, root: int) -> dict[str, Any]:
         """The slot of what "out" is out of where that is not said: the only container, if it is open."""

@@ -10,7 +10,7 @@ from executive.language.arrivals import STILL
 from executive.language.discourse import UnresolvedError, ask
 from executive.language.doubts import Doubts
 from executive.language.genders import may_be
-from executive.language.phrases import Draft, Nominal, Trouble
+from executive.language.phrases import Bundle, Draft, Nominal, Trouble
 from executive.language.scopes import UNCLEAR_ORDER
 from trees import tasks
 from trees.tasks import ObjectOf
@@ -108,6 +108,20 @@ class DoneAlready(Doubts):
         if {one.task for one in same} != {root} or thing.is_single != same[-1].of.is_single:
             return False
         return all(getattr(thing, name) in (None, getattr(same[-1].of, name)) for name in _TOLD)
+
+    def _is_given_just_now(self, bundle: Bundle) -> bool:
+        """Whether the task before gives the very thing to whom it is to be brought."""
+        first, *rest = bundle
+        last, root = self._did[-1] if self._did else (None, -1)
+        if last is None or last.action != "hand_over" or not first.get("fetched") or len(rest) != 1:
+            return False
+        same = [one.get("to") for one in (last, *rest)]
+        thing = first.get("object")
+        if rest[0].action != "hand_over" or same[0] != same[1] or first.get("source") is not None:
+            return False
+        if isinstance(thing, Nominal) and thing.reference == "it":
+            thing = self._it(thing, first.action)
+        return bool(thing == ObjectOf(root))
 
     def _let_go(self, root: int) -> ObjectOf:
         """What was put down or in, or given away, is let go of by then.

@@ -48,7 +48,7 @@ class Doubts(Destinations):
         elif one.action in PUTS_DOWN:
             self._doubt_putting(one, named, resolved, root)
         if one.get("there_are") and one.get("source") is None and (around := self._around(one)):
-            raise ask("only there, or in all that is in view?", [f"the {around[-1].kind}"])
+            raise ask("only there, or in all that is in view?", [f"the {around[-1].said or around[-1].kind}"])
         if one.get("tells") and not (self._commands and self._commands[-1].action in _TOLD):
             raise ask("what shall be told?")
         if one.get("again") and not self._was_opened(resolved):

@@ -22,6 +22,7 @@ EXAMPLES = (
     "close the drawer",
     "walk to the kitchen",
     "move forward 1 meter",
+    "move backward 1 meter",
     "turn left",
     "wave to Ana",
     "point at the bottle",
@@ -63,6 +64,7 @@ _FAMILIES: Mapping[str, Sequence[str]] = MappingProxyType(
 """Word classes of verbs by the first word of the examples that show them."""
 
 _FAMILY_OF = {name: family for family, names in _FAMILIES.items() for name in names}
+_HEADINGS = frozenset({"FORWARD", "BACKWARD"})
 _TAKES_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our", "this", "that", "of"})
 _LITTLE = frozenset({"the", "to", "on", "in", "me", "at", "with", "is", "up"})
 
@@ -77,8 +79,16 @@ def nearest_example(text: str, vocabulary: Vocabulary) -> str | None:
     if families is None:
         return None
     words = {word.rstrip("s") for word in said} - _LITTLE
+    heads = any(_heads(said, position, vocabulary) for position in range(len(said)))
+    if "move" in families and heads:
+        families = {"move"}  # "walk ahead", "drive backwards": not to a place
     fitting = [one for one in EXAMPLES if one.split()[0] in families]
     return max(fitting, key=lambda one: len(words & set(one.lower().split())) / (3 + len(one.split())))
+
+
+def _heads(said: Sequence[str], position: int, vocabulary: Vocabulary) -> bool:
+    """Whether a direction is said at a place: "ahead"."""
+    return any(reading.word_class in _HEADINGS for _, reading in vocabulary.matches(said, position))
 
 
 def is_verb(word_class: str) -> bool:

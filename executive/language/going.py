@@ -37,6 +37,8 @@ MAX_DURATION_S = 600.0
 _LINEAR = {"forward": FORWARD_M_S, "backward": -FORWARD_M_S}
 _ANGULAR = {"left": TURN_RAD_S, "right": -TURN_RAD_S}
 _UNITS = {"duration": "s", "distance": "m", "angle": "rad", "linear_speed": "m/s", "angular_speed": "rad/s"}
+NO_DIRECTION = "in which direction?"
+
 _LIMITS = {
     "duration": MAX_DURATION_S,
     "distance": MAX_DISTANCE_M,
@@ -238,11 +240,15 @@ def _go_somewhere(_parts: Parts) -> Clause:
 
 
 def _move(parts: Parts) -> Clause:
+    if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
+        raise unfit()  # "move a bit forward. 2 m"
     measures: dict[str, float] = {}
     for one in (part for part in parts if isinstance(part, Measure)):
         if one.of in measures:
             raise unfit()
         measures[one.of] = _bounded(one)
+    if words(parts, "A_LITTLE") and not {"distance", "duration", "angle"} & set(measures):
+        raise unfit()  # "a little bit forward at 0.2 m/s" does not say how far
     linear, angular = _direction(parts, measures)
     if "linear_speed" in measures:
         linear = math.copysign(measures["linear_speed"], linear)
@@ -296,7 +302,7 @@ def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, floa
     if not said and (verbs & _ADVANCES or ("distance" in measures and verbs & _WALKS)):
         said = ["forward"]
     if not said:
-        raise trouble("to the left or to the right?" if turns else "in which direction?", asks=True)
+        raise trouble("to the left or to the right?" if turns else NO_DIRECTION, asks=True)
     return (0.0, _ANGULAR[said[0]]) if turns else (_LINEAR[said[0]], 0.0)
 
 

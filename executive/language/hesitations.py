@@ -16,6 +16,9 @@ _GOES_ON = frozenset({"SEP", "AND"})
 _UNITS = frozenset({"TIME", "LENGTH", "ANGLE", "LINEAR_SPEED", "ANGULAR_SPEED"})
 _ENDS_CLAUSE = frozenset({"SEP", "AFTER", "BEFORE"})
 
+SET_OFF = "set_off"
+"""Meaning of those hesitations that say something elsewhere: "do it well"."""
+
 Classes = Sequence[AbstractSet[str]]
 
 
@@ -48,6 +51,21 @@ def says_nothing(start: int, end: int, pieces: Sequence[Piece], begins: Classes,
     somebody = not _PEOPLE.isdisjoint(begins[noun]) or not _PEOPLE.isdisjoint(follows)
     received = bool(_PEOPLE & ends[before])
     return received and not somebody and not _NAMES_A_THING.isdisjoint(follows)
+
+
+def is_set_off(start: int, end: int, pieces: Sequence[Piece], ends: Classes) -> bool:
+    """Whether marks or a connective part a hesitation from what it could describe: "and then, well, put it".
+
+    Args:
+        start: Where it begins.
+        end: Where it ends.
+        pieces: Of the sentence.
+        ends: Word classes that end at each place.
+    """
+    if start == 0 or end >= len(pieces):
+        return False
+    joined = not _GOES_ON.isdisjoint(ends[start])
+    return (joined or pieces[start - 1].text == ",") and (joined or pieces[end].text == ",")
 
 
 def _is_first_place(before: int, begins: Classes, pieces: Sequence[Piece]) -> bool:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from executive.language.addresses import is_whole
 from executive.language.begun_twice import without_beginnings
 from executive.language.contracted import uncontracted
-from executive.language.hesitations import says_nothing
+from executive.language.hesitations import SET_OFF, is_set_off, says_nothing
 from executive.language.titles import titled_names
 from executive.language.tokens import Piece
 from executive.vocabulary import Vocabulary
@@ -163,6 +163,8 @@ class Lattice:
             return self._nothing_said[word.start]
         if word.word_class != "HESITATION":
             return False
+        if word.meaning == SET_OFF and not is_set_off(word.start, word.end, self.pieces, self._ended):
+            return self._nothing_said[word.start]
         before = word.start - 1
         while before >= 0 and self.pieces[before].is_mark:
             before -= 1

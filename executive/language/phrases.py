@@ -287,6 +287,7 @@ class Clause:
         topic: Whether it begins with its thing, which after "and" or a comma may be one more of what
             precedes: "pick up the cup and the bottle, put it on the shelf".
         you: What it is if "you" stands before it: see ``told``.
+        begun: Whether it is said to be the "first", the "last" or the "next" one: "begin by opening it".
         placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
     """
 
@@ -302,6 +303,7 @@ class Clause:
     question: bool = False
     topic: bool = False
     you: str = ""
+    begun: str = ""
     placed: bool = False
 
 

@@ -130,6 +130,13 @@ def _part_turn(parts: Parts) -> Measure:
     return Measure("angle", float(turn.meaning), turn.said)
 
 
+def _said_again(parts: Parts) -> Measure | None:
+    """A little bit, like half a meter: as much as is said then."""
+    commas = all(mark.meaning == "," for mark in words(parts, "PAUSE"))
+    measure: Measure = parts[-1]
+    return measure if commas and measure.of in ("distance", "duration", "angle") else None
+
+
 def _paces(parts: Parts) -> Trouble:
     (pace,) = words(parts, "PACES")
     return Trouble(f"{pace.said!r}: how long one is cannot be told; say it in metres", pace.said)
@@ -155,5 +162,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "angle_of_pi": _angle_of_pi,
         "part_turn": _part_turn,
         "paces": _paces,
+        "said_again": _said_again,
     }
 )

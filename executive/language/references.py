@@ -42,7 +42,7 @@ _TYPES: dict[str, Any] = {
 }
 _ASIDE = frozenset(
     {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in"}
-    | {"done", "condition", "late", "lifts", "reaches", "reports"}
+    | {"done", "condition", "late", "lifts", "reaches", "reports", "one_of"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 
@@ -143,6 +143,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             yield (first.replacing("object", ObjectOf(root)), *rest)
 
     def _bundle(self, bundle: Bundle, text: str) -> None:
+        if self._is_given_just_now(bundle):
+            return  # "give me the cup and bring it to me"
         last: Any = None
         for each in self._ranked_alike(bundle):
             one = each
@@ -181,6 +183,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
 
     def _task(self, one: Draft, text: str) -> ObjectOf:
         """Make a command of a draft, unless it is done already; returns what it is done to."""
+        if one.get("one_of") is not None:  # "find the cups", which only counting them makes clear
+            raise UnresolvedError(Trouble(one.get("one_of"), asks=True, rivals=True))
         if one.get("done") and (before := self._ordered_before(one)) is not None:
             return before
         named, resolved = self._object_of(one)

@@ -37,8 +37,11 @@ _LEADS_TO_DOING = frozenset({"to", "should", "will", "must", "can", "may", "shal
 _SHORT = 4
 """Letters of a name in which another letter makes another name."""
 
-_DECIDING = frozenset({"HARM", "THROW"})
+_DECIDING = frozenset({"HARM", "THROW", "HELPS_BODY", "ASKS_WHO", "PART_OF"})
 """Word classes that explain a refusal better than the place that broke the parse, when nothing else does."""
+
+_ONLY_PRAISED = frozenset({"PRAISED"})
+"""Word classes of which a sentence is that asks for nothing, when nothing else explains it."""
 
 _BEFORE_A_CLAUSE = frozenset({"and", "then", ",", ".", ";"})
 
@@ -87,6 +90,7 @@ class Explainer:
         found = found or no_skill
         if found is None or self._is_link(found):
             found = reason_at(lattice, position) or found
+        found = found or (self._refused(lattice, chart, only=_ONLY_PRAISED) if ended else None)
         if found is None and ended:
             return self._incomplete(lattice, chart)
         if found is not None:

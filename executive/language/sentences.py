@@ -28,6 +28,7 @@ from executive.language import (
     two_verbs,
 )
 from executive.language.arrivals import as_done, at_last, done_by_then
+from executive.language.begun_by import begun_by, in_base_form
 from executive.language.brief_tasks import takes_a_moment
 from executive.language.fronted import fronted
 from executive.language.lattice import Word
@@ -270,6 +271,10 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
         for part in parts
         if isinstance(part, (Clause, Group, Further))
     ]
+    begun = in_base_form(said)
+    if isinstance(begun, Trouble):
+        return begun
+    said = begun
     told = told_or_done(one.part for one in said if isinstance(one.part, Clause))
     if told is not None:
         return told if isinstance(told, Trouble) else None
@@ -384,6 +389,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "clause": _clause,
         "you_do": _you_do,
         "briefly": _briefly,
+        "begun_by": begun_by,
         "clause_with_hand": _clause_with_hand,
         "fronted": fronted,
         "there_first": _there_first,

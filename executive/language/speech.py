@@ -47,6 +47,11 @@ _ATTACHED = re.compile(
 )
 """Words that may begin what is to be done around the saying, instead of belonging to what is said."""
 
+_LOOPED = re.compile(
+    r"(?:,\s*)?\b(?P<loop>(?:every|each) time|whenever|every \w+|until|repeatedly|forever)\b"
+)
+"""What is to be done again and again, behind what is said once: "hello every time somebody comes in"."""
+
 _STATED = re.compile(
     r"\w[\w' ]*? (?:is|are|was|were|has|have|had|will|can|could|should|must|may|might|am|do|does|did|needs?"
     r"|love|want|said)\b|(?:i|we|they|he|she|it|that|there|here|what|let)'(?:s|re|m|ll|ve|d)\b"
@@ -122,6 +127,9 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if that and lowered.startswith("you"):
         raise unfit()
+    looped = _LOOPED.search(lowered)
+    if looped is not None and not that and _is_greeting(text[: looped.start()]):
+        raise trouble(f"a loop ({looped['loop']!r}) cannot be honoured; say each task once", looped["loop"])
     if _tells_whom(lowered, that=that):
         raise trouble(UNQUOTED, asks=True)
     if (
@@ -189,8 +197,10 @@ def _say_to_each(parts: Parts) -> Clause:
 
 def _say_to(parts: Parts) -> Clause:
     person = next(part for part in parts if isinstance(part, Nominal))
-    if not is_them(person) and (not person.is_person or person.plural):
+    if not is_them(person) and not person.is_person:
         raise unfit()
+    if person.plural and not person.reference:
+        raise trouble("several people at once: name one, or say it to everyone", person.kind)
     told = words(parts, "TELL")
     if told and person.sort == "me":
         raise unfit()

@@ -101,6 +101,18 @@ def _mention_lost(parts: Parts) -> Clause:
     return Clause((), "base", mention=Mention(nominal, one.source), about=people)
 
 
+def _mention_wanted(parts: Parts) -> Clause:
+    """A statement that a thing is needed, which "bring it to me" follows up."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    (one,) = arranged((item,))
+    nominal = one.object
+    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
+        raise unfit()
+    if nominal.sort != "thing" or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    return _named(nominal, one.source)
+
+
 def _mention_state(parts: Parts) -> Clause:
     """A statement that something is open or closed, of which only the opposite can be asked."""
     (item,) = (part for part in parts if isinstance(part, Item))
@@ -197,6 +209,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention_how": _mention_how,
     "mention_lost": _mention_lost,
     "mention_state": _mention_state,
+    "mention_wanted": _mention_wanted,
     "reason": _reason,
     "reason_after": _reason,
     "located_after": _located_after,
