@@ -7,13 +7,14 @@ whole statements are taken; everything else is asked about.
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import ME, clause, guarded, trouble, unfit
+from executive.language.arranging import ME, TroubleError, clause, guarded, trouble, unfit
 from executive.language.discourse import is_them
 from executive.language.lattice import TIME, Word
 from executive.language.lists import Joined
@@ -200,6 +201,8 @@ def _say_to(parts: Parts) -> Clause:
     if not is_them(person) and not person.is_person:
         raise unfit()
     if person.plural and not person.reference:
+        with contextlib.suppress(TroubleError):
+            _speech(parts)  # "tell the students to be quiet" holds no words to say
         raise trouble("several people at once: name one, or say it to everyone", person.kind)
     told = words(parts, "TELL")
     if told and person.sort == "me":
