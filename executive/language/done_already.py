@@ -123,6 +123,29 @@ class DoneAlready(Doubts):
             thing = self._it(thing, first.action)
         return bool(thing == ObjectOf(root))
 
+    def _was_put_there(self, action: str, slots: Mapping[str, Any], root: int) -> bool:
+        """Whether a task before put it where it is to go; otherwise that is noted."""
+        if action not in ("place", "put_in"):
+            return False
+        goal = (action, slots.get("on"), slots.get("to"))
+        before = self._placed.get(root)
+        if before is not None and root not in self._held and goal in (before, ("place", None, None)):
+            return True
+        self._placed[root] = goal
+        return False
+
+    def _take_back(self, root: int) -> None:
+        """Leave out a hand-over that nobody asked for: "bring the blanket and put it on the bed".
+
+        Raises:
+            UnresolvedError: It was asked for, so that the thing is given away by now.
+        """
+        if self._unsaid_giving != (len(self._commands) - 1, root):
+            raise ask("it is given away by then: shall it be taken back first?")
+        self._commands.pop()
+        self._given.discard(root)
+        self._held.append(root)
+
     def _let_go(self, root: int) -> ObjectOf:
         """What was put down or in, or given away, is let go of by then.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -223,18 +223,6 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         self._did.append((one, root))
         return ObjectOf(root)
 
-    def _take_back(self, root: int) -> None:
-        """Leave out a hand-over that nobody asked for: "bring the blanket and put it on the bed".
-
-        Raises:
-            UnresolvedError: It was asked for, so that the thing is given away by now.
-        """
-        if self._unsaid_giving != (len(self._commands) - 1, root):
-            raise ask("it is given away by then: shall it be taken back first?")
-        self._commands.pop()
-        self._given.discard(root)
-        self._held.append(root)
-
     def _object_of(self, one: Draft) -> tuple[Nominal | None, Any]:
         """The thing of a task: what was named anew, if it was, and the value of the slot."""
         thing = one.get("object")
@@ -323,17 +311,6 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             self._put_to = (self._clause, value)
         self._not_at_itself(goal, root)
         return goal
-
-    def _was_put_there(self, action: str, slots: Mapping[str, Any], root: int) -> bool:
-        """Whether a task before put it where it is to go; otherwise that is noted."""
-        if action not in ("place", "put_in"):
-            return False
-        goal = (action, slots.get("on"), slots.get("to"))
-        before = self._placed.get(root)
-        if before is not None and root not in self._held and goal in (before, ("place", None, None)):
-            return True
-        self._placed[root] = goal
-        return False
 
     def _note_object(self, named: Nominal | None, resolved: Any) -> None:
         """Remember what the next command acts on."""
