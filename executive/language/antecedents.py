@@ -8,12 +8,11 @@ from typing import Any
 
 from executive.language.discourse import Entity, ask
 from executive.language.phrases import Nominal
-from executive.language.repeated_nouns import RepeatedNouns
+from executive.language.repeated_nouns import PUTS_DOWN, RepeatedNouns
 from trees.tasks import ObjectOf
 
 _OPENED = ("container", "door")
 _COUNTED = ("first", "second", "third", "fourth", "fifth", "last")
-PUTS_DOWN = ("place", "put_in", "hand_over")
 _CONTRASTED = ("color", "size", "material", "ordinal")
 _MOVES = ("pick", *PUTS_DOWN)
 

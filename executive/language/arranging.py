@@ -171,10 +171,22 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]
     for where in after:
         if where.role == "from":
+            _doubt_whose_source(item.of, goal.of, where)
             before.append(where)
         else:
             goal = _told(goal, where)
     return replace(_at(result, before, has_source=has_source), goal=goal)
+
+
+def _doubt_whose_source(thing: Nominal, goal: Nominal, where: Where) -> None:
+    """Ask which of two comes from somewhere: "put the apple in the bowl from the fridge".
+
+    Raises:
+        TroubleError: It may be either.
+    """
+    if goal.sort == "thing" and goal.reference is None and where.of.kind is not None:
+        named = f"the {thing.kind or 'thing'} or the {goal.kind}"
+        raise trouble(f"which is from the {where.of.kind}, {named}?", asks=True)
 
 
 def _is_there(where: Where) -> Where:

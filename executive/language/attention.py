@@ -146,11 +146,29 @@ def _look_around(_parts: Parts) -> Clause:
     raise trouble("what shall be looked at?", asks=True)
 
 
+def _no_postures(parts: Parts, action: str) -> None:
+    """Refuse to count people, or to look for somebody, by how they are in a room or on the floor.
+
+    Raises:
+        TroubleError: It is said; on a sofa they sit, and next to a door they are, however it is.
+    """
+    items = [item for part in parts if isinstance(part, Items) for item in part.each]
+    items += [part for part in parts if isinstance(part, Item)]
+    loose = [part for part in parts if isinstance(part, Where)]
+    for item in items:
+        for where in (*item.details, *(loose if item is items[-1] else ())):
+            told = isinstance(where, Where) and where.posture and item.of.is_person
+            if told and (where.of.sort == "room" or where.of.kind == "floor"):
+                posture = where.posture
+                raise trouble(f"to {action} people by how they are ({posture!r}) is no skill yet", posture)
+
+
 def _asked(
     parts: Parts, action: str, source: Nominal | None = None, *, existing: bool = False
 ) -> list[Bundle]:
     """What is asked about; ``existing`` is whether there is any such thing, be it one or several."""
     bundles: list[Bundle] = []
+    _no_postures(parts, action)
     for one in map(found_there, arranged(parts)):
         nominal, one_of = one.object, None
         if (

@@ -54,6 +54,8 @@ class Destinations(Antecedents):
             raise ask("what does 'it' stand for?")
         if recent[0].task in self._held or recent[0].is_several:
             raise ask("what does 'it' stand for?")
+        if recent[0].task in self._given:
+            raise ask(f"the {recent[0].of.kind or 'one'} is given away by then: shall it be put there?")
         return self._same_it(recent[0].task)
 
     def _walked_to_just_now(self) -> Nominal | None:
@@ -95,7 +97,12 @@ class Destinations(Antecedents):
     def _counted_in(self, named: Nominal) -> dict[str, Any]:
         """The slot of where things are counted right after the only container that stands open was opened."""
         opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
-        if len(opened) != 1 or named.sort not in ("thing", "any") or named.relation is not None:
+        if (
+            self._said_first
+            or len(opened) != 1
+            or named.sort not in ("thing", "any")
+            or named.relation is not None
+        ):
             return {}
         since = {one.action for one in self._commands[opened[0] + 1 :]}
         inside = [one for one in self._entities if one.task == opened[0] and one.of.sort == "container"]

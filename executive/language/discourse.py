@@ -70,6 +70,7 @@ class Discourse:
         self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._said_before: tuple[Nominal, ...] = ()
+        self._said_first = False
         self._clause = 0
         self._remembers = False
 

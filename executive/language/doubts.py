@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from executive.language.antecedents import PUTS_DOWN
 from executive.language.destinations import Destinations
 from executive.language.discourse import UnresolvedError, ask
 from executive.language.phrases import Draft, Nominal, Relative, Trouble
+from executive.language.repeated_nouns import PUTS_DOWN
 from trees import tasks
 from trees.tasks import ObjectOf
 

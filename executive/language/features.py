@@ -42,6 +42,8 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
     for part in parts:
         if not isinstance(nominal, Nominal):
             return nominal
+        if isinstance(part, Feature) and part.said == "little" and nominal.mass and not nominal.paired:
+            return Trouble("how much of it ('little') cannot be chosen", "little")
         if isinstance(part, Feature):
             nominal = nominal.described(part)
         elif isinstance(part, Relative):
@@ -115,7 +117,7 @@ def feature_of(word: Any) -> Feature | Relative | None:
         return Feature("ordinal", _SIDES[word.meaning])
     if word.word_class == "NEAREST":
         return Relative("nearest", ROBOT)
-    return Feature(_SLOTS[word.word_class], word.meaning)
+    return Feature(_SLOTS[word.word_class], word.meaning, word.said)
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -76,11 +76,15 @@ _LIFTS = frozenset({"lift", "lifting", "raise", "raising"})
 _REACHES = frozenset({"reach", "reaching"})
 """Verbs after which it may be said what the hand does there."""
 
+_GATHERS = frozenset({"gather", "gathering", "collect", "collecting"})
+"""Verbs after which "in" may say where things are, or where they are put together."""
+
 _FETCHES = frozenset({"grab", "go grab", "grabbing"})
 """Verbs that are "to fetch" as well, where it is said for whom."""
 
 
 def _pick(parts: Parts) -> Clause:
+    _gathers_where(parts)
     taken = any(word.said in _TAKES for word in words(parts, "PICK"))
     carried = [one for one in arranged(parts) if taken and one.goal is not None and one.object.reference]
     each = [one if one in carried else found_there(one) for one in arranged(parts)]
@@ -103,6 +107,25 @@ def _pick(parts: Parts) -> Clause:
     if any(word.said.startswith("hold") for word in words(parts, "PICK_UP", "PICK")):
         bundles = [(one.with_slot("holds", True),) for (one,) in bundles]
     return clause(parts, bundles)
+
+
+def _gathers_where(parts: Parts) -> None:
+    """Ask whether things are in a box, or are gathered there.
+
+    Raises:
+        TroubleError: It may be either.
+    """
+    if not any(word.said in _GATHERS for word in words(parts, "PICK_UP", "PICK")):
+        return
+    said = [one for part in parts if isinstance(part, Items) for item in part.each for one in item.details]
+    for one in (*parts, *said):
+        if (
+            isinstance(one, Where)
+            and (one.role, one.preposition) == ("either", "in")
+            and one.of.sort != "room"
+        ):
+            kind = one.of.kind or "that"
+            raise trouble(f"are they in the {kind}, or shall they be put there?", one.of.kind, asks=True)
 
 
 def _clear(parts: Parts) -> Clause:

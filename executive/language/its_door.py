@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from executive.language.discourse import Discourse, UnresolvedError, ask
 from executive.language.lists import another_of
-from executive.language.phrases import Nominal, Trouble
+from executive.language.phrases import Nominal, Relative, Trouble
 from trees import tasks
 from trees.tasks import ObjectOf
 
@@ -19,6 +20,9 @@ _WITH_A_DOOR = frozenset(
 """Containers of which "the door" may be said."""
 
 _DONE = {"open": "opened", "close": "closed"}
+_LEVELS = frozenset({"top", "bottom", "middle", "first", "second", "third"})
+"""How shelves above one another are told apart."""
+
 _LEAVES = frozenset({"walk_to", "move", "go_home"})
 """Tasks after which another door may be nearer."""
 
@@ -106,6 +110,16 @@ class ItsDoor(Discourse):
                     elif of.kind in _WITH_A_DOOR:
                         found[of] = index
         return found
+
+    def _shelf_of_what_is_open(self, place: Any) -> Any:
+        """The top shelf of the fridge that stands open: "open the fridge, put the milk on the top shelf"."""
+        if not isinstance(place, Nominal) or place.kind != "shelf" or place.relation is not None:
+            return place
+        standing = self._standing_open()
+        if place.ordinal not in _LEVELS or place.owner is not None or len(standing) != 1:
+            return place
+        ((container, since),) = standing.items()
+        return place if self._has_left(since) else replace(place, relation=Relative("in", container))
 
     def _was_closed(self, of: Nominal) -> bool:
         """Whether a task before closes it."""

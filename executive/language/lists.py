@@ -73,7 +73,17 @@ def _items(parts: Parts) -> Items | Trouble | None:
         )
         if unclear is not None:
             return unclear
-    return shared_adjective(each) or Items(_with_article(each))
+    return shared_adjective(each) or served_with(each) or Items(_with_article(each))
+
+
+def served_with(each: Iterable[Item]) -> Trouble | None:
+    """Coffee with milk and sugar: whether the sugar is in it is not said."""
+    for first, second in itertools.pairwise(each):
+        of = second.of
+        bare = of.is_plain and (of.mass or of.plural) and not (of.determined or of.counted or of.reference)
+        if first.of.laced and bare and not second.details:
+            return Trouble(f"with {of.said} too, or shall the {of.said} come by itself?", asks=True)
+    return None
 
 
 def _named_at_last(each: tuple[Item, ...], links: list[Joined]) -> tuple[tuple[Item, ...], list[Joined]]:

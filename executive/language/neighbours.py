@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Sequence
 
-from executive.language.phrases import Clause, Trouble
+from executive.language.phrases import Clause, Nominal, Trouble
 from executive.language.scopes import Further, Separator
+
+_IF = re.compile(r"(?:and |then |please |so )*if you can \w")
+"""How a courtesy begins that is a condition of what follows: "if you can find it, bring it to me"."""
+
+WITH_A_HAND = frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"})
+"""Tasks of which it can be said which hand does them."""
 
 
 def runs_together(said: Sequence[Further]) -> bool:
@@ -27,12 +34,26 @@ def unclear_among(said: Sequence[Further]) -> Trouble | None:
         first, second = before.part, after.part
         if not isinstance(first, Clause) or not isinstance(second, Clause):
             continue
+        if _IF.match(first.text.lower()):
+            return Trouble("a condition ('if') cannot be honoured; say what to do", "if")
+        joined = after.separator in (Separator.AND, Separator.COMMA)
+        if first.hand_first and joined and _may_use(second):
+            return Trouble("shall all of that be done with the same hand?", asks=True)
         goes_on = second.terse and is_endless(second) and not _moves(first)
         if goes_on or (first.terse and is_endless(first)):
             return Trouble("how far in that direction?", asks=True)  # "go home, backwards"
         if stops(second) and after.separator is Separator.COMMA and not _moves(first):
             return Trouble("shall it be stopped now, or when that is done?", asks=True)
     return None
+
+
+def _may_use(clause: Clause) -> bool:
+    """Whether a hand does it, nobody says which one, and it is not done to what is in the hand."""
+    first = clause.bundles[0][0] if clause.bundles else None
+    if first is None or first.action not in WITH_A_HAND or first.get("hand") is not None:
+        return False
+    thing = first.get("object")
+    return not isinstance(thing, Nominal) or thing.reference is None
 
 
 def _watches(clause: Clause) -> bool:

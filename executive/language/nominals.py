@@ -72,7 +72,8 @@ def _noun(parts: Parts) -> Nominal | None:
 def _filled(parts: Parts) -> Nominal | None:
     vessel, preposition, content = parts
     name = f"{vessel.meaning} {preposition.meaning} {content.said}"
-    return Nominal("thing", vessel.meaning, name=name, plural=vessel.word_class == "KINDS")
+    laced = preposition.said == "with"
+    return Nominal("thing", vessel.meaning, name=name, plural=vessel.word_class == "KINDS", laced=laced)
 
 
 def _door_of(parts: Parts) -> Nominal | None:

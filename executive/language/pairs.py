@@ -12,7 +12,7 @@ from executive.language.arranging import ME, Arranged, arranged, clause, guarded
 from executive.language.genders import may_be
 from executive.language.handling import given, handed, picked, recipient
 from executive.language.lattice import Word
-from executive.language.lists import is_told_beside, said_again, said_twice, shared_adjective
+from executive.language.lists import is_told_beside, said_again, said_twice, served_with, shared_adjective
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Nominal, Pair, Trouble
 
@@ -75,6 +75,7 @@ def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
     for _, items in each:
         if len(items) > 1:
             unclear = said_again(items[-2].of, items[-1].of, parts) or shared_adjective(items)
+            unclear = unclear or served_with(items)
             for first, second in itertools.pairwise(items):
                 before = parts.index(second)  # "me the cup, the red one and the bowl"
                 unclear = unclear or said_again(first.of, second.of, parts[before - 1 : before])

@@ -40,10 +40,11 @@ class Trouble:
 
 @dataclass(frozen=True, slots=True)
 class Feature:
-    """One adjective: which slot of a description it fills."""
+    """One adjective: which slot of a description it fills, and the word."""
 
     slot: str
     value: str
+    said: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +76,7 @@ class Nominal:
         indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
         owner: To whom it belongs, who may be meant by "her" after it.
+        laced: Whether it is said what it is served with: "coffee with milk".
     """
 
     sort: Sort
@@ -97,6 +99,7 @@ class Nominal:
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
     owner: Nominal | None = field(default=None, compare=False)
+    laced: bool = field(default=False, compare=False)
 
     def described(self, feature: Feature) -> Nominal | Trouble:
         """With one more feature; a contradiction is trouble."""
@@ -173,6 +176,7 @@ class Where:
         of: The place, or what the relation is to.
         atop: Whether it was said to be on top of it.
         left_by: Who left the thing there, who may be meant by "her" after it.
+        posture: The word that says how it is there: "sitting".
     """
 
     role: Role
@@ -181,6 +185,7 @@ class Where:
     relation: RelationKind | None = None
     atop: bool = False
     left_by: Nominal | None = None
+    posture: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,6 +294,8 @@ class Clause:
         you: What it is if "you" stands before it: see ``told``.
         begun: Whether it is said to be the "first", the "last" or the "next" one: "begin by opening it".
         placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
+        said_first: Whether it is said before what is done first: "before you wave, open the fridge".
+        hand_first: Whether it begins with the hand to use, which may be said of what follows it as well.
     """
 
     bundles: tuple[Bundle, ...]
@@ -305,6 +312,8 @@ class Clause:
     you: str = ""
     begun: str = ""
     placed: bool = False
+    hand_first: bool = False
+    said_first: bool = False
 
 
 def draft(action: str, **slots: Any) -> Draft:

@@ -31,6 +31,10 @@ _FLAT = frozenset(
     {"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "tablecloth", "rug"}
 )
 """Things that other things stand on."""
+_POSTURES = frozenset(
+    {*("sitting", "standing", "lying", "sits", "stands", "lies"), *("sit", "stand", "lie", "seated")}
+)
+"""Words that say how somebody is somewhere, which of a thing say nothing."""
 _KIND = {"NEXT_TO": "next_to", "NEAREST_TO": "nearest"}
 
 
@@ -49,9 +53,14 @@ def _place(role: Role, preposition: Preposition) -> Meaning:
         if nominal.sort == "animal":
             return _at_an_animal(nominal)
         atop = any("top" in word.said.split() for word in words(parts, "ON"))
-        return Where(role, nominal, preposition, atop=atop, left_by=_left_by(parts))
+        return Where(role, nominal, preposition, atop=atop, left_by=_left_by(parts), posture=_posture(parts))
 
     return meaning
+
+
+def _posture(parts: Parts) -> str:
+    said = [one for word in words(parts, "REL_IS") for one in word.said.split()]
+    return next((one for one in said if one in _POSTURES), "")
 
 
 def _at_an_animal(nominal: Nominal) -> Trouble:

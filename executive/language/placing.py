@@ -94,6 +94,8 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
         return draft("place", **slots, on=of)
     if of.sort in ("container", "room"):
         return draft("place", **slots, to=of)
+    if of.sort == "thing" and goal.preposition == "to" and of.is_single:
+        raise trouble(f"into the {of.kind}, onto it or next to it?", asks=True)
     raise unfit()
 
 

@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from executive.language.antecedents import PUTS_DOWN
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
 from executive.language.done_already import DoneAlready
 from executive.language.handled_thing import PREVIOUS
 from executive.language.its_door import ItsDoor
 from executive.language.phrases import SEATS, Bundle, Clause, Draft, Nominal, Relative, Trouble
 from executive.language.ranked import Ranked
+from executive.language.repeated_nouns import PUTS_DOWN
 from executive.language.stated_things import StatedThings
 from executive.meaning import Command, StopCommand
 from trees import tasks
@@ -93,7 +93,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             if clause.mention is not None and self._mention is not None:
                 raise ask("which of them is meant?")
             self._mention = clause.mention or self._mention
-            self._said_before = clause.said_before
+            self._said_before, self._said_first = clause.said_before, clause.said_first
             for named in (*clause.about, *clause.said_before):
                 self._name_place(named)
             for bundle in clause.bundles:
@@ -233,7 +233,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         if thing.reference:
             meant = self._it(thing, one.action, one.get("source"))
             return (meant, self._description(meant)) if isinstance(meant, Nominal) else (None, meant)
-        before = self._still_there(one, thing, self._that(thing))
+        before = self._still_there(one, thing, self._that(thing)) or self._put_down_so(one, thing)
         if isinstance(before, ObjectOf):
             return None, before
         thing = self._door_of_what(before or thing, one.action)
@@ -286,15 +286,18 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         self._people = [replace(one, relation=relation) if one == person else one for one in self._people]
 
     def _source(self, value: Any, root: int) -> Any:
-        place = self._only_place(value, root) if value.reference == "there" else self._as_before(value)
+        place = self._only_place(value, root) if value.reference == "there" else self._inside_or_before(value)
         self._sources[root] = place
         source = self._place(place, root)
         if not isinstance(source, ObjectOf):
             self._name_place(place)
         return source
 
+    def _inside_or_before(self, place: Any) -> Any:
+        return self._shelf_of_what_is_open(self._as_before(place))
+
     def _goal(self, action: str, said: Any, root: int) -> Any:
-        value = self._as_before(said)
+        value = self._inside_or_before(said)
         if value is not said and value == self._sources.get(root):
             raise ask(f"the same {value.kind}, or another one?")  # "from the big table ... on the table"
         if action == "walk_to":

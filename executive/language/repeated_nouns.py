@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from executive.language.discourse import Discourse, ask
 from executive.language.phrases import Draft, Nominal
 from trees.tasks import ObjectOf
 
+PUTS_DOWN = ("place", "put_in", "hand_over")
 _TOLD = ("color", "size", "material", "ordinal", "name", "relation")
 
 
@@ -111,6 +113,18 @@ class RepeatedNouns(Discourse):
         before = None if thing.reference or thing.is_place else self._told_before(thing)
         before = self._still_there(one, thing, before)
         return before if isinstance(before, ObjectOf) else None
+
+    def _put_down_so(self, one: Draft, thing: Nominal) -> ObjectOf | None:
+        """What is put down and was picked up in the same words: by then another one is on the left."""
+        if one.action not in PUTS_DOWN or thing.is_plain or thing.indefinite or one.get("source") is not None:
+            return None
+        said = self._same_kind(thing)
+        held = {
+            each.task
+            for each in self._entities
+            if each.task in self._held and each.of == replace(said, anaphoric=each.of.anaphoric)
+        }
+        return ObjectOf(held.pop()) if len(held) == 1 else None
 
     def _not_at_itself(self, goal: Any, root: int) -> None:
         """Ask when what is held goes to where a noun says that it is itself: "the red box ... in the box".

@@ -32,7 +32,7 @@ from executive.language.begun_by import begun_by, in_base_form
 from executive.language.brief_tasks import takes_a_moment
 from executive.language.fronted import fronted
 from executive.language.lattice import Word
-from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
+from executive.language.neighbours import WITH_A_HAND, is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Hand, Meaning, Nominal, Trouble, Where
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
@@ -105,6 +105,8 @@ def _clause(parts: Parts) -> Clause | None:
             command = replace(command, placed=True)
         if slot is not None:  # "take the cup with the right, wave", "... from the table, wave": of which?
             command = replace(command, terse=True)
+        if isinstance(part, Hand):
+            command = replace(command, hand_first=True)
         if slot is not None:
             changed = _with_slot(command, *slot)
             if changed is None:
@@ -174,7 +176,7 @@ def _ordinal_step(parts: Parts) -> _Numbered | None:
 
 
 _TAKES = {
-    "hand": frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"}),
+    "hand": WITH_A_HAND,
     "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
 }
 
@@ -227,6 +229,7 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
             others = tuple(done_by_then(clause) for clause in others)
         if scope == "before_first":
             main = _said_after(main, others)
+            others = tuple(replace(clause, said_first=True) for clause in others)
         if scope == "before_last" and _takes_out(main):
             main = _said_after(main, others)  # "take the pen out before closing the drawer"
         if scope == "after_last" and not but_first:

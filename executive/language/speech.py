@@ -77,6 +77,9 @@ _THAT = re.compile(r"(?P<before>[\w', ]*?),? that (?=[\w' ]+)")
 _THAT_TOO = re.compile(r"\b(?:and|but) (?:to )?\w+(?: and \w+)? that\b")
 """A second message for somebody else: "... and Ben that lunch is over"."""
 
+_ANOTHER_TOO = re.compile(r"\band (?:to )?\w+(?: and \w+)? (?:too|as well|also|likewise|the same)$")
+"""Somebody else who may be told it: "dinner is ready and Ben too"."""
+
 _SPEAKERS = frozenset({"i", "we", "he", "she", "they", "you", "it", "there", "this"})
 """Who "think that" or "know that", in words to say."""
 
@@ -150,7 +153,7 @@ def _tells_whom(lowered: str, *, that: bool) -> bool:
     begins = None if that else _THAT.match(lowered)
     before = begins["before"] if begins is not None else ""
     told = bool(before) and before.split()[0] not in _SPEAKERS and not _STATED.match(f"{before} ")
-    return told or bool(_THAT_TOO.search(lowered))
+    return told or bool(_THAT_TOO.search(lowered) or _ANOTHER_TOO.search(lowered))
 
 
 def _words(parts: Parts) -> Word:

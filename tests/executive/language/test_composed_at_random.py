@@ -39,7 +39,8 @@ DOING = {
 }
 LEANS = re.compile(
     r"\b(it|its|them|they|there|back|here|one|ones|other|another|same|him|her|his|this|that|these|those|both|"
-    r"again|and|or|then|to|if|which|who|whose|not|now|first|second|third|once|after|before|say|all)\b(?! the)"
+    r"again|door|and|or|then|to|if|which|who|whose|not|now|first|second|third|once|after|before|say|all)"
+    r"\b(?! the)"
 )
 """Words that lean on what stands around them, or that a template would give another meaning."""
 

@@ -57,3 +57,9 @@ def test_another_one_stays_another_one(sentence):
 )
 def test_what_may_be_either_is_asked(sentence):
     assert parse(sentence).to_json()["outcome"] == "question"
+
+
+def test_what_was_on_the_left_is_put_down_though_another_one_is_by_then():
+    tasks = _tasks("take the cup on the left and the one on the right and put the left one in the sink")
+
+    assert tasks[2]["object"] == {"ref": 0}
