@@ -73,9 +73,9 @@ class Destinations(Antecedents):
             return {}
         opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
         if not opened:
-            if places[0] not in self._said_before:
+            if places[0] not in (*self._said_before, *self._stated):
                 return {}
-            self._sources[root] = places[0]  # "before you close the fridge, take out the milk"
+            self._sources[root] = places[0]  # "the dishwasher is full, take out the plates"
             return {"source": self._destination(places[0])}
         since = {one.action for one in self._commands[opened[-1] :]}
         inside = [one for one in self._entities if one.task in opened and one.of == places[0]]

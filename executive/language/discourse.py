@@ -71,6 +71,7 @@ class Discourse:
         self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._said_before: tuple[Nominal, ...] = ()
         self._said_first = False
+        self._stated: list[Nominal] = []
         self._clause = 0
         self._remembers = False
 
