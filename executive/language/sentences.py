@@ -158,7 +158,7 @@ def _goes(command: Clause) -> bool:
 def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
     """A command with a hand before it; a mere "right," may be no more than how one begins to speak."""
     side = words(parts, "LEFT_RIGHT")[0]
-    if not words(parts, "HAND", "DET", "USE") and side.said in ("left", "right"):
+    if not words(parts, "HAND", "USE") and side.said in ("left", "right"):
         return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
     joined = [part for part in parts if isinstance(part, Separator)]
     orders = any(word.said == "use" for word in words(parts, "USE"))
