@@ -100,9 +100,10 @@ def _attend(action: str) -> Callable[[Parts], Clause]:
                 raise unfit()
             nominal = target(Item(item.of, tuple(one for one in item.details if not isinstance(one, Hand))))
             slot = "person" if nominal.is_person else "to" if nominal.is_place else "object"
-            looks_in = nominal.sort == "container" and any(
-                _INTO & set(word.said.split()) for word in words(parts, "LOOK_AT")
-            )
+            looks_in = any(_INTO & set(word.said.split()) for word in words(parts, "LOOK_AT"))
+            if looks_in and nominal.anaphoric:
+                raise trouble("which one is meant?", asks=True)  # "take the pen, then look in the right one"
+            looks_in = looks_in and nominal.sort == "container"
             bundles.append((draft(action, **{slot: nominal}, hand=side, looks_in=looks_in or None),))
         return clause(parts, bundles)
 

@@ -17,6 +17,7 @@ _ADDRESSES = frozenset({"wave", "say", "look_at", "point_at"})
 """What is done to somebody who stays in front of the robot."""
 
 
+_TAKEN_OR_SEEN = frozenset({"count", "find", "pick", "hand_over"})
 _SEES = frozenset({"count", "find", "look_at", "describe"})
 """Tasks after which what was opened is still looked into."""
 
@@ -84,12 +85,16 @@ class Destinations(Antecedents):
         self._sources[root] = places[0]
         return {"source": ObjectOf(opened[0])}
 
-    def _seen_in(self, named: Nominal, root: int) -> dict[str, Any]:
-        """The slot of where a thing is right after a container was looked into."""
-        last = self._did[-1][0] if self._did else None
+    def _seen_in(self, named: Nominal, root: int, action: str) -> dict[str, Any]:
+        """The slot of where a thing is right after a container was looked into, if no hand has it."""
+        if action not in _TAKEN_OR_SEEN or (action == "hand_over" and self._held):
+            return {}
+        here = {one.task for one in self._entities if one.clause == self._clause}
+        before = [one for one, task in self._did if task not in here or one.get("source") is not None]
+        last = before[-1] if before else None  # "look in the fridge and bring me the milk and the juice"
         if last is None or not last.get("looks_in") or named.sort not in ("thing", "any"):
             return {}
-        if named.relation is not None:
+        if named.relation is not None or named.reference:
             return {}
         self._sources[root] = last.get("to")
         return {"source": self._destination(last.get("to"))}

@@ -204,8 +204,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         action, slots = self._slots(one, resolved, root)
         if one.get("out") and "source" not in slots and named is not None:
             slots.update(self._out_of(root))  # "open the fridge, take out the can"
-        if action in ("count", "pick", "find") and "source" not in slots and named is not None:
-            slots.update(self._seen_in(named, root))  # "look in the drawer and take the pen"
+        if "source" not in slots and named is not None:
+            slots.update(self._seen_in(named, root, action))  # "look in the drawer and take the pen"
         if action == "count" and "source" not in slots and named is not None:
             slots.update(self._counted_in(named))  # "open the fridge and tell me how many eggs are left"
         if self._was_put_there(action, slots, root):

@@ -104,8 +104,13 @@ def _is_greeting(text: str) -> bool:
     """Whether every word is a greeting, a number, or, after a greeting, a name."""
     said = re.findall(r"[\w']+", text)
     first, *rest = said or [""]
+    lowered_words = {one.lower() for one in said}
     known = first.lower() in _GREETINGS or first.isdecimal()
-    return known and all(one.lower() in _GREETINGS or one.isdecimal() or one[0].isupper() for one in rest)
+    return (
+        known
+        and lowered_words != {"and"}
+        and all(one.lower() in _GREETINGS or one.isdecimal() or one[0].isupper() for one in rest)
+    )
 
 
 def _speech(parts: Parts) -> str:
