@@ -137,10 +137,14 @@ def failure_lines(failure: Failure | None) -> list[str]:
 
 
 def result_line_of_all(results: Sequence[TaskResult]) -> str:
-    """The last line of several tasks, one after the other: all claims, or how the last one failed."""
-    if any(result.outcome != "done" for result in results):
+    """The last line of several tasks, one after the other: all claims, or how the last one failed.
+
+    What failed first and was done in the end after all is told as what it became.
+    """
+    if results[-1].outcome != "done":
         return result_line(results[-1])
-    return f"done: {'; then '.join(map(_claim, results))}{_times(results)}"
+    done = [result for result in results if result.outcome == "done"]
+    return f"done: {'; then '.join(map(_claim, done))}{_times(results)}"
 
 
 def _times(results: Sequence[TaskResult]) -> str:

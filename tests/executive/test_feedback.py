@@ -45,6 +45,18 @@ def test_several_tasks_are_told_in_order():
     assert line.endswith("; then at the home posture (10.0 s simulated, 3.9 s wall)")
 
 
+def test_what_was_done_after_all_is_told_as_what_it_became():
+    unseen = Failure.postcondition("no red cup seen", seen="table")
+    first = TaskResult("pick up the red cup", "pick", "failed", 1, unseen, {}, TIMES)
+    walked = TaskResult("come within reach of the red cup", "walk_to", "done", times=TIMES)
+
+    line = result_line_of_all([first, walked, PICKED])
+
+    assert line.startswith("done: ")
+    assert "red cup held in the left hand" in line
+    assert line.endswith("(25.2 s simulated, 8.7 s wall)")
+
+
 @pytest.mark.parametrize("action", ["find", "count", "describe"])
 def test_the_last_line_of_a_question_is_the_answer(action):
     evidence = {"said": "there are two cups", "count": 2}
