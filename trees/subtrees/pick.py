@@ -18,6 +18,7 @@ from trees.leaves.confirm_target import ConfirmTarget
 from trees.leaves.find_unseen import FindUnseenOnWay
 from trees.leaves.go_home import GoHome
 from trees.leaves.hand_for_it import HandForIt
+from trees.leaves.lift_wholly import LiftWholly
 from trees.leaves.look_at import LookAtTarget
 from trees.leaves.open_gripper import OpenGripper
 from trees.leaves.plan_pick import PlanPick
@@ -38,8 +39,16 @@ _LOOKS_ON_WAY = 3
 
 
 def pick(toolbox: Toolbox) -> Behaviour:
-    """The whole skill, unless it is held already. Reads "task" of the tree's namespace, writes "evidence"."""
-    root = _sequence("pick", HandForIt("a hand for it", toolbox), UnlessHeld(_fetched(toolbox)))
+    """The whole skill, unless it is held already. Reads "task" of the tree's namespace, writes "evidence".
+
+    What a cancelled pick has lifted a little is lifted wholly.
+    """
+    root = _sequence(
+        "pick",
+        HandForIt("a hand for it", toolbox),
+        UnlessHeld(_fetched(toolbox)),
+        LiftWholly("lift it wholly", toolbox),
+    )
     root.transparent = True
     return root
 

@@ -3,10 +3,12 @@
 import pytest
 
 from kinematics.place_requests import PlaceRequest
-from kinematics.requests import NoPlan
+from kinematics.requests import NoPlan, RetreatRequest
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.failures import FailureKind
+from trees.leaves.lift_wholly import LiftWholly
+from trees.origin import Origin
 from trees.tasks import ObjectDescription, PickTask, PlaceTask, Relation
 
 RED_CUP, BLUE_CUP = ObjectDescription("cup", "red"), ObjectDescription("cup", "blue")
@@ -154,3 +156,45 @@ def test_the_hand_that_was_named_is_not_exchanged(stage, right_hand_fails):
     assert tree.status == "failure"
     assert "it has to be the right hand" in tree.failure.message
     assert carried_by(stage, "red cup") == "right"
+
+
+def lifted_by(stage, rise_m, aside_m=0.0):
+    """Let the red cup have stood so far below and beside where the hand has it now."""
+    toolbox = stage.toolbox
+    body = toolbox.world.scene.attached["red cup"]
+    place = toolbox.model.frame_pose(stage.fake.sensing.state().q, body.frame) @ body.frame_T_object
+    place[:3, 3] -= (aside_m, 0.0, rise_m)
+    toolbox.world.taken_from = {"red cup": Origin("table", place)}
+
+
+@pytest.mark.requirement("S9", "F1")
+def test_what_a_cancelled_pick_has_hardly_lifted_is_not_picked_up_before_it_is_lifted(stage):
+    lifted_by(stage, 0.016)
+    asked = len(stage.fake.planning.requests)
+
+    tree = run(stage, PickTask("pick up the red cup", RED_CUP))
+
+    (lift,) = [one for one in stage.fake.planning.requests[asked:] if isinstance(one, RetreatRequest)]
+    assert lift.hand == "right"
+    assert lift.world_offset_m == pytest.approx((0.0, 0.0, stage.toolbox.policy.lift_m - 0.016), abs=1e-6)
+    assert lift.scene.is_allowed("red cup", "table")
+    assert tree.status == "success"
+
+
+def test_what_did_not_rise_is_not_claimed(stage, monkeypatch):
+    lifted_by(stage, 0.016)
+    monkeypatch.setattr(LiftWholly, "goal", lambda _leaf: None)
+
+    tree = run(stage, PickTask("pick up the red cup", RED_CUP))
+
+    assert tree.status == "failure"
+    assert "has not risen enough" in tree.failure.message
+
+
+@pytest.mark.parametrize(("rise_m", "aside_m"), [(0.13, 0.0), (0.016, 0.5)])
+def test_what_was_lifted_or_carried_away_stays_where_it_is(stage, rise_m, aside_m):
+    lifted_by(stage, rise_m, aside_m)
+    moved = len(stage.fake.motion.started)
+
+    assert run(stage, PickTask("pick up the red cup", RED_CUP)).status == "success"
+    assert len(stage.fake.motion.started) == moved
