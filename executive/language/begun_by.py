@@ -32,7 +32,7 @@ def in_base_form(said: Sequence[Further]) -> Trouble | list[Further]:
     if any(one.begun == "first" and one is not first[0] for one in clauses):
         return UNCLEAR_ORDER  # "take the cup. Begin by opening the fridge"
     if any(one.begun == "last" and one is not last[0] for one in clauses):
-        return UNCLEAR_ORDER
+        return replace(UNCLEAR_ORDER, rivals=True)  # "wave at the end and take the cup"
     found: list[Further] = []
     by = False
     for one in said:

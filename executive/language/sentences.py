@@ -25,7 +25,9 @@ from executive.language import (
     sharing,
     speech,
     statements,
+    turns,
     two_verbs,
+    waiting,
 )
 from executive.language.arrivals import as_done, at_last, done_by_then
 from executive.language.begun_by import begun_by, in_base_form
@@ -362,6 +364,29 @@ def _more_afterwards(parts: Parts) -> Further | None:
     return said if said.separator is Separator.STOP else replace(said, separator=Separator.THEN)
 
 
+def _more_at_last(parts: Parts) -> Further | None:
+    """With "at the end" behind what is done at the place where the robot then is, last of all commands.
+
+    What is taken or opened "at the end" may stand there: "go to the shelf and take the box at the end".
+    """
+    part = parts[1]
+    bundles = part.bundles
+    if (
+        part.form != "base"
+        or not bundles
+        or any(not _is_gesture(one) for bundle in bundles for one in bundle)
+    ):
+        return None
+    return _more_afterwards((parts[0], replace(part, begun="last"), parts[2]))
+
+
+def _is_gesture(one: Draft) -> bool:
+    """Whether it is done without going to or telling apart anything: it has no place of its own."""
+    waved_at = one.get("person")
+    plain = waved_at is None or (isinstance(waved_at, Nominal) and waved_at.sort in ("me", "name"))
+    return one.action in ("say", "go_home") or (one.action == "wave" and plain)
+
+
 def _separator(parts: Parts) -> Separator:
     return separator_of(parts)
 
@@ -385,6 +410,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **arrivals.MEANINGS,
         **chores.MEANINGS,
         **two_verbs.MEANINGS,
+        **turns.MEANINGS,
+        **waiting.MEANINGS,
         "nothing": _nothing,
         "list_number": _list_number,
         "step_number": _step_number,
@@ -405,6 +432,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "unseparated": _without_separator,
         "more": _more,
         "more_afterwards": _more_afterwards,
+        "more_at_last": _more_at_last,
         "doing_too": _doing_too,
         "done_first": _done_first,
         "separator": _separator,

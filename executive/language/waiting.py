@@ -1,0 +1,46 @@
+"""Waiting somewhere: "wait in the kitchen for ten seconds"."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from types import MappingProxyType
+
+from executive.language.arranging import guarded, trouble, unfit
+from executive.language.going import MEANINGS as GOING
+from executive.language.going import goal_of
+from executive.language.phrase_parts import Parts, words
+from executive.language.phrases import Clause, Meaning, Measure, Nominal, Relative, draft
+
+_LINGERS = "linger"
+"""Meaning of the verbs of waiting that take a place; nobody is to rest or to sleep there."""
+
+
+def _wait_at(parts: Parts) -> Clause:
+    """To walk there, though that may have been ordered before: it may have gone elsewhere since."""
+    if words(parts, "WAIT")[0].meaning.partition(":")[0] != _LINGERS:
+        raise unfit()
+    goal = next(part for part in parts if isinstance(part, (Nominal, Relative)))
+    measures = [part for part in parts if isinstance(part, Measure)]
+    if not measures:
+        raise trouble("for how long?", asks=True)
+    waits = GOING["wait"]((words(parts, "WAIT")[0], *measures))
+    if not isinstance(waits, Clause):
+        raise unfit()
+    return replace(waits, bundles=((draft("walk_to", to=goal),), *waits.bundles))
+
+
+def _waiting_at(parts: Parts) -> Nominal | Relative:
+    goal = goal_of(parts[-1])
+    if not isinstance(goal, Nominal):
+        raise unfit()
+    if words(parts, "IN") and (goal.sort != "room" or words(parts, "IN")[0].said not in ("in", "inside")):
+        raise unfit()
+    if not goal.is_place:
+        raise unfit()
+    return goal
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {"wait_at": guarded(_wait_at), "waiting_at": guarded(_waiting_at)}
+)
