@@ -20,7 +20,7 @@ from executive.language.grammar import Rule, load_rules
 from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
 from executive.language.markup import without_marks, without_quotation_marks
-from executive.language.phrases import Nominal, Trouble
+from executive.language.phrases import HARMS, Nominal, Trouble
 from executive.language.records import sentences_of_records
 from executive.language.references import Resolver, UnresolvedError
 from executive.language.refusals import EXAMPLES, Explainer, printable
@@ -34,7 +34,7 @@ from executive.language.tokens import MAX_LENGTH, MalformedTextError, lines_as_s
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.written import split_words
-from trees.tasks import ObjectDescription, SayTask
+from trees.tasks import ObjectDescription, ObjectOf, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
 
@@ -269,6 +269,8 @@ class CommandParser:
                     )
                     for one in understood
                 )
+            choices = tuple(dict.fromkeys(choices))
+            choices = choices if len(choices) > 1 else ()  # words alone cannot tell them apart
             return Parsed(
                 text, question=Question("this can be read in several ways; which is meant?", choices)
             )
@@ -280,10 +282,11 @@ class CommandParser:
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
 
 
-def _rank_of(trouble: Trouble) -> tuple[bool, bool, bool]:
+def _rank_of(trouble: Trouble) -> tuple[bool, bool, bool, bool]:
     """How well a trouble explains a sentence, the lowest best; any "go" can lack a direction."""
     no_more = trouble.message == NO_DIRECTION
-    return no_more, not trouble.asks, trouble != UNCLEAR_ORDER
+    harmless = not trouble.message.endswith(HARMS)
+    return harmless, no_more, not trouble.asks, trouble != UNCLEAR_ORDER
 
 
 def _asks_about_doing(lattice: Lattice) -> bool:
@@ -333,7 +336,7 @@ def _outcomes(
     """
     troubles: dict[Trouble, None] = {}
     asked: list[int] = []
-    understood: dict[str, tuple[tuple[int, int, int], tuple[Command, ...]]] = {}
+    understood: dict[str, tuple[tuple[int, ...], tuple[Command, ...]]] = {}
     for meaning in meanings:
         if isinstance(meaning, Trouble):
             troubles[meaning] = None
@@ -348,15 +351,16 @@ def _outcomes(
             if harm is not None:
                 return [harm]  # no other reading is worth the risk
             spoken = sum(len(one.words) for one in commands if isinstance(one, SayTask))
-            rank = (meaning.unseparated, spoken, len(commands))  # the last among those that are the same
-            key = repr([command_json(one) for one in commands])
+            refers = -str(commands).count(ObjectOf.__name__)  # as these two among those that are the same
+            rank = (meaning.unseparated, spoken, len(commands), refers)
+            key = repr([_as_first_named(one, commands) for one in commands])
             if key not in understood or rank < understood[key][0]:
                 understood[key] = (rank, commands)
     rival = next((one for one in troubles if one.rivals), None)
     if rival is not None and understood:
         return [rival]
     longer = any(one.message == UNQUOTED for one in troubles)
-    if (longer or len({spoken for (_, spoken, _), _ in understood.values()}) > 1) and any(
+    if (longer or len({spoken for (_, spoken, *_), _ in understood.values()}) > 1) and any(
         isinstance(one, SayTask) and is_command(one.words)
         for _, commands in understood.values()
         for one in commands
@@ -369,6 +373,19 @@ def _outcomes(
     return [one for one in likely if not any(_only_begins_with_more(one, other) for other in likely)] or list(
         troubles
     )
+
+
+def _as_first_named(command: Command, commands: Sequence[Command]) -> dict[str, Any]:
+    """A command as JSON where a place that was opened is told by its words: "in it" is "in the drawer"."""
+    told = command_json(command)
+    for slot in ("to", "on", "from"):
+        place = told.get(slot)
+        if isinstance(place, dict) and isinstance(place.get("ref"), int):
+            before = commands[place["ref"]]
+            if before.action in ("open", "close"):
+                named = command_json(before)["object"]
+                told[slot] = named["kind"] if set(named) == {"kind"} else named
+    return told
 
 
 def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]) -> bool:

@@ -155,6 +155,9 @@ class Antecedents(RepeatedNouns):
         singles = [one for one in same.values() if not one.is_several]
         if thing.ordinal == "other" and len(singles) > 1:
             raise ask("which one is meant?")  # of the red cup and the blue cup
+        held = [one for one in same.values() if one.is_several and one.task in self._held]
+        if thing.ordinal in _COUNTED and held:
+            raise ask("which of those in the hand is meant?")  # "take both cups, put the first one down"
         if not thing.anaphoric:
             return
         if kind is None and thing.ordinal == "other" and not thing.said:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
@@ -65,10 +65,18 @@ def _person(nominal: Nominal, doing: str) -> Nominal:
     return nominal
 
 
+def _each_somebody_else(items: Sequence[Item]) -> None:
+    """Ask who "her" is beside somebody who is named: "wave to Ana and her" is not about Ana twice."""
+    him = [item.of.reference in ("him", "them") for item in items]
+    if any(him) and any(item.of.is_person and not item.of.reference for item in items):
+        raise trouble("who is meant?", asks=True)
+
+
 def _wave(parts: Parts) -> Clause:
     each = [part for part in parts if isinstance(part, Items)]
     hand = _side(parts)
     bundles: list[Bundle] = []
+    _each_somebody_else(each[0].each if each else ())
     for item in each[0].each if each else ():
         side = next((one.side for one in item.details if isinstance(one, Hand)), hand)
         bare = Item(item.of, tuple(one for one in item.details if not isinstance(one, Hand)))
@@ -92,6 +100,7 @@ def _attend(action: str) -> Callable[[Parts], Clause]:
         hand = sides[0].meaning if sides else _side(parts)
         bundles: list[Bundle] = []
         (items,) = (part for part in parts if isinstance(part, Items))
+        _each_somebody_else(items.each)
         if any(word.said in _AIMS for word in words(parts, "POINT_AT")) and _is_aimed(items):
             raise unfit()
         for item in items.each:

@@ -8,15 +8,12 @@ from executive.language.phrases import Clause, Draft
 _TAKES_A_MOMENT = frozenset({"pick", "hand_over", "look_at", "point_at", "find", "count", "describe"})
 
 
-_GAZES = frozenset({"look_at", "point_at"})
-"""Tasks that may be kept up for the minute that is said: "look at the cup for a minute"."""
-
-
 def takes_a_moment(command: Clause, said: str) -> bool:
     """Whether a command is only said to be a short one: "come here for a sec".
 
     What is opened, held, moved or waited for a second has a duration, what is lent to somebody has one
-    too, and a walk "real quick" a speed.
+    too, and a walk "real quick" a speed. A minute is a duration of all but coming: "look at it for a
+    minute", "bring me the cup for a minute".
     """
     drafts = [one for bundle in command.bundles for one in bundle]
     return all(_is_brief(one, quick="quick" in said, minute="min" in said) for one in drafts)
@@ -25,8 +22,7 @@ def takes_a_moment(command: Clause, said: str) -> bool:
 def _is_brief(one: Draft, *, quick: bool, minute: bool) -> bool:
     if one.action == "walk_to":
         return one.get("to") == ME and not quick
-    if minute and one.action in _GAZES:
-        return False
-    if one.get("holds") or one.get("watches") or (one.action == "hand_over" and one.get("to") != ME):
+    lent = one.action == "hand_over" and one.get("to") != ME
+    if minute or lent or one.get("holds") or one.get("watches"):
         return False
     return one.action in _TAKES_A_MOMENT

@@ -47,6 +47,9 @@ class Destinations(Antecedents):
             opened = [one for one in recent if one.of.sort == "container"]
             if len(opened) == len(recent) and opened and not self._mentioned:
                 return self._destination(walked)  # "close the fridge, walk to the table, put the cup on it"
+        gone = bool(self._commands) and self._commands[-1].action in ("walk_to", "go_home")
+        if gone and not into and any(one.of.sort == "container" for one in recent):
+            raise ask("what does 'it' stand for?")  # "close the fridge, walk to the kitchen, put it on it"
         roots = [entity.of for entity in recent]
         others = [place for place in dict.fromkeys(places) if place not in roots]
         if len(recent) != 1 or others or self._mentioned:

@@ -123,14 +123,23 @@ class DoneAlready(Doubts):
             thing = self._it(thing, first.action)
         return bool(thing == ObjectOf(root))
 
-    def _was_put_there(self, action: str, slots: Mapping[str, Any], root: int) -> bool:
-        """Whether a task before put it where it is to go; otherwise that is noted."""
+    def _was_put_there(self, action: str, slots: Mapping[str, Any], root: int, *, stays: bool) -> bool:
+        """Whether a task before put it where it is to go; otherwise that is noted.
+
+        Raises:
+            UnresolvedError: It is said to be left, with ``stays``, where no task has put it.
+        """
         if action not in ("place", "put_in"):
             return False
         goal = (action, slots.get("on"), slots.get("to"))
         before = self._placed.get(root)
         if before is not None and root not in self._held and goal in (before, ("place", None, None)):
             return True
+        in_a_room = before is not None and before[:2] == ("place", None) and isinstance(before[2], str)
+        if (
+            stays and root not in self._held and not in_a_room
+        ):  # "put it on the shelf and leave it on the table"
+            raise ask("shall it be put there, or stay where it is?")
         self._placed[root] = goal
         return False
 

@@ -54,6 +54,22 @@ class Doubts(Destinations):
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
 
+    def _doubt_another(self) -> None:
+        """Ask where another one goes that is only taken, by the verb that took one somewhere.
+
+        Raises:
+            UnresolvedError: "Take the red cup to the kitchen. Take the blue one too."
+        """
+        for root in self._held:
+            took, put, takes = self._commands[root - 2 : root + 1] if root > 1 else (None, None, None)
+            if not isinstance(took, tasks.PickTask) or put is None or not isinstance(takes, tasks.PickTask):
+                continue
+            carried = put.action in PUTS_DOWN and put.text == took.text
+            verbs = {one.text.lower().partition(" ")[0] for one in (took, takes)}
+            kinds = {getattr(one.object, "kind", None) for one in (took, takes)}
+            if carried and len(verbs) == 1 and len(kinds) == 1:
+                raise ask("where shall it go?")
+
     def _doubt_pick(self, one: Draft, named: Nominal | None, root: int) -> None:
         if root in self._held:
             raise UnresolvedError(Trouble("what is named is in the hand already", None))

@@ -23,7 +23,7 @@ AGAIN = "again"
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_MANNERS = frozenset({(FILLER, MANNER), ("BRIEFLY", "hurry")})
+_MANNERS = frozenset({(FILLER, MANNER), ("OPENING", MANNER), ("BRIEFLY", "hurry")})
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
 _PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})

@@ -16,6 +16,9 @@ Preposition = Literal["on", "in", "at", "to"]
 Role = Literal["is", "from", "to", "either"]
 Quantity = Literal["duration", "distance", "angle", "linear_speed", "angular_speed"]
 
+HARMS = "could harm; this robot does not do that"
+"""How a refusal ends that explains a sentence better than any question about it."""
+
 _RELATION_KINDS: dict[str, RelationKind] = {kind: kind for kind in get_args(RelationKind)}
 
 

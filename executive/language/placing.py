@@ -13,6 +13,7 @@ from executive.language.lattice import Word
 from executive.language.lists import another_of
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
+    HARMS,
     Benefit,
     Bundle,
     Clause,
@@ -315,8 +316,11 @@ def _close_again(parts: Parts) -> Clause:
 
 
 def _push(parts: Parts) -> Clause:
-    arranged(parts)
     verb = words(parts, "PULL", "PUSH")[0].said
+    items = next(part for part in parts if isinstance(part, Items))
+    if any(item.of.is_person and item.of.sort != "me" for item in items.each):
+        raise trouble(f"{verb!r} {HARMS}", verb)
+    arranged(parts)
     raise trouble(f"pushing or pulling things ({verb!r}) is no skill of this robot yet", verb)
 
 

@@ -102,6 +102,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
                     self._bundle(each, clause.text)
         if self._mention is not None or not self._commands:
             raise UnresolvedError(Trouble("something is stated that no task follows from"))
+        self._doubt_another()
         return tuple(self._commands)
 
     def description(self, nominal: Nominal) -> Any:
@@ -139,6 +140,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             counts = {entity.task: entity.of.count for entity in recent}
             if list(counts.values()) not in ([1, 1], [2], ["both"]):
                 raise ask("which two are meant?")
+        if first.action == "find" and any(self._commands[root].action == "count" for root in roots):
+            raise ask("which of them shall be found?")  # "count the cups and find them"
         for root in roots:
             first, *rest = bundle
             yield (first.replacing("object", ObjectOf(root)), *rest)
@@ -151,6 +154,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             one = each
             if one.get("fetched"):
                 one, held = self._fetched(one)
+                if held is not None and held.task in self._given and one.get("source") is None:
+                    self._take_back(held.task)  # "give me the cup and bring it to Ana"
                 if held is not None and held.task in self._held and one.get("source") is None:
                     last = held
                     continue
@@ -208,7 +213,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             slots.update(self._seen_in(named, root, action))  # "look in the drawer and take the pen"
         if action == "count" and "source" not in slots and named is not None:
             slots.update(self._counted_in(named))  # "open the fridge and tell me how many eggs are left"
-        if self._was_put_there(action, slots, root):
+        if self._was_put_there(action, slots, root, stays=bool(one.get("stays"))):
             return ObjectOf(root)  # "carry it to the hall and leave it there"
         if isinstance(slots.get("object"), str):
             told = f"{slots['object']!r} is a person, and nothing to {action}"
@@ -237,6 +242,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         before = self._still_there(one, thing, self._that(thing)) or self._put_down_so(one, thing)
         if isinstance(before, ObjectOf):
             return None, before
+        self._not_what_is_filled(one, thing)
         thing = self._door_of_what(before or thing, one.action)
         if isinstance(thing, ObjectOf):
             return None, thing

@@ -126,6 +126,18 @@ class RepeatedNouns(Discourse):
         }
         return ObjectOf(held.pop()) if len(held) == 1 else None
 
+    def _not_what_is_filled(self, one: Draft, thing: Nominal) -> None:
+        """Ask which box is put down that another thing was just put into, in the same breath.
+
+        Raises:
+            UnresolvedError: "Put the ball in the red box and the box on the table."
+        """
+        if one.action not in PUTS_DOWN or not _may_be_said_again(thing):
+            return
+        here = [of for clause, of in (*self._named_in, *self._mentioned_in) if clause == self._clause]
+        if any(_says_more(of, thing) for of in here):
+            raise ask(f"which {thing.kind} is meant?")
+
     def _not_at_itself(self, goal: Any, root: int) -> None:
         """Ask when what is held goes to where a noun says that it is itself: "the red box ... in the box".
 
