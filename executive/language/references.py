@@ -134,6 +134,9 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
                 yield (replace(first, slots=slots).replacing("person", one), *bundle[1:])
             return
         roots = list(dict.fromkeys(entity.task for entity in recent))
+        if len(roots) == 1 and recent[0].of.is_single and first.action in PUTS_DOWN:
+            recent = self._all_in_the_hands()
+            roots = [entity.task for entity in recent]
         if not roots or (len(roots) == 1 and recent[0].of.is_single):
             raise ask("what does 'them' stand for?")
         if thing.said == "both":
@@ -145,6 +148,13 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         for root in roots:
             first, *rest = bundle
             yield (first.replacing("object", ObjectOf(root)), *rest)
+
+    def _all_in_the_hands(self) -> list[Entity]:
+        """All that was named, if each was taken by itself: "take the cup. Take the plate. Put them ..."."""
+        named = {one.task: one for one in self._entities if one.of.sort in ("thing", "any")}
+        alone = all(one.task in self._held and one.of.is_single for one in named.values())
+        alone = alone and len({one.clause for one in named.values()}) == len(named)
+        return list(named.values()) if alone and not self._mentioned and self._put_to is None else []
 
     def _bundle(self, bundle: Bundle, text: str) -> None:
         if self._is_given_just_now(bundle):
