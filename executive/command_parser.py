@@ -294,8 +294,9 @@ def _asks_about_doing(lattice: Lattice) -> bool:
     asks = lattice.plain.rstrip().endswith("?")
     if not asks:
         return False
-    said = (word for start in range(len(lattice.pieces)) for word in lattice.phrase(start))
+    said = [word for start in range(len(lattice.pieces)) for word in lattice.phrase(start)]
     states = any(word.word_class == "SHALL_GO" and lattice.ends_with(word.start, _THINGS) for word in said)
+    states = states or any(word.word_class == "GETS" for word in said)
     begins = {word.word_class for word in lattice.phrase(0)}
     states = states or ("YOU_DO" in begins and begins.isdisjoint(_ASK))  # "you take sugar?"
     return states or any(word.meaning.endswith(":ing") for word in lattice.phrase(0))

@@ -70,6 +70,13 @@ class Antecedents(RepeatedNouns):
             raise ask("which of them does 'it' stand for?")
         return ObjectOf(root)
 
+    def _all_in_the_hands(self) -> list[Entity]:
+        """All that was named, if each was taken by itself: "take the cup. Take the plate. Put them ..."."""
+        named = {one.task: one for one in self._entities if one.of.sort in ("thing", "any")}
+        alone = all(one.task in self._held and one.of.is_single for one in named.values())
+        alone = alone and len({one.clause for one in named.values()}) == len(named)
+        return list(named.values()) if alone and not self._mentioned and self._put_to is None else []
+
     def _no_animal(self, recent: Iterable[Entity]) -> None:
         """Ask when "it" may be an animal that was named no earlier than the things that it may be.
 

@@ -124,7 +124,29 @@ def _give_pairs(parts: Parts) -> Clause:
     return clause(parts, [given(one, person) for person, one in _pairs(parts)])
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {"bring_pairs": _bring_pairs, "give_pairs": _give_pairs}
+def _each_gets(parts: Parts) -> Clause:
+    """Mia gets the red cup and Ben the blue one: of one alone it may tell what she does."""
+    person = next(part for part in parts if isinstance(part, Nominal))
+    item = next(part for part in parts if isinstance(part, Item))
+    pairs = [part for part in parts if isinstance(part, Pair)]
+    first = _pair((person, item))
+    everyone = [one.person for one in (first, *pairs) if one is not None]
+    details = any(one.item.details for one in (first, *pairs) if one is not None)
+    if first is None or details or len(set(everyone)) < len(pairs) + 1 or any(map(_is_open, everyone)):
+        raise unfit()
+    return clause((), [given(one, whom) for whom, one in _pairs((first, *pairs))])
+
+
+def _is_open(person: Nominal) -> bool:
+    """Whether it is left to what was said before who is meant."""
+    return person.reference is not None or not person.is_single
+
+
+_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
+    "bring_pairs": _bring_pairs,
+    "give_pairs": _give_pairs,
+    "each_gets": _each_gets,
+}
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {

@@ -263,11 +263,12 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A thing that a statement names, and where it says that it is, or that it is open or closed."""
+    """A thing that a statement names, and where it says that it is, in which state, or for whom."""
 
     of: Nominal
     source: Nominal | None = None
     state: str | None = None
+    meant_for: Nominal | None = None
 
 
 Bundle = tuple[Draft, ...]

@@ -11,6 +11,7 @@ from executive.language.arranging import Arranged, arranged, clause, guarded, tr
 from executive.language.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.lattice import Word
 from executive.language.lists import another_of
+from executive.language.opposite_sides import with_the_middle
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     HARMS,
@@ -101,7 +102,7 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
 
 
 def _put(parts: Parts) -> Clause:
-    each = arranged(parts, goes=True)
+    each = with_the_middle(arranged(parts, goes=True))
     down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
     stays = any(word.said in _LEAVES for word in words(parts, "PUT"))
     bundles: list[Bundle] = []

@@ -149,13 +149,6 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             first, *rest = bundle
             yield (first.replacing("object", ObjectOf(root)), *rest)
 
-    def _all_in_the_hands(self) -> list[Entity]:
-        """All that was named, if each was taken by itself: "take the cup. Take the plate. Put them ..."."""
-        named = {one.task: one for one in self._entities if one.of.sort in ("thing", "any")}
-        alone = all(one.task in self._held and one.of.is_single for one in named.values())
-        alone = alone and len({one.clause for one in named.values()}) == len(named)
-        return list(named.values()) if alone and not self._mentioned and self._put_to is None else []
-
     def _bundle(self, bundle: Bundle, text: str) -> None:
         if self._is_given_just_now(bundle):
             return  # "give me the cup and bring it to me"

@@ -18,6 +18,14 @@ def _unrelated() -> UnresolvedError:
     return ask("what has the statement to do with the task?")
 
 
+def _goes_to(person: Nominal, one: Draft) -> bool:
+    """Whether a task hands nothing over, or to the one whom it was said to be for."""
+    to = one.get("to")
+    if one.action != "hand_over":
+        return True
+    return isinstance(to, Nominal) and (to == person or to.reference == "him")
+
+
 class StatedThings(Discourse):
     """Puts what a statement named in place of the first "it", "them" or "one" after it."""
 
@@ -34,6 +42,8 @@ class StatedThings(Discourse):
         thing = first.get("object")
         if stated.state is not None:
             return (self._made_opposite(first, stated), *rest)
+        if stated.meant_for is not None and not all(_goes_to(stated.meant_for, one) for one in bundle):
+            raise ask(f"is it for {stated.meant_for.kind}, or for whom?")
         if first.action in ("open", "close") and not stated.of.is_place and stated.of.sort != "door":
             raise _unrelated()
         takes_place = stated.source is None or first.action in _AT_A_PLACE

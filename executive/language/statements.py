@@ -113,6 +113,18 @@ def _mention_wanted(parts: Parts) -> Clause:
     return _named(nominal, one.source)
 
 
+def _mention_for(parts: Parts) -> Clause:
+    """A statement of who is to get a thing: "the red cup is for Mia, bring it to her"."""
+    of, person = (part for part in parts if isinstance(part, Nominal))
+    is_now = words(parts, "IS_AT")[0].said in ("is", "are") and words(parts, "FOR")[0].said == "for"
+    somebody = person.sort in ("name", "person") and person.is_single and not person.reference
+    if not is_now or not somebody or of.sort != "thing" or of.reference or of.anaphoric or not of.determined:
+        raise unfit()
+    told = _named(of)
+    stated = None if told.mention is None else replace(told.mention, meant_for=person)
+    return replace(told, mention=stated, about=(person,))
+
+
 def _mention_state(parts: Parts) -> Clause:
     """A statement that something is open or closed, of which only the opposite can be asked."""
     (item,) = (part for part in parts if isinstance(part, Item))
@@ -207,6 +219,7 @@ _PLACED = guarded(_placed)
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention": _mention,
     "mention_how": _mention_how,
+    "mention_for": _mention_for,
     "mention_lost": _mention_lost,
     "mention_state": _mention_state,
     "mention_wanted": _mention_wanted,
