@@ -77,6 +77,7 @@ class Errand:
         self._speaker = ""
         self._found: dict[int | None, str] = {}
         self._roams = False
+        self._unseen: TaskResult | None = None
 
     def steps(self) -> Steps:
         """Carry everything out; returns the results of the tasks that were begun."""
@@ -91,7 +92,9 @@ class Errand:
                 continue
             first = len(results) == begun + 1
             if not first or step.said is None or not self._may_be_elsewhere(step.command, results[-1]):
+                self._tell_of_what_was_said(step, results)
                 break
+            self._unseen = results[-1]
             steps = list(looked_for(self._commands, step.said, self._known(), bool(self._speaker)))
         return tuple(results)
 
@@ -136,6 +139,18 @@ class Errand:
         before_it = isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source)))
         self._roams = not before_it
         return self._roams
+
+    def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
+        """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""
+        first, last = self._unseen, results[-1]
+        if first is None or first.failure is None or step.said is not None:
+            return
+        if last.failure is None or not last.failure.is_unseen:
+            return
+        failure = replace(
+            first.failure, message=f"{first.failure.message}, nor elsewhere", cause=last.failure
+        )
+        results[-1] = replace(last, text=first.text, action=first.action, failure=failure)
 
     def _is_needless(self, step: Prepared) -> bool:
         """Whether what has been seen and done meanwhile makes a step superfluous."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from kinematics.gaze import gaze_joints
 from kinematics.robot_description import HANDS, Hand
+from kinematics.robot_model import RobotModel
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 from kinematics.support import support_of, top_m
@@ -26,6 +27,8 @@ _BESIDE_M = 0.12
 _DIRECTIONS = 6
 # A hand that is higher than this above a top passes over what stands on it.
 _TALL_M = 0.35
+# Of the trunk, to see what is below the picture of who stands upright.
+_LEANS_RAD = (0.3, 0.6)
 # A hand that goes less far than this stays where it is.
 _MOVED_M = 0.02
 
@@ -44,7 +47,7 @@ class UnseenPlaces:
 def unseen_on_way(toolbox: Toolbox, target: Target, reach: Step, hand: Hand) -> UnseenPlaces:
     """Places under the way of a hand where something could stand on the target's furniture unseen.
 
-    What the head alone cannot be turned to is left out: a strip along the near edge.
+    What no lean brings into the picture is left out.
 
     Args:
         toolbox: What was looked at.
@@ -84,20 +87,42 @@ def _way_of(toolbox: Toolbox, trajectory: Trajectory, hand: Hand) -> Array:
 
 
 def _unseen(toolbox: Toolbox, places: list[Array]) -> UnseenPlaces:
-    """Those of some places that no look has shown and the head can be turned to."""
+    """Those of some places that no look has shown and a look can, leaning over if need be."""
     policy, camera = toolbox.policy, toolbox.model.description.camera
     sight = SightOfTops(toolbox.world.glimpses, camera, policy.blocked_by_hand_m)
-    unseen = [place for place in places if not sight.shows(place) and in_reach_of_the_eyes(toolbox, place)]
+    unseen = [
+        place
+        for place in places
+        if not sight.shows(place)
+        and (in_reach_of_the_eyes(toolbox, place) or _in_reach_of_a_lean(toolbox, place))
+    ]
     return UnseenPlaces(np.array(unseen).reshape(-1, 3))
 
 
 def in_reach_of_the_eyes(toolbox: Toolbox, place: Array) -> bool:
     """Whether the head alone can be turned so that a place, shape (3,), is in the picture."""
+    return _in_reach(toolbox.model, toolbox.motion.reference(), place)
+
+
+def _in_reach_of_a_lean(toolbox: Toolbox, place: Array) -> bool:
+    """The same with the trunk: the near edge of a table is below the picture of who stands upright."""
     model, q = toolbox.model, toolbox.motion.reference()
+    lean = model.description.camera.lean_joint
+    if lean is None:
+        return False
+    for lean_rad in _LEANS_RAD:
+        q[7 + model.joint_index(lean)] = lean_rad
+        if _in_reach(model, q, place):
+            return True
+    return False
+
+
+def _in_reach(model: RobotModel, q: Array, place: Array) -> bool:
+    looking = q.copy()
     for joint, angle in gaze_joints(model, q, place).items():
-        q[7 + model.joint_index(joint)] = angle
+        looking[7 + model.joint_index(joint)] = angle
     camera = model.description.camera
-    return in_view(camera, model.frame_pose(q, camera.frame), place)
+    return in_view(camera, model.frame_pose(looking, camera.frame), place)
 
 
 def _about(way: Array, top: SceneObject) -> list[Array]:

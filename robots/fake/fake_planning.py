@@ -165,7 +165,7 @@ class FakePlanning:
             return NoPlan("every grasp was tried before", {"tried before": len(keys)})
         hand, label = left[0]
         gripper = self._model.description.grippers[hand]
-        at_grasp = self.reach(self._looking_at(request.q_start, place), hand, place)
+        at_grasp = self.reach(self._looking_at(self._upright(request.q_start), place), hand, place)
         world_T_tcp = self._model.frame_pose(at_grasp, gripper.tcp_frame)
         before = self.reach(at_grasp, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
         lifted = self.reach(at_grasp, hand, place + np.array([0.0, 0.0, request.lift_m]))
@@ -239,6 +239,12 @@ class FakePlanning:
         trajectory = answer.step.trajectory
         timed = replace(trajectory, t_s=self.motion_s * trajectory.t_s)
         return MovePlan(replace(answer.step, trajectory=timed))
+
+    def _upright(self, q: Array) -> Array:
+        """The same configuration with the trunk at home: a look may have leaned it."""
+        q, trunk = q.copy(), 7 + self._model.indices(self._model.description.groups.get("torso", ()))
+        q[trunk] = self._model.q_home[trunk]
+        return q
 
     def _looking_at(self, q: Array, place: Array) -> Array:
         """The same configuration with the head turned to a place."""

@@ -140,7 +140,7 @@ def test_the_main_job_is_done_and_proven_by_the_robots_own_sensors(executive, tm
 
 
 def test_an_object_that_is_not_there_is_a_failure_with_its_reason(executive):
-    result = executive("run", "pick up the yellow ball", "--quiet")
+    result = executive("run", "pick up the yellow ball on the table", "--quiet")
 
     assert result.exit_code == 1
     assert result.stdout.startswith("failed: could not pick up the yellow ball")

@@ -41,7 +41,7 @@ def test_it_is_what_was_spoken_of_before(said):
     [
         (["take the red cup", "put it back"], RED_CUP),
         (["take the red cup", "wave to Ana", "put it back where it was"], RED_CUP),
-        (["take the red cup", "put the cup back where you found it"], ObjectDescription("cup")),
+        (["take the red cup", "put the cup back where you found it"], RED_CUP),
         (["take the can", "put it back", "take the red cup", "put it back in its place"], RED_CUP),
     ],
 )

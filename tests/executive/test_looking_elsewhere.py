@@ -84,11 +84,16 @@ def test_who_speaks_is_found_before_the_robot_goes_away():
     assert notes.went_to[-1] == "Ana"
 
 
-def test_it_is_looked_for_once():
-    notes = Notes(unseen("bottle"), unseen("bottle"))
+def test_it_is_looked_for_once_and_told_as_what_was_asked_for():
+    notes = Notes(unseen("bottle"), unseen("thing"))
 
-    assert carried_out(notes, "pick up the bottle") == ["failed", "failed"]
+    first, last = drive(ErrandHere(notes, parse("pick up the bottle").commands).steps(), Nobody(), notes)
+
     assert notes.told == ["pick up the bottle", "come within reach of the bottle"]
+    assert (first.outcome, last.outcome) == ("failed", "failed")
+    assert (last.text, last.action) == ("pick up the bottle", "pick")
+    assert last.failure.message == "no bottle seen, nor elsewhere"
+    assert last.failure.cause.message == "no thing seen"
 
 
 class ErrandBeforeTheTable(ErrandHere):
