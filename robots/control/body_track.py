@@ -138,7 +138,7 @@ class BodyTrack:
             if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
                 self._sampler, self._playing_out = sampler, True
                 return
-            if profile is None or profile.is_late(self._period_s):
+            if profile is None or profile.steps or profile.is_late(self._period_s):
                 profile = self._stop_promptly(sampler, profile)
         self._start(profile or self._stop_at_once(sampler))
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.braking import brake_along, brake_joints, brake_standing, keeps_limits
+from kinematics.braking import brake_along, brake_joints, brake_standing, keeps_jerk, keeps_limits
 from kinematics.free_coordinates import free_coordinates
 from kinematics.prompt_brake import brake_promptly
 from kinematics.robot_model import RobotModel
@@ -30,11 +30,20 @@ _STRAY_RAD = 1e-3
 
 
 class StopProfile:
-    """The rows of a stop, one a control period."""
+    """The rows of a stop, one a control period.
 
-    def __init__(self, rows: MotionSample) -> None:
-        """Take the rows: arrays with one row a period, the last at rest."""
-        self._rows = rows
+    Attributes:
+        steps: Whether the setpoints leave a jerk limit, for want of a brake that does not.
+    """
+
+    def __init__(self, rows: MotionSample, steps: bool = False) -> None:
+        """Take the rows.
+
+        Args:
+            rows: Arrays with one row a period, the last at rest.
+            steps: Whether the setpoints leave a jerk limit where the path's own acceleration steps.
+        """
+        self._rows, self.steps = rows, steps
 
     def __len__(self) -> int:
         """How many periods it takes."""
@@ -59,7 +68,12 @@ class StopProfile:
             None when nothing within the limits ends before the trajectory itself does.
         """
         rows = brake_along(model, stance, sampler, t_s, period_s)
-        return None if rows is None else cls(_resting_on_the_stance(model, stance, rows, period_s))
+        if rows is None:
+            return None
+        before, here = sampler.at(max(t_s - period_s, 0.0)), sampler.at(t_s)
+        told = np.vstack([before.v, here.v, rows.v])[:, 6:]
+        steps = not keeps_jerk(told, model.jerk, period_s)
+        return cls(_resting_on_the_stance(model, stance, rows, period_s), steps)
 
     @classmethod
     def promptly_along_path(

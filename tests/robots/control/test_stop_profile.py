@@ -17,6 +17,8 @@ from tests.kinematics.swings import swing
 PERIOD_S = 0.002
 BEHIND_RAD = 1e-6
 """By so much at least a motion that is braked is behind where it would have been after 20 ms."""
+STEPPING_S = 0.31
+"""Here an even brake is soon enough, and its setpoints leave a jerk limit."""
 GATHERING_S = 0.43
 """Here the motion below gathers speed as hard as it may."""
 
@@ -26,8 +28,8 @@ def stance(talos):
     return stance_at(talos, talos.q_home)
 
 
-@pytest.fixture(scope="module")
-def sampler(talos, stance):
+@pytest.fixture(scope="module", name="corner")
+def corner_fixture(talos, stance):
     """An arm and the trunk, around a corner."""
     space, rng = free_coordinates(talos, stance), np.random.default_rng(3)
     start = space.from_q(talos.q_home)
@@ -38,7 +40,12 @@ def sampler(talos, stance):
     moved = np.abs(goal - start) > 1e-9
     corner = 0.5 * (start + goal) + rng.uniform(-0.15, 0.15, len(goal)) * moved
     curve = RoundedPolyline(np.stack([start, corner, goal]), space.weights, 0.3)
-    return TrajectorySampler(time_in_balance(talos, space, stance, curve, Pace(0.8, 1.0)))
+    return time_in_balance(talos, space, stance, curve, Pace(0.8, 1.0))
+
+
+@pytest.fixture(scope="module")
+def sampler(corner):
+    return TrajectorySampler(corner)
 
 
 def rows_of(profile):
@@ -128,14 +135,14 @@ def test_a_fast_swing_can_be_stopped_soon_at_every_instant(talos, stance, swing)
         assert len(braked(talos, stance, swing, t_s)) * PERIOD_S <= 0.45, t_s
 
 
-def stopped_at_once(talos, stance, trajectory, t_s):
+def stopped(talos, stance, trajectory, t_s, along_path):
     """Speeds of the setpoints from one period before a stop until it rests, one row a period."""
     track = BodyTrack(talos, stance, trajectory.q[0], PERIOD_S)
     track.play(trajectory)
     speeds = [track.now.v]
     while len(speeds) * PERIOD_S <= t_s or not track.resting:
         if len(speeds) == round(t_s / PERIOD_S):
-            track.brake(along_path=False)
+            track.brake(along_path)
         track.propose()
         track.commit()
         speeds.append(track.now.v)
@@ -143,12 +150,24 @@ def stopped_at_once(talos, stance, trajectory, t_s):
 
 
 @pytest.mark.requirement("S4")
-def test_a_stop_at_once_keeps_the_jerk_that_the_setpoints_show(talos, stance, swing):
+@pytest.mark.parametrize("along_path", [True, False])
+def test_a_stop_keeps_the_jerk_that_the_setpoints_show(talos, stance, swing, along_path):
     # A trajectory's acceleration steps at its samples, and a stop may begin right after such a step.
-    for t_s in np.arange(0.05, swing.t_s[-1], 0.03):
-        v = stopped_at_once(talos, stance, swing, t_s)[:, 6:]
+    for t_s in np.arange(0.05, swing.t_s[-1], 0.02):
+        v = stopped(talos, stance, swing, t_s, along_path)[:, 6:]
         jerk = np.diff(v, 2, axis=0) / PERIOD_S**2
         assert (np.abs(jerk) <= talos.jerk * (1.0 + SETPOINT_FRACTION)).all(), t_s
+
+
+@pytest.mark.requirement("S4")
+def test_where_the_even_brake_steps_a_prompt_one_that_does_not_is_taken(talos, stance, corner, sampler):
+    even = StopProfile.along_path(talos, stance, sampler, STEPPING_S, PERIOD_S)
+    assert even.steps
+    assert not even.is_late(PERIOD_S)
+
+    v = stopped(talos, stance, corner, STEPPING_S, along_path=True)[:, 6:]
+
+    assert (np.abs(np.diff(v, 2, axis=0)) <= talos.jerk * (1.0 + SETPOINT_FRACTION) * PERIOD_S**2).all()
 
 
 @pytest.mark.requirement("S4")
