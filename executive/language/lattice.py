@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 
-from executive.language.addresses import is_whole
+from executive.language.addresses import BESIDE, is_beside, is_whole
 from executive.language.begun_twice import without_beginnings
 from executive.language.contracted import uncontracted
+from executive.language.courtesies import is_condition
 from executive.language.hesitations import SET_OFF, is_set_off, says_nothing
 from executive.language.titles import titled_names
 from executive.language.tokens import Piece
@@ -163,6 +164,8 @@ class Lattice:
             return self._is_address(word)
         if word.said.startswith(_MAY_BE_CONDITIONS) and self._goes_on_behind(word):
             return False  # "bring me the cup if you can find it"
+        if is_condition(word.said, "".join(texts[word.end : word.end + 1])):
+            return False
         if word.word_class == FILLER:
             return "SAY" not in self._ended[word.start] and not (
                 word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
@@ -194,6 +197,15 @@ class Lattice:
 
     def _is_address(self, word: Word) -> bool:
         """Whether the robot is addressed: at first, beside a mark, or at the end behind what is whole."""
+        if word.meaning == BESIDE and not self._nothing_said[word.start]:
+            return is_beside(
+                word.start,
+                word.end,
+                self.pieces,
+                self._begins,
+                self._ended,
+                sentence_ends=self.ends[word.end],
+            )
         if self._nothing_said[word.start] or self.pieces[word.start - 1].is_mark:
             return True
         return self.ends[word.end] and is_whole(self._ended[word.start], word.meaning)
@@ -291,7 +303,7 @@ class Lattice:
 
     def _is_last_word(self, word: Word) -> bool:
         """Whether it addresses somebody at the end, where it may as well be one of the words to say."""
-        begins = word.start == 0 or self.pieces[word.start - 1].is_mark
+        begins = word.start == 0 or (word.meaning != BESIDE and self.pieces[word.start - 1].is_mark)
         return word.word_class == "ADDRESSED" and not begins and not self._nothing_said[word.start]
 
     def _hesitates_before_comma(self, word: Word) -> bool:

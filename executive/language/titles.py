@@ -1,4 +1,4 @@
-"""Names with a title before them: "Mr. Schmidt", "Dr. Chen", "aunt Rosa"."""
+"""Names with a title or a relation before them: "Mr. Schmidt", "aunt Rosa", "my friend Yusuf"."""
 
 from __future__ import annotations
 
@@ -32,6 +32,8 @@ def titled_names(
     """
     texts = [piece.text if not piece.quoted else "" for piece in pieces]
     for start in range(len(pieces)):
+        if texts[start] in _MINE:
+            yield from _related(pieces, texts, plain, begins, start, vocabulary)
         if begins[start].isdisjoint({"TITLE", "KIN_TITLE"}) or (start and texts[start - 1] in _ARTICLES):
             continue
         for length, reading in vocabulary.matches(texts, start):
@@ -49,6 +51,27 @@ def titled_names(
             called = " ".join([reading.meaning, *(one.removesuffix(_OF).capitalize() for one in said)])
             first = start - 1 if start and texts[start - 1] in _MINE and not formal else start
             yield first, end, "OWNER" if owns else "NAME", called
+
+
+def _related(
+    pieces: Sequence[Piece],
+    texts: Sequence[str],
+    plain: str,
+    begins: Sequence[AbstractSet[str]],
+    start: int,
+    vocabulary: Vocabulary,
+) -> Iterator[Found]:
+    """The name of somebody of whom it is said before it whose friend or relative it is: "my friend Yusuf"."""
+    if start + 2 >= len(pieces) or "KIN_TITLE" in begins[start + 1]:
+        return  # "my aunt Rosa" keeps her title
+    told = start > 0 and "TELL" in begins[start - 1]
+    for length, reading in vocabulary.matches(texts, start + 1):
+        name = start + 1 + length
+        known = name < len(pieces) and begins[name] == {"NAME"} and plain[pieces[name].start].isupper()
+        if told and not (name + 1 < len(pieces) and (texts[name + 1] == "that" or pieces[name + 1].quoted)):
+            continue  # "tell my friend Ben has come"
+        if reading.word_class == "PERSON" and known:
+            yield start, name + 1, "NAME", texts[name].capitalize()
 
 
 def _end_of_name(
