@@ -51,6 +51,7 @@ _THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"}
 _ASK = frozenset({"OPENING", "THERE_IS"})
 """What begins with "you" and asks for something, or states where it is: "you could", "you see"."""
 
+_HANDLED = frozenset({"pick", "place", "put_in", "hand_over", "open", "close"})
 _SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
@@ -390,6 +391,10 @@ def _as_first_named(command: Command, commands: Sequence[Command]) -> dict[str, 
 
 
 def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]) -> bool:
-    """Whether a reading makes a task of what is a courtesy or a statement in another: "come and take it"."""
-    ends = [one.action for one in longer[-len(shorter) :]]
-    return len(longer) > len(shorter) and ends == [one.action for one in shorter]
+    """Whether a reading makes a task of what is a courtesy or a statement in another: "come and take it".
+
+    What is handled in one reading and left out in another is no courtesy: "the orange and the orange ball".
+    """
+    more, ends = longer[: -len(shorter)], [one.action for one in longer[-len(shorter) :]]
+    handled = any(one.action in _HANDLED for one in more)
+    return len(longer) > len(shorter) and ends == [one.action for one in shorter] and not handled
