@@ -17,8 +17,9 @@ AT_ONCE_S = 0.3
 
 
 @pytest.fixture
-def stage(stage_with):
-    """Two cups, the red one in the right hand."""
+def stage(stage_with, monkeypatch):
+    """Two cups, the red one in the right hand; no look leans, for the fake arm takes a cup however it comes."""
+    monkeypatch.setattr(hand_ways, "_LEANS_RAD", ())
     stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.45, 0.2)))
     assert stage.play(stage.pick()).evidence["hand"] == "right"
     return stage
@@ -142,10 +143,7 @@ def right_hand_fails(stage, monkeypatch):
 BESIDE_BLUE = ObjectDescription(relation=Relation("left_of", BLUE_CUP))
 
 
-def test_what_one_hand_cannot_bring_there_is_taken_by_the_other(stage, right_hand_fails, monkeypatch):
-    # a look that leans would leave the fake arm, which takes things in whatever orientation, with a tilted cup
-    monkeypatch.setattr(hand_ways, "_LEANS_RAD", ())
-
+def test_what_one_hand_cannot_bring_there_is_taken_by_the_other(stage, right_hand_fails):
     tree = run(stage, PlaceTask("put it left of the blue cup", RED_CUP, to=BESIDE_BLUE))
 
     assert tree.status == "success"
