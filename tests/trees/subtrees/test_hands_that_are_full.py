@@ -18,7 +18,7 @@ AT_ONCE_S = 0.3
 
 @pytest.fixture
 def stage(stage_with, monkeypatch):
-    """Two cups, the red one in the right hand; no look leans, for the fake arm takes a cup however it comes."""
+    """Two cups, the red one in the right hand; no look leans: the fake arm takes a cup however it comes."""
     monkeypatch.setattr(hand_ways, "_LEANS_RAD", ())
     stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.45, 0.2)))
     assert stage.play(stage.pick()).evidence["hand"] == "right"
