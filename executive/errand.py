@@ -76,7 +76,6 @@ class Errand:
         self._acted_on: list[tuple[str, ...]] = []
         self._speaker = ""
         self._found: dict[int | None, str] = {}
-        self._roams = False
         self._unseen: TaskResult | None = None
 
     def steps(self) -> Steps:
@@ -129,16 +128,19 @@ class Errand:
 
         Not where the robot roams anyhow, nor what has been seen, nor what is not where it was said to be.
         """
-        if self._roams or not self._walks() or not isinstance(command, Bringing) or command.count != 1:
+        if (
+            self._unseen is not None
+            or not self._walks()
+            or not isinstance(command, Bringing)
+            or command.count != 1
+        ):
             return False
         known = self._known()
         unseen = result.outcome == "failed" and result.failure is not None and result.failure.is_unseen
         if not unseen or result.attempts > 1 or known.rooms or known.is_away:
             return False
         source = command.source
-        before_it = isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source)))
-        self._roams = not before_it
-        return self._roams
+        return not (isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source))))
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""

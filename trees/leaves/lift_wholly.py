@@ -9,6 +9,7 @@ from py_trees.common import Status
 from kinematics.requests import RetreatRequest
 from trees.contract import Contract
 from trees.failures import Failure
+from trees.held import held_objects
 from trees.leaf import DONE
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
@@ -19,9 +20,12 @@ _STILL_THERE_M = 0.15
 
 
 class LiftWholly(PlannedMotionLeaf):
-    """Straight up for the rest of a lift, while the object is above where it was taken; else no motion."""
+    """Straight up for the rest of a lift, while the object is above where it was taken; else no motion.
 
-    INPUT_PORTS = ports(target=Target)
+    What this task itself picked up was lifted, and its lift was verified.
+    """
+
+    INPUT_PORTS = ports(in_hand=bool, target=Target)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the object is an attached body",
@@ -40,16 +44,14 @@ class LiftWholly(PlannedMotionLeaf):
         rise_m = self._rise_m()
         if rise_m is None or rise_m >= toolbox.policy.lifted_min_m:
             return None
-        frames = toolbox.model.description.tcp_frames
-        frame = toolbox.world.scene.attached[target.name].frame
-        hand = next(side for side, name in frames.items() if name == frame)
+        held = next(one for one in held_objects(toolbox) if one.name == target.name)
         support = toolbox.world.taken_from[target.name].support
         pair = (min(target.name, support), max(target.name, support))
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene.allowing([pair]),
-            hand=hand,
+            hand=held.hand,
             world_offset_m=(0.0, 0.0, toolbox.policy.lift_m - rise_m),
         )
 
@@ -66,6 +68,8 @@ class LiftWholly(PlannedMotionLeaf):
 
     def _rise_m(self) -> float | None:
         """How high it is above where it stood; None when it is somewhere else, or that is not known."""
+        if not self.get_input("in_hand"):
+            return None
         toolbox, name = self.toolbox, self.get_input("target").name
         body = toolbox.world.scene.attached.get(name)
         origin = toolbox.world.taken_from.get(name)

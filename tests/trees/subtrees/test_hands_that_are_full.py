@@ -200,3 +200,19 @@ def test_what_was_lifted_or_carried_away_stays_where_it_is(stage, rise_m, aside_
 
     assert run(stage, PickTask("pick up the red cup", RED_CUP)).status == "success"
     assert len(stage.fake.motion.started) == moved
+
+
+def test_a_pick_that_was_verified_is_not_lifted_once_more(stage_with, monkeypatch):
+    stage = stage_with(table(), cup())
+    note_taken = stage.toolbox.world.note_taken
+
+    def higher(name, origin):
+        """It stood upright when it was first taken, and lay when it was taken again."""
+        place = origin.odom_T_object.copy()
+        place[2, 3] += 0.05
+        note_taken(name, Origin(origin.support, place))
+
+    monkeypatch.setattr(stage.toolbox.world, "note_taken", higher)
+
+    assert stage.play(stage.pick()).status == "success"
+    assert not [one for one in stage.fake.planning.requests if isinstance(one, RetreatRequest)]
