@@ -20,6 +20,7 @@ from executive.language.grammar import Rule, load_rules
 from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
 from executive.language.markup import without_marks, without_quotation_marks
+from executive.language.meanings import MEANINGS as SENTENCES
 from executive.language.phrases import HARMS, Nominal, Trouble
 from executive.language.records import sentences_of_records
 from executive.language.references import Resolver, UnresolvedError
@@ -27,7 +28,6 @@ from executive.language.refusals import EXAMPLES, Explainer, printable
 from executive.language.scopes import UNCLEAR_ORDER
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.sentences import MEANINGS as SENTENCES
 from executive.language.sentences import Sentence
 from executive.language.speech import UNQUOTED
 from executive.language.tokens import MAX_LENGTH, MalformedTextError, lines_as_sentences, normalise, pieces_of

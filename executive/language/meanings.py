@@ -1,0 +1,65 @@
+"""What every rule of the grammar of sentences means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from executive.language import (
+    amounts,
+    arrivals,
+    attention,
+    before_command,
+    chores,
+    counted_apart,
+    features,
+    going,
+    handling,
+    lists,
+    nominals,
+    one_after_another,
+    pairs,
+    places,
+    placing,
+    quantities,
+    sentences,
+    sharing,
+    speech,
+    statements,
+    turns,
+    two_verbs,
+    waiting,
+)
+from executive.language.begun_by import begun_by
+from executive.language.fronted import fronted
+from executive.language.phrases import Meaning
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {
+        **amounts.MEANINGS,
+        **arrivals.MEANINGS,
+        **attention.MEANINGS,
+        **before_command.MEANINGS,
+        **chores.MEANINGS,
+        **counted_apart.MEANINGS,
+        **features.MEANINGS,
+        **going.MEANINGS,
+        **handling.MEANINGS,
+        **lists.MEANINGS,
+        **nominals.MEANINGS,
+        **one_after_another.MEANINGS,
+        **pairs.MEANINGS,
+        **places.MEANINGS,
+        **placing.MEANINGS,
+        **quantities.MEANINGS,
+        **sentences.MEANINGS,
+        **sharing.MEANINGS,
+        **speech.MEANINGS,
+        **statements.MEANINGS,
+        **turns.MEANINGS,
+        **two_verbs.MEANINGS,
+        **waiting.MEANINGS,
+        "begun_by": begun_by,
+        "fronted": fronted,
+    }
+)
