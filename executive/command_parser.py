@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -15,30 +15,23 @@ from executive.language.chart import Chart, TooTangledError
 from executive.language.contrasted_answers import contrasted_answer
 from executive.language.contrasts import Reader, contrasted
 from executive.language.corrections import corrected
-from executive.language.going import NO_DIRECTION
 from executive.language.grammar import Rule, load_rules
-from executive.language.hazards import harm_in
 from executive.language.lattice import Lattice
 from executive.language.markup import without_marks, without_quotation_marks
 from executive.language.meanings import MEANINGS as SENTENCES
-from executive.language.phrases import HARMS, Nominal, Trouble
+from executive.language.outcomes import Outcome, explains_best, outcomes_of
+from executive.language.phrases import Nominal, Trouble
 from executive.language.records import sentences_of_records
-from executive.language.references import Resolver, UnresolvedError
 from executive.language.refusals import EXAMPLES, Explainer, printable
-from executive.language.scopes import UNCLEAR_ORDER
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.sentences import Sentence
-from executive.language.speech import UNQUOTED
 from executive.language.tokens import MAX_LENGTH, MalformedTextError, lines_as_sentences, normalise, pieces_of
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.written import split_words
-from trees.tasks import ObjectDescription, ObjectOf, SayTask
+from trees.tasks import ObjectDescription, SayTask
 
 __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
-
-Outcome = tuple[Command, ...] | Trouble
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
@@ -51,7 +44,6 @@ _THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"}
 _ASK = frozenset({"OPENING", "THERE_IS"})
 """What begins with "you" and asks for something, or states where it is: "you could", "you see"."""
 
-_HANDLED = frozenset({"pick", "place", "put_in", "hand_over", "open", "close"})
 _SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
@@ -169,7 +161,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
         chart = self._chart(lattice)
         try:
-            outcomes = _outcomes(chart.meanings(), self._people_in, self._is_valid, remembers)
+            outcomes = outcomes_of(chart.meanings(), self._people_in, self._is_valid, remembers)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
@@ -211,7 +203,7 @@ class CommandParser:
     def _is_valid(self, text: str) -> bool:
         """Whether a sentence makes tasks; unlike ``parse`` it explains nothing, so it never recurs."""
         try:
-            outcomes = _outcomes(self._chart(self._lattice(text)).meanings(), self._people_in)
+            outcomes = outcomes_of(self._chart(self._lattice(text)).meanings(), self._people_in)
         except (MalformedTextError, TooTangledError):
             return False
         return sum(not isinstance(one, Trouble) for one in outcomes) == 1
@@ -220,7 +212,7 @@ class CommandParser:
         """The commands of a sentence that means one thing; it explains nothing."""
         try:
             meanings = self._chart(self._lattice(text)).meanings()
-            outcomes = _outcomes(meanings, self._people_in, self._is_valid)
+            outcomes = outcomes_of(meanings, self._people_in, self._is_valid)
         except (MalformedTextError, TooTangledError):
             return None
         understood = [one for one in outcomes if not isinstance(one, Trouble)]
@@ -276,18 +268,11 @@ class CommandParser:
                 text, question=Question("this can be read in several ways; which is meant?", choices)
             )
         troubles = [one for one in outcomes if isinstance(one, Trouble)]
-        trouble = min(troubles, key=_rank_of)
+        trouble = min(troubles, key=explains_best)
         if trouble.asks:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
-
-
-def _rank_of(trouble: Trouble) -> tuple[bool, bool, bool, bool]:
-    """How well a trouble explains a sentence, the lowest best; any "go" can lack a direction."""
-    no_more = trouble.message == NO_DIRECTION
-    harmless = not trouble.message.endswith(HARMS)
-    return harmless, no_more, not trouble.asks, trouble != UNCLEAR_ORDER
 
 
 def _asks_about_doing(lattice: Lattice) -> bool:
@@ -323,78 +308,3 @@ def _alike(one: Parsed, other: Parsed) -> bool:
     return [command_json(command) for command in one.commands] == [
         command_json(command) for command in other.commands
     ]
-
-
-def _outcomes(
-    meanings: Iterable[object],
-    people_in: Callable[[str], Sequence[Nominal]],
-    is_command: Callable[[str], bool] = lambda _text: False,
-    remembers: bool = False,
-) -> list[Outcome]:
-    """What each meaning of the whole sentence comes to, without doubles.
-
-    Words to say end as early as they can, clauses are separated where they can be, and "come and" is
-    a courtesy where it can be one; what differs in anything else is ambiguous.
-    """
-    troubles: dict[Trouble, None] = {}
-    asked: list[int] = []
-    understood: dict[str, tuple[tuple[int, ...], tuple[Command, ...]]] = {}
-    for meaning in meanings:
-        if isinstance(meaning, Trouble):
-            troubles[meaning] = None
-        elif isinstance(meaning, Sentence):
-            try:
-                commands = Resolver(people_in, remembers).commands(meaning.clauses)
-            except UnresolvedError as unresolved:
-                troubles[unresolved.trouble] = None
-                asked += [meaning.unseparated] if unresolved.trouble.asks else []
-                continue
-            harm = harm_in(commands)
-            if harm is not None:
-                return [harm]  # no other reading is worth the risk
-            spoken = sum(len(one.words) for one in commands if isinstance(one, SayTask))
-            refers = -str(commands).count(ObjectOf.__name__)  # as these two among those that are the same
-            rank = (meaning.unseparated, spoken, len(commands), refers)
-            key = repr([_as_first_named(one, commands) for one in commands])
-            if key not in understood or rank < understood[key][0]:
-                understood[key] = (rank, commands)
-    rival = next((one for one in troubles if one.rivals), None)
-    if rival is not None and understood:
-        return [rival]
-    longer = any(one.message == UNQUOTED for one in troubles)
-    if (longer or len({spoken for (_, spoken, *_), _ in understood.values()}) > 1) and any(
-        isinstance(one, SayTask) and is_command(one.words)
-        for _, commands in understood.values()
-        for one in commands
-    ):
-        return [Trouble("where do the words to say end? put them in quotation marks", asks=True)]
-    best = min((rank[:2] for rank, _ in understood.values()), default=(0, 0))
-    if asked and min(asked) < best[0]:
-        return list(troubles)  # no reading that is less likely is taken because a likely one is asked about
-    likely = [commands for rank, commands in understood.values() if rank[:2] == best]
-    return [one for one in likely if not any(_only_begins_with_more(one, other) for other in likely)] or list(
-        troubles
-    )
-
-
-def _as_first_named(command: Command, commands: Sequence[Command]) -> dict[str, Any]:
-    """A command as JSON where a place that was opened is told by its words: "in it" is "in the drawer"."""
-    told = command_json(command)
-    for slot in ("to", "on", "from"):
-        place = told.get(slot)
-        if isinstance(place, dict) and isinstance(place.get("ref"), int):
-            before = commands[place["ref"]]
-            if before.action in ("open", "close"):
-                named = command_json(before)["object"]
-                told[slot] = named["kind"] if set(named) == {"kind"} else named
-    return told
-
-
-def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]) -> bool:
-    """Whether a reading makes a task of what is a courtesy or a statement in another: "come and take it".
-
-    What is handled in one reading and left out in another is no courtesy: "the orange and the orange ball".
-    """
-    more, ends = longer[: -len(shorter)], [one.action for one in longer[-len(shorter) :]]
-    handled = any(one.action in _HANDLED for one in more)
-    return len(longer) > len(shorter) and ends == [one.action for one in shorter] and not handled
