@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import pinocchio as pin
 import ruckig
@@ -49,9 +51,23 @@ _MORE_GENTLE, _LESS_STEEP = 1.15, 1.1
 begin within a control period."""
 
 
+@dataclass(frozen=True, slots=True)
+class Brake:
+    """A motion to rest along a path.
+
+    Attributes:
+        rows: One row a period, the last at rest.
+        steps: Whether the speeds leave a jerk limit where the path's own acceleration steps, for want of a
+            brake in time that does not.
+    """
+
+    rows: MotionSample
+    steps: bool
+
+
 def brake_along(
     model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
-) -> MotionSample | None:
+) -> Brake | None:
     """Slow a trajectory down to rest without leaving its path.
 
     The time along the trajectory passes at a rate that falls from 1 to 0. Of the profiles whose joint
@@ -66,8 +82,8 @@ def brake_along(
         period_s: Time between two rows of the answer.
 
     Returns:
-        One row a period, the first at one period after the beginning, the last at rest; None when
-        no profile holds the limits before the trajectory ends, so that it is best played out.
+        A brake whose first row is one period after the beginning; None when no profile holds the limits
+        before the trajectory ends, so that it is best played out.
     """
     acceleration, jerk = model.acceleration, model.jerk
     here = sampler.at(t_s)
@@ -78,7 +94,8 @@ def brake_along(
     # A brake takes half its time of the path.
     fitting = [pair for pair in pairs if t_s + 0.5 * _brake_time_s(pair) <= sampler.duration_s]
     before = sampler.at(max(t_s - period_s, 0.0)).v[6:]
-    tried, tipping_s, stepping_s, spare = 0, 0.0, 0.0, None
+    tried, tipping_s, stepping_s = 0, 0.0, 0.0
+    spare: Brake | None = None
     for limits in _within(sorted(fitting, key=_preference), sampler, t_s, acceleration, jerk):
         time_s = _brake_time_s(limits)
         if time_s < max(_MORE_GENTLE * tipping_s, _LESS_STEEP * stepping_s):
@@ -97,8 +114,8 @@ def brake_along(
         if not keeps_limits(motion.a[:, 6:], here.a[6:], acceleration, jerk, period_s):
             continue
         if keeps_jerk(np.vstack([before, here.v[6:], motion.v[:, 6:]]), jerk, period_s):
-            return motion
-        spare, stepping_s = (motion, time_s) if spare is None else (spare, time_s)
+            return Brake(motion, steps=False)
+        spare, stepping_s = (Brake(motion, steps=True), time_s) if spare is None else (spare, time_s)
     return spare
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.braking import brake_along, brake_joints, brake_standing, keeps_jerk, keeps_limits
+from kinematics.braking import brake_along, brake_joints, brake_standing, keeps_limits
 from kinematics.free_coordinates import free_coordinates
 from kinematics.prompt_brake import brake_promptly
 from kinematics.robot_model import RobotModel
@@ -67,13 +67,10 @@ class StopProfile:
         Returns:
             None when nothing within the limits ends before the trajectory itself does.
         """
-        rows = brake_along(model, stance, sampler, t_s, period_s)
-        if rows is None:
+        brake = brake_along(model, stance, sampler, t_s, period_s)
+        if brake is None:
             return None
-        before, here = sampler.at(max(t_s - period_s, 0.0)), sampler.at(t_s)
-        told = np.vstack([before.v, here.v, rows.v])[:, 6:]
-        steps = not keeps_jerk(told, model.jerk, period_s)
-        return cls(_resting_on_the_stance(model, stance, rows, period_s), steps)
+        return cls(_resting_on_the_stance(model, stance, brake.rows, period_s), brake.steps)
 
     @classmethod
     def promptly_along_path(

@@ -26,7 +26,7 @@ def test_a_turn_ahead_does_not_make_the_brake_late(talos, stance, sampler, t_s):
 
     rows = brake_promptly(talos, stance, sampler, t_s, PERIOD_S, LATEST_S)
 
-    assert even is None or len(even.q) * PERIOD_S > LATEST_S
+    assert even is None or len(even.rows.q) * PERIOD_S > LATEST_S
     assert len(rows.q) * PERIOD_S <= LATEST_S
     assert not rows.v[-1].any()
 
