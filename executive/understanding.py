@@ -6,6 +6,7 @@ Nothing below the threshold is carried out unasked. Policy "ask" puts one questi
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -20,6 +21,11 @@ from trees.tasks import ObjectOf
 
 if TYPE_CHECKING:
     from executive.model_output import ModelStep
+
+
+_BEGINS_JSON = re.compile(r"""\s*(\{|\[\s*([\[\]{"]|$))""")
+_LONGEST_FENCED = 65_536
+_FENCED = re.compile(r"\s*```(json)?[ \t]*\n(?P<inside>[^`]*)\n[ \t]*```\s*", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,8 +63,8 @@ class _Part:
 
 
 def is_model_output(text: str) -> bool:
-    """Tell whether a text is meant as JSON: it begins with a bracket."""
-    return text.lstrip()[:1] in ("{", "[")
+    """Tell whether a text is meant as JSON: by how it begins, which is not how "[1] wave" does."""
+    return _BEGINS_JSON.match(_without_fence(text)) is not None
 
 
 def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
@@ -68,7 +74,7 @@ def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
     from executive.model_output import ModelOutputError, read_model_output
 
     try:
-        steps = read_model_output(text)
+        steps = read_model_output(_without_fence(text))
     except ModelOutputError as wrong:
         return Understood(Parsed(text, refusal=Refusal(f"the model's output is not valid: {wrong}")))
     parts = _parts(text, steps)
@@ -85,6 +91,12 @@ def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
     )
     question = Question(f"{shown}, below {trust.threshold:.2f}: shall it be done?", ("yes", "no"))
     return Understood(Parsed(text, question=question), if_confirmed=_of(text, parts))
+
+
+def _without_fence(text: str) -> str:
+    """A text without the marks that models put around JSON; any other text as it is."""
+    fenced = _FENCED.fullmatch(text) if len(text) <= _LONGEST_FENCED else None
+    return text if fenced is None else fenced.group("inside")
 
 
 def _of(text: str, parts: Sequence[_Part], skipped: tuple[SkippedStep, ...] = ()) -> Understood:

@@ -1,4 +1,4 @@
-"""``executive parse``: what a sentence means, as JSON."""
+"""``executive parse``: what a sentence, or a model's output, means, as JSON."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from executive.config import use_config
 from executive.errors import UserError
 from executive.exit_codes import ExitCode
 
@@ -20,16 +21,17 @@ def parse(
     text: Annotated[str, typer.Argument(metavar="SENTENCE|-|FILE", help="What to understand.")],
     config: Annotated[Path | None, typer.Option(help="A TOML file with words of your own.")] = None,
 ) -> None:
-    """Say what a sentence means; for - or a file, one line of JSON for each line."""
-    from executive.command_parser import parse as understand
+    """Say what a sentence or a model's output means; for - or a file, one line of JSON for each line."""
+    from executive.understanding import understand
 
+    use_config(config)
     lines = _lines(text)
     if lines is None:
-        parsed = understand(text, config)
+        parsed = understand(text).parsed
         typer.echo(json.dumps(parsed.to_json()))
         raise typer.Exit(_EXIT_CODES[parsed.outcome])
     for line in lines:
-        typer.echo(json.dumps(understand(line, config).to_json()))
+        typer.echo(json.dumps(understand(line).parsed.to_json()))
 
 
 def _lines(text: str) -> Iterator[str] | None:

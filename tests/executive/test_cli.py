@@ -194,6 +194,14 @@ def test_parse_prints_one_document_and_the_exit_code_of_its_outcome(executive, t
     assert json.loads(result.stdout)["text"] == text
 
 
+@pytest.mark.requirement("L7", "L8")
+@pytest.mark.parametrize(("confidence", "outcome"), [(0.9, "tasks"), (0.5, "question"), (7, "refused")])
+def test_parse_reads_what_a_model_sends(executive, confidence, outcome):
+    result = executive("parse", json.dumps([{"command": "go home", "confidence": confidence}]))
+
+    assert json.loads(result.stdout)["outcome"] == outcome
+
+
 def test_parse_of_a_stream_answers_every_line_blank_ones_too(executive):
     result = executive("parse", "-", input=b"go home\n\n\xff\xfe\npick up the red cup")
 

@@ -25,6 +25,25 @@ def test_a_sentence_is_parsed():
     assert understand("go home").parsed.commands == (GoHomeTask("go home"),)
 
 
+def test_a_numbered_list_in_brackets_is_a_sentence_and_no_broken_json():
+    assert [one.action for one in understand("[1] wave [2] go home").parsed.commands] == ["wave", "go_home"]
+
+
+@pytest.mark.parametrize("mark", ["```json", "```JSON ", "  ```"])
+def test_the_marks_that_models_put_around_json_are_no_part_of_it(mark):
+    understood = understand(f"{mark}\n{steps(('go home', 0.9))}\n```\n")
+
+    assert [one.action for one in understood.parsed.commands] == ["go_home"]
+    assert understood.provenance[0].confidence == 0.9
+
+
+@pytest.mark.parametrize(
+    "text", ["```json\ngo home\n```", "```json\n[]\n```", "```json\n{]\n```", "[", '["go home"']
+)
+def test_what_is_no_json_in_such_marks_is_refused(text):
+    assert understand(text).parsed.refusal is not None
+
+
 @pytest.mark.requirement("L7")
 def test_steps_become_commands_with_their_provenance():
     understood = understand(steps(("pick up the red cup", 0.93), (HOME, 0.9)))
