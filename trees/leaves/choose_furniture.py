@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from py_trees.common import Status
 
 from kinematics.scene import SceneObject
@@ -22,8 +24,8 @@ from trees.tasks import ObjectDescription
 _LEAST_SIDE_M = 0.3
 """Legs, walls and doors are narrower; nobody puts things there."""
 _LOWEST_M, _HIGHEST_M = 0.3, 1.4
-_NEARBY_M = 0.8
-"""Who stands this near to where one looks from has looked."""
+_NEARBY_M, _FACING_RAD = 0.8, math.radians(60.0)
+"""Who stands this near to where one looks from, and faces it, has looked."""
 _CONFIDENCE = 0.5
 
 
@@ -54,8 +56,9 @@ class ChooseFurniture(Leaf):
             if not _is_top(item) or any(are_one_piece(item, other) for other in been):
                 continue
             place = Place(item.name, "furniture", item.shape, item.world_T_object, _CONFIDENCE)
-            away_m = body.distance_m(standing_place(place, scene, body, gap_m))
-            if away_m > _NEARBY_M:
+            there = body.to(standing_place(place, scene, body, gap_m))
+            away_m = math.hypot(there.x_m, there.y_m)
+            if away_m > _NEARBY_M or abs(there.yaw_rad) > _FACING_RAD:
                 found.append((away_m, place))
         if not found:
             return Failure.postcondition("no furniture is left to look at from nearby", none_left=self.OF)

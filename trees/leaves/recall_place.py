@@ -28,7 +28,7 @@ class RecallPlace(Leaf):
     """Take a piece of furniture, a person, or what a hand put down from the world model, without a look.
 
     It is where to go and look again. Other objects are recalled only if ``anything`` is, for a hand may have
-    moved them: it is the last that one tries.
+    moved them: without a look in between it is the last that one tries.
     """
 
     INPUT_PORTS = ports(task=object)
@@ -41,8 +41,15 @@ class RecallPlace(Leaf):
     )
     ASKS = True
 
-    def __init__(self, name: str, toolbox: Toolbox, *, anything: bool = False) -> None:
-        super().__init__(name, toolbox)
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        wiring: Mapping[str, str] | None = None,
+        *,
+        anything: bool = False,
+    ) -> None:
+        super().__init__(name, toolbox, wiring)
         self._anything = anything
 
     def step(self) -> Status | Failure:
@@ -51,15 +58,16 @@ class RecallPlace(Leaf):
         wanted = (aim.name or aim.kind) if isinstance(aim, ObjectDescription) else str(aim)
         for name, item in self.toolbox.world.scene.objects.items():
             if not item.movable and wanted is not None and name.casefold() == wanted.casefold():
-                return self._recall(item, "furniture" if isinstance(item.shape, Box) else "person")
+                return self.recall(item, "furniture" if isinstance(item.shape, Box) else "person")
         world = self.toolbox.world
         seen = {name: item for name, item in world.scene.objects.items() if item.movable}
         for pool in (world.put_down, seen if self._anything else {}):
             if (thing := self._only(aim, pool)) is not None:
-                return self._recall(thing, "object")
+                return self.recall(thing, "object")
         return Failure.postcondition(f"no {wanted} seen, now or before")
 
-    def _recall(self, item: SceneObject, category: Category) -> Status:
+    def recall(self, item: SceneObject, category: Category) -> Status | Failure:
+        """Tell the place of what fits."""
         self._set_output("place", Place(item.name, category, item.shape, item.world_T_object, _CONFIDENCE))
         self.feedback_message = f"{item.name} where it was {'put' if category == 'object' else 'seen'}"
         return DONE

@@ -17,6 +17,7 @@ from trees.leaves.choose_outlook import ChooseOutlook
 from trees.leaves.choose_room import ChooseRoom
 from trees.leaves.locate import Locate
 from trees.leaves.ready_to_walk import ReadyToWalk
+from trees.leaves.recall_support import RecallSupport
 from trees.leaves.walk_to import WalkTo
 from trees.odometry import body_pose
 from trees.policy import Gaze
@@ -79,6 +80,17 @@ def where_it_may_be(toolbox: Toolbox, outlooks: int = _OUTLOOKS) -> list[Behavio
         *(_look_in_room(toolbox, one) for one in range(1, _ROOMS + 1)),
         *(_look_behind(toolbox, one) for one in range(1, outlooks + 1)),
     ]
+
+
+def where_it_was(toolbox: Toolbox) -> Behaviour:
+    """Go to where it was seen before, if that is not here, and look there. Reads "task", writes "place"."""
+    stood = {"place": "stood_on"}
+    looks = [
+        RecallSupport("recall where it was", toolbox, stood),
+        *_going(toolbox, stood),
+        search_place("look around", toolbox, _at_tops(toolbox)),
+    ]
+    return Sequence("look where it was", memory=True, children=looks)
 
 
 def change_viewpoint(toolbox: Toolbox, way: Viewpoint) -> Behaviour:

@@ -21,7 +21,13 @@ from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
 from trees.leaves.tell_found import TellFound
 from trees.policy import Gaze
-from trees.subtrees.look_elsewhere import change_viewpoint, turned_around, where_it_may_be, worth_going
+from trees.subtrees.look_elsewhere import (
+    change_viewpoint,
+    turned_around,
+    where_it_may_be,
+    where_it_was,
+    worth_going,
+)
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import everywhere, search_place
 from trees.subtrees.tidily import tidily
@@ -61,10 +67,13 @@ def _from_here(toolbox: Toolbox) -> Behaviour:
 
 
 def _from_elsewhere(toolbox: Toolbox) -> Behaviour:
-    """Turned around once, then where it may be; at last one more look, which tells what was not found."""
+    """Where it was seen before, turned around once, then where it may be; at last a look that tells what is
+    not found.
+    """
     policy = toolbox.policy
     without_leaning = (*policy.level_gazes, *policy.search_gazes[:1])
-    ways = [*turned_around(toolbox, without_leaning), *where_it_may_be(toolbox, _OUTLOOKS)]
+    around = turned_around(toolbox, without_leaning)
+    ways = [where_it_was(toolbox), *around, *where_it_may_be(toolbox, _OUTLOOKS)]
     ways.append(Locate("look once more", toolbox))
     return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, worth_going)
 

@@ -22,6 +22,7 @@ from trees.subtrees.look_elsewhere import (
     turned_around,
     viewpoint,
     where_it_may_be,
+    where_it_was,
     worth_going,
 )
 from trees.subtrees.search import looking_elsewhere_is_useless
@@ -77,9 +78,9 @@ def find_place(toolbox: Toolbox) -> Behaviour:
         KnowPlace("know the place", toolbox),
         search_place("look around", toolbox, (*far, *policy.search_gazes[1:2])),
     ]
-    ways.append(RecallPlace("recall it", toolbox))
+    ways += [RecallPlace("recall it", toolbox), where_it_was(toolbox)]
     around = turned_around(toolbox, _level_first(far))
-    farther = where_it_may_be(toolbox)
+    farther = [where_it_was(toolbox), *where_it_may_be(toolbox)]  # once more: there may be room to go by now
     for k, way in enumerate(_ON, start=len(around) + 1):
         farther.append(viewpoint(toolbox, k, way, _level_first(far)))
     farther.append(RecallPlace("recall anything", toolbox, anything=True))

@@ -54,3 +54,11 @@ def test_who_was_before_one_board_of_a_shelf_has_been_before_the_others(stage):
     assert stage.run(leaf, task=CUP) is Status.SUCCESS
     assert stage.run(leaf) is Status.SUCCESS
     assert stage.output("furniture").name == "table"
+
+
+def test_a_top_that_the_robot_stands_beside_but_does_not_face_was_not_looked_at(stage):
+    behind = SceneObject("table", Box((0.6, 1.0, 0.04)), poses.translation(-0.7, 0.0, 0.78), movable=False)
+    know(stage, behind)
+
+    assert stage.run(ChooseFurniture("choose", stage.toolbox), task=CUP) is Status.SUCCESS
+    assert stage.output("furniture").name == "table"
