@@ -10,7 +10,7 @@ from executive.meaning import Command, Parsed
 from executive.preparing import Bringing
 from executive.references import PREVIOUS, references, with_references
 from executive.trust import USUAL_TRUST, Trust
-from executive.understanding import Understood, is_model_output, read_after, understand
+from executive.understanding import Understood, asked_after, is_model_output, read_after, understand
 from trees.tasks import CloseTask, ObjectDescription, ObjectOf, OpenTask, Thing
 
 _ONE = re.compile(r"\bones?\b", re.IGNORECASE)
@@ -40,6 +40,8 @@ class Conversation:
             if commands:
                 understood = Understood(replace(understood.parsed, question=None, commands=commands))
                 self._leaning.add(text)
+            elif (question := asked_after(text, self._said)) is not None:
+                understood = Understood(replace(understood.parsed, question=question, commands=()))
         if understood.parsed.commands:
             self._remember(text)
         return understood

@@ -17,7 +17,7 @@ from executive.meaning import Command, Parsed, Question, Refusal
 from executive.references import references, with_references
 from executive.task_result import Provenance
 from executive.trust import USUAL_TRUST, Trust
-from trees.tasks import ObjectOf
+from trees.tasks import FindTask, ObjectOf
 
 if TYPE_CHECKING:
     from executive.model_output import ModelStep
@@ -157,7 +157,7 @@ def read_after(sentence: str, said: Sequence[str]) -> tuple[tuple[Command, ...],
     """
     if not said:
         return (), ()
-    earlier, whole = (parse(", then ".join(each), remembers=True) for each in (said, [*said, sentence]))
+    earlier, whole = _parsed_together(said), _parsed_together([*said, sentence])
     count = len(earlier.commands)
     alike = [command.action for command in whole.commands[:count]] == [
         command.action for command in earlier.commands
@@ -165,6 +165,17 @@ def read_after(sentence: str, said: Sequence[str]) -> tuple[tuple[Command, ...],
     if not count or not alike:
         return (), ()
     return whole.commands[:count], whole.commands[count:]
+
+
+def asked_after(sentence: str, said: Sequence[str]) -> Question | None:
+    """What a sentence leaves open of several things that others look for: "the first one"."""
+    earlier = _parsed_together(said).commands if said else ()
+    several = any(isinstance(command, FindTask) and command.count != 1 for command in earlier)
+    return _parsed_together([*said, sentence]).question if several else None
+
+
+def _parsed_together(sentences: Sequence[str]) -> Parsed:
+    return parse(", then ".join(sentences), remembers=True)
 
 
 def _with_place(text: str, step: int, parsed: Parsed) -> Parsed:

@@ -26,7 +26,7 @@ from trees.subtrees.place import place
 from trees.subtrees.put_behind_door import put_behind_door
 from trees.subtrees.put_in import put_in
 from trees.subtrees.talk import say, wait
-from trees.subtrees.telling import count, describe, find
+from trees.subtrees.telling import count, describe, find, find_several
 from trees.subtrees.walk_to import walk_to
 from trees.task_tree import TaskTree
 from trees.tasks import (
@@ -113,9 +113,11 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
 
 
 def _skill(task: Task) -> Callable[[Toolbox], Behaviour]:
-    """What makes the root of a task's tree; of boards behind a door another one than of boxes and drawers."""
+    """What makes the root of a task's tree; another one for what is behind a door, and for several."""
     if isinstance(task, PutInTask) and is_behind_door(task.to):
         return put_behind_door
+    if isinstance(task, FindTask) and task.count != 1 and not isinstance(task.person, str):
+        return find_several
     return SKILLS[type(task)]
 
 

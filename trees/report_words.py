@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from trees.believed_thing import BelievedThing
 from trees.scene_update import kind_of
+from trees.tasks import Count
 
 # Nearer to the line straight ahead than this, a thing is on neither side.
 _STRAIGHT_M = 0.05
@@ -20,9 +21,19 @@ def plural(words: str, count: int) -> str:
     number = _NUMBERS[count] if count < len(_NUMBERS) else str(count)
     if count == 1:
         return f"{number} {words}"
+    return f"{number} {_many(words)}"
+
+
+def numbered(words: str, count: Count) -> str:
+    """Words with how many are meant: "the red cup", "two red cups", "all red cups"."""
+    if count == 1:
+        return f"the {words}"
+    return plural(words, count) if isinstance(count, int) else f"{count} {_many(words)}"
+
+
+def _many(words: str) -> str:
     *before, noun = words.split()
-    many = _IRREGULAR.get(noun, noun + "s")
-    return " ".join([number, *before, many])
+    return " ".join([*before, _IRREGULAR.get(noun, noun + "s")])
 
 
 def listed(parts: Sequence[str]) -> str:

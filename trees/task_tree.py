@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import compress
 from operator import attrgetter, is_not
 from typing import Any, Literal
@@ -16,11 +17,12 @@ from trees.failure_chain import failure_of, place_of
 from trees.failures import Failure, FailureKind, Number
 from trees.handles import BODY_OF, DRAWER, HandleTarget
 from trees.leaf import Leaf, from_exception
+from trees.report_words import numbered
 from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
-from trees.tasks import Task, WalkToTask
+from trees.tasks import ObjectDescription, Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
@@ -184,6 +186,9 @@ def _verb(task: Task) -> str:
     """What could not be done: "pick up the red cup", "walk to the kitchen"."""
     verb = _VERBS.get(task.action, task.action.replace("_", " "))
     thing = getattr(task, "object", None)
+    count = getattr(task, "count", 1)
+    if isinstance(thing, ObjectDescription) and count != 1:
+        return f"{verb} {numbered(str(replace(thing, relation=None)), count)}"
     if thing is not None:
         return f"{verb} the {thing}"
     aims = (getattr(task, slot, None) for slot in ("to", "person"))

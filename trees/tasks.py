@@ -252,12 +252,21 @@ class LookAtTask:
 
 @dataclass(frozen=True, slots=True)
 class FindTask:
-    """Look for an object or a person, from several points of view."""
+    """Look for an object or a person, from several points of view.
+
+    Attributes:
+        text: The sentence that it came from.
+        object: What to look for.
+        person: Whom to look for.
+        source: Where it is said to be, or None.
+        count: How many; of several all that are seen are told, and fewer than said are a failure.
+    """
 
     text: str
     object: Thing | None = None
     person: Destination | None = None
     source: Destination | None = None
+    count: Count = 1
 
     action = "find"
 

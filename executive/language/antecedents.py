@@ -165,6 +165,8 @@ class Antecedents(RepeatedNouns):
         held = [one for one in same.values() if one.is_several and one.task in self._held]
         if thing.ordinal in _COUNTED and held:
             raise ask("which of those in the hand is meant?")  # "take both cups, put the first one down"
+        if thing.ordinal in _COUNTED and any(self._was_search_for_several(task) for task in same):
+            raise ask("which of those that are found is meant?")
         if not thing.anaphoric:
             return
         if kind is None and thing.ordinal == "other" and not thing.said:

@@ -19,6 +19,7 @@ from executive.language.arranging import (
 from executive.language.features import SUPERLATIVES
 from executive.language.going import target
 from executive.language.lattice import Word
+from executive.language.looked_for import looked_for
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Bundle,
@@ -65,7 +66,7 @@ def _asked(
     bundles: list[Bundle] = []
     _no_postures(parts, action)
     for one in map(found_there, arranged(parts)):
-        nominal, one_of = one.object, None
+        nominal = one.object
         if (
             one.goal is not None
             or one.back
@@ -94,23 +95,16 @@ def _asked(
             raise unfit()
         if nominal.count == "many":
             raise trouble("whether there are many of them is not told; how many there are can be counted")
-        if nominal.counted and not (action in ("count", "describe") and nominal.count == "all"):
+        if action == "find":
+            bundles.append((looked_for(nominal, one.source or source, existing=existing),))
+            continue
+        if nominal.counted and nominal.count != "all":
             raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
-        if (
-            nominal.plural
-            and nominal.determined
-            and action != "count"
-            and not existing
-            and not nominal.reference
-            and not whole
-        ):
+        several = nominal.plural and nominal.determined and not nominal.reference
+        if several and action != "count" and not whole:
             message = f"which one of the {plural(nominal.kind or 'thing')}? {action} is for one"
-            if action != "find":
-                raise trouble(message, asks=True, rivals=True)
-            one_of = message
-        slot = "person" if action == "find" and nominal.is_person else "object"
-        told = draft(action, **{slot: replace(nominal, count=1)}, source=one.source or source)
-        bundles.append((told.with_slot("one_of", one_of),))
+            raise trouble(message, asks=True, rivals=True)
+        bundles.append((draft(action, object=replace(nominal, count=1), source=one.source or source),))
     return bundles
 
 
@@ -147,13 +141,21 @@ def _is_it(parts: Parts) -> Clause:
     item = parts[-1]
     if not item.details:
         raise unfit()
-    return _find(parts)
+    return _whether_there(parts)
 
 
 def _whether_at(parts: Parts) -> Clause:
     """Check whether the cup is on the table."""
     nominal, where = (part for part in parts if not isinstance(part, Word))
-    return _find((Items((Item(nominal, (where,)),)),))
+    return _whether_there((Items((Item(nominal, (where,)),)),))
+
+
+def _whether_there(parts: Parts) -> Clause:
+    """Is the cup on the table? Of several it is not told whether all of them are."""
+    found = _find(parts)
+    if any(one.get("count") is not None for bundle in found.bundles for one in bundle):
+        raise trouble("which one of them? whether all are there is not told", asks=True)
+    return found
 
 
 def _search(parts: Parts) -> Clause:
@@ -174,8 +176,7 @@ def _search_beside(parts: Parts) -> Clause:
         thing = one.get("object")
         if thing is None or one.get("source") is not None or thing.relation is not None:
             raise unfit()
-        beside = draft("find", object=replace(thing, relation=Relative(kind, of)))
-        found.append((beside.with_slot("one_of", one.get("one_of")),))
+        found.append((one.replacing("object", replace(thing, relation=Relative(kind, of))),))
     return clause(parts, found)
 
 

@@ -344,6 +344,8 @@ class Destinations(Antecedents):
                 raise ask("who is meant?", [str(person.kind) for person in people])
             if not may_be(value.said, people[0]):
                 raise ask(f"who is meant by {value.said!r}?")
+            if people[0].count != 1:
+                raise ask("who of them is meant?")  # "find all the people and wave to them"
             return self._destination(people[0])
         if value.reference in ("it", "this"):
             raise ask("who is meant?")

@@ -8,6 +8,7 @@ from typing import Any
 
 from executive.language.phrases import Draft, Mention, Nominal, Trouble
 from executive.meaning import Command
+from trees.tasks import FindTask
 
 _NAMED = ("thing", "furniture", "container")
 
@@ -134,6 +135,11 @@ class Discourse:
         alone = None not in clauses and len(people) > 1 and all(one.is_single for one in people)
         together = len(people) == 2 if said == "both" else len(clauses) == 1
         return people if alone and together else ()
+
+    def _was_search_for_several(self, task: int) -> bool:
+        """Whether a task only looks for several things, so that none of them is chosen by it."""
+        command = self._commands[task]
+        return isinstance(command, FindTask) and command.count != 1
 
     def _is_several(self) -> bool:
         """Whether some things were named that "them" may stand for."""

@@ -9,6 +9,7 @@ from executive.language.destinations import Destinations
 from executive.language.discourse import UnresolvedError, ask
 from executive.language.phrases import Draft, Nominal, Relative, Trouble
 from executive.language.repeated_nouns import PUTS_DOWN
+from executive.references import references
 from trees import tasks
 from trees.tasks import ObjectOf
 
@@ -69,6 +70,16 @@ class Doubts(Destinations):
             kinds = {getattr(one.object, "kind", None) for one in (took, takes)}
             if carried and len(verbs) == 1 and len(kinds) == 1:
                 raise ask("where shall it go?")
+
+    def _doubt_several_found(self) -> None:
+        """Ask which one is meant where something is to be done to several that were only looked for.
+
+        Raises:
+            UnresolvedError: "Find the cups and bring them to me".
+        """
+        several = set(filter(self._was_search_for_several, range(len(self._commands))))
+        if any(references(command) & several for command in self._commands):
+            raise ask("which one of those that are found is meant?")
 
     def _doubt_pick(self, one: Draft, named: Nominal | None, root: int) -> None:
         if root in self._held:

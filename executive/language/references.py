@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 from executive.language.discourse import Entity, UnresolvedError, ask, is_them
@@ -40,6 +40,11 @@ _TYPES: dict[str, Any] = {
     "go_home": tasks.GoHomeTask,
     "stop": StopCommand,
 }
+_TAKES_SEVERAL = frozenset(
+    name for name, kind in _TYPES.items() if any(field.name == "count" for field in fields(kind))
+)
+"""Actions that may be done to several things at once."""
+
 _ASIDE = frozenset(
     {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in"}
     | {"done", "condition", "late", "lifts", "reaches", "reports", "one_of"}
@@ -103,6 +108,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         if self._mention is not None or not self._commands:
             raise UnresolvedError(Trouble("something is stated that no task follows from"))
         self._doubt_another()
+        self._doubt_several_found()
         return tuple(self._commands)
 
     def description(self, nominal: Nominal) -> Any:
@@ -192,7 +198,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
 
     def _task(self, one: Draft, text: str) -> ObjectOf:
         """Make a command of a draft, unless it is done already; returns what it is done to."""
-        if one.get("one_of") is not None:  # "find the cups", which only counting them makes clear
+        if one.get("one_of") is not None:  # "find some cups", which only counting them makes clear
             raise UnresolvedError(Trouble(one.get("one_of"), asks=True, rivals=True))
         if one.get("done") and (before := self._ordered_before(one)) is not None:
             return before
@@ -277,19 +283,34 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             elif name in ("to", "on"):
                 slots[name] = self._goal(one.action, value, root)
             elif name == "person":
-                slots["person"] = self._person(value, anew=one.get("source") is not None)
+                slots["person"] = self._whom(one, value)
             elif name == "text":
                 slots["words"] = value
             else:
                 slots[name] = value
+        if "count" in slots and one.action not in _TAKES_SEVERAL:
+            raise ask("which one is meant?")  # "there are two cups on the table, look at them"
         if one.action == "find" and one.get("person") is not None and one.get("source") is not None:
             self._found_somebody(one.get("person"), one.get("source"))
         self._people += self._people_in(slots.get("words", ""))  # "her" who is told is none of them
         return slots.pop("action", one.action), slots
 
+    def _whom(self, one: Draft, value: Nominal) -> Any:
+        """Who is meant; several people are only looked for."""
+        if one.get("count") is None:
+            return self._person(value, anew=one.get("source") is not None)
+        self._name_place(value)
+        return self._description(value)
+
     def _found_somebody(self, person: Nominal, place: Nominal) -> None:
         """Remember where somebody is who is told by that alone: "a person in the kitchen", then "them"."""
-        if person.sort != "person" or person.relation is not None or place.reference or not place.is_place:
+        if (
+            person.sort != "person"
+            or person.count != 1
+            or person.relation is not None
+            or place.reference
+            or not place.is_place
+        ):
             return
         kind: RelationKind = "in" if place.sort == "room" else "on" if place.kind in SEATS else "next_to"
         relation = Relative(kind, place)

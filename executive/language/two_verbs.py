@@ -12,7 +12,7 @@ from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Bundle, Clause, Draft, Meaning, Nominal
 
 _TAKEN = frozenset({"pick", "place", "put_in", "hand_over", "point_at", "look_at"})
-_SLOTS = {"find": ("object", "source"), "pick": ("object", "source", "count", "hand")}
+_SLOTS = {"find": ("object", "source", "count"), "pick": ("object", "source", "count", "hand")}
 """What of the second verb's task is said of the first one's."""
 
 

@@ -180,3 +180,20 @@ def test_a_script_goes_on_about_the_same_thing(tmp_path):
 
     assert put.parsed.commands[0].object == RED_CUP
     assert asked.parsed.question is not None
+
+
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    "then", ["bring it to me", "bring them to me", "pick up the first one", "put it down"]
+)
+def test_of_several_that_were_found_none_is_chosen(then):
+    parsed = heard("find the cups", then)
+
+    assert parsed.commands == ()
+    assert parsed.question is not None
+
+
+def test_of_several_that_were_found_one_may_be_told_by_its_colour():
+    (pick,) = heard("find the cups", "pick up the red one").commands
+
+    assert pick.object == RED_CUP

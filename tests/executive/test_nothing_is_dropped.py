@@ -132,7 +132,7 @@ def test_greetings_statements_and_quotations_are_said(sentence, words):
     [
         "pick up the wooden robot",
         "pick up the cup on my left",
-        "find the cups",
+        "find the tables",
         "describe the boxes",
         "bring me the red cup and bottle",
         "bring the cup next to Ana",

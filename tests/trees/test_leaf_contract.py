@@ -71,8 +71,11 @@ TASKS = {
     WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
 }
 
-# Where another tree does what another thing is named, a task that names it.
-FURTHER = {PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),)}
+# Where another tree does it when another thing, or several, are named, a task that names them.
+FURTHER = {
+    PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
+    FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
+}
 
 LEAVES = [
     item

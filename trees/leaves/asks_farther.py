@@ -9,12 +9,12 @@ from trees.contract import Contract
 from trees.failures import Failure
 from trees.leaf import DONE, Leaf
 from trees.ports import ports
-from trees.tasks import CountTask, DescribeTask, ObjectDescription
+from trees.tasks import CountTask, DescribeTask, FindTask, ObjectDescription
 from trees.toolbox import Toolbox
 
 
 class AsksFarther(Leaf):
-    """Succeed when the task asks about people, about a room, or about everything; or only about a room."""
+    """Succeed when the task asks about people, a room, or what may be anywhere; or only about a room."""
 
     ASKS = True
     INPUT_PORTS = ports(task=object)
@@ -38,10 +38,12 @@ class AsksFarther(Leaf):
 
     def step(self) -> Status | Failure:
         """Look at the words."""
-        task: CountTask | DescribeTask = self.get_input("task")
-        wanted = task.object
+        task: CountTask | DescribeTask | FindTask = self.get_input("task")
+        wanted = task.person if isinstance(task, FindTask) and task.person else task.object
         about_people = isinstance(wanted, ObjectDescription) and wanted.kind == PERSON
-        about_everything = wanted is None and task.source is None
-        if task.source in self.toolbox.places or (not self._room and (about_people or about_everything)):
+        anywhere = task.source is None and (wanted is None or isinstance(task, FindTask))
+        if task.source in self.toolbox.places or (not self._room and (about_people or anywhere)):
             return DONE
+        if isinstance(task, FindTask) and anywhere and self.toolbox.places:
+            return DONE  # all that is to be found may be anywhere in the rooms
         return Failure.postcondition("it is about what is to be seen from here")

@@ -19,6 +19,7 @@ from trees.leaves.look_past import LookPast
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
+from trees.leaves.tell_each import TellEach
 from trees.leaves.tell_found import TellFound
 from trees.policy import Gaze
 from trees.subtrees.look_elsewhere import (
@@ -82,6 +83,11 @@ def elsewhere_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
     """Looks from elsewhere only where the robot can go there; any other always."""
     turns = (leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint))
     return way.name != _ELSEWHERE or all(turn.toolbox.can_walk for turn in turns)
+
+
+def find_several(toolbox: Toolbox) -> Behaviour:
+    """Look everywhere, then say where each is. Reads "task", writes "evidence"."""
+    return tidily("find", [*_looks(toolbox), TellEach("tell", toolbox)], toolbox)
 
 
 def count(toolbox: Toolbox) -> Behaviour:
