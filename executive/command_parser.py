@@ -25,7 +25,15 @@ from executive.language.records import sentences_of_records
 from executive.language.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.tokens import MAX_LENGTH, MalformedTextError, lines_as_sentences, normalise, pieces_of
+from executive.language.tokens import (
+    MAX_LENGTH,
+    MalformedTextError,
+    Piece,
+    lines_as_sentences,
+    normalise,
+    pieces_of,
+)
+from executive.language.unlisted_names import looks_like_a_name
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.written import split_words
@@ -195,7 +203,7 @@ class CommandParser:
 
     def _lattice(self, text: str) -> Lattice:
         plain = normalise(text)
-        return Lattice(plain, pieces_of(plain), self.vocabulary)
+        return Lattice(plain, pieces_of(plain), self.vocabulary, self._explainer.is_mistyped)
 
     def _chart(self, lattice: Lattice) -> Chart:
         return Chart(self._rules, _MEANINGS, lattice)
@@ -203,7 +211,9 @@ class CommandParser:
     def _is_valid(self, text: str) -> bool:
         """Whether a sentence makes tasks; unlike ``parse`` it explains nothing, so it never recurs."""
         try:
-            outcomes = outcomes_of(self._chart(self._lattice(text)).meanings(), self._people_in)
+            plain = normalise(text)
+            lattice = Lattice(plain, pieces_of(plain), self.vocabulary)
+            outcomes = outcomes_of(self._chart(lattice).meanings(), self._people_in)
         except (MalformedTextError, TooTangledError):
             return False
         return sum(not isinstance(one, Trouble) for one in outcomes) == 1
@@ -237,13 +247,20 @@ class CommandParser:
 
     def _people_in(self, text: str) -> tuple[Nominal, ...]:
         """Who is named in words to say, so that "him" after them may be somebody else than who is told."""
-        said = [word for word, _, _ in split_words(text)]
-        return tuple(
+        pieces = [Piece(word, start, end) for word, start, end in split_words(text)]
+        said = [piece.text for piece in pieces]
+        listed = tuple(
             Nominal("name" if reading.word_class == "NAME" else "person", reading.meaning, determined=True)
             for start in range(len(said))
             for _, reading in self.vocabulary.matches(said, start)
             if reading.word_class in ("NAME", "PERSON")
         )
+        unlisted = (
+            Nominal("name", text[piece.start : piece.end].removesuffix("'s"), determined=True)
+            for piece in pieces
+            if looks_like_a_name(piece, text, self.vocabulary)
+        )
+        return (*listed, *unlisted)
 
     def _answer(self, text: str, outcomes: Sequence[Outcome], manners: tuple[str, ...]) -> Parsed:
         understood = [one for one in outcomes if not isinstance(one, Trouble)]

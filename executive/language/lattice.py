@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 
 from executive.language.addresses import BESIDE, is_beside, is_whole
 from executive.language.begun_twice import without_beginnings
+from executive.language.colons import BEFORE_A_COLON
 from executive.language.contracted import uncontracted
 from executive.language.courtesies import is_condition
 from executive.language.hesitations import SET_OFF, is_set_off, says_nothing
 from executive.language.titles import titled_names
 from executive.language.tokens import Piece
+from executive.language.unlisted_names import IsMistyped, unlisted_names
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
@@ -49,37 +51,6 @@ _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
-_BEFORE_A_COLON = frozenset(
-    {
-        "WALK",
-        "TO_ALSO",
-        "APPROACH",
-        "MOVE",
-        "TURN",
-        "WAIT",
-        "WAVE_TO",
-        "GREETS",
-        "LOOK_AT",
-        "POINT_AT",
-        "FIND",
-    }
-    | {
-        "COUNT",
-        "DESCRIBE",
-        "OPEN",
-        "CLOSE",
-        "PICK",
-        "UP",
-        "FETCH",
-        "BRING",
-        "CARRY",
-        "GIVE",
-        "PUT",
-        "PUT_DOWN",
-    }
-    | {"DOWN", "PUT_IN", "MOVE_THING"}
-)
-"""Word classes behind which a colon says nothing: "navigate to: kitchen"."""
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
 
@@ -111,7 +82,13 @@ class Lattice:
         ends: Places after which nothing but courtesies and marks follow.
     """
 
-    def __init__(self, plain: str, pieces: Sequence[Piece], vocabulary: Vocabulary) -> None:
+    def __init__(
+        self,
+        plain: str,
+        pieces: Sequence[Piece],
+        vocabulary: Vocabulary,
+        is_mistyped: IsMistyped = lambda _plain, _piece: False,
+    ) -> None:
         self.plain = plain
         self.pieces = pieces = without_beginnings(list(uncontracted(pieces, vocabulary)), vocabulary)
         size = len(pieces)
@@ -123,12 +100,20 @@ class Lattice:
         self._text_ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
-        self._titled: dict[int, list[Word]] = {}
-        for first, end, word_class, name in titled_names(pieces, plain, self._begins, vocabulary):
-            word = Word(word_class, name, first, end, " ".join(texts[first:end]))
-            self._titled.setdefault(first, []).append(word)
+        self._names: dict[int, list[Word]] = {}
+        for found in list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)):
+            self._add_name(*found, texts)
+        for found in list(titled_names(pieces, plain, self._begins, vocabulary)):
+            self._add_name(*found, texts)
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
+
+    def _add_name(self, start: int, end: int, word_class: str, name: str, texts: Sequence[str]) -> None:
+        """Keep a name that is no phrase of the vocabulary."""
+        word = Word(word_class, name, start, end, " ".join(texts[start:end]))
+        self._names.setdefault(start, []).append(word)
+        self._begins[start].add(word_class)
+        self._ended[end].add(word_class)
 
     def _before_any_content(self, texts: Sequence[str], vocabulary: Vocabulary) -> list[bool]:
         """For each place, whether only courtesies stand before it."""
@@ -246,7 +231,7 @@ class Lattice:
             for length, reading in vocabulary.matches(texts, start)
             if reading.word_class != "KIN_TITLE"
         ]
-        found += self._titled.get(start, ())
+        found += self._names.get(start, ())
         if piece.quoted:
             found = [Word("QUOTED", piece.text, start, start + 1)]
         elif piece.is_mark:
@@ -273,7 +258,7 @@ class Lattice:
                 continue  # "my glasses" are no drinking glasses
             if listed and word.word_class in _NOUNS and word.end == start + 1:
                 continue  # "the cup and saw": a bare noun that is a verb as well may be one
-            if word.word_class in _BEFORE_A_COLON and self._is_colon(word.end):
+            if word.word_class in BEFORE_A_COLON and self._is_colon(word.end):
                 at.setdefault(word.word_class, []).append(replace(word, end=word.end + 1))
             if word not in fillers:
                 at.setdefault(word.word_class, []).append(word)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 from executive.language.chart import Chart
 from executive.language.examples import EXAMPLES, is_verb, nearest_example
 from executive.language.lattice import Lattice, Word
 from executive.language.reasons import reason_at
-from executive.language.typos import Typos
+from executive.language.tokens import Piece
+from executive.language.typos import Typos, is_slip
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
 
@@ -129,14 +131,31 @@ class Explainer:
         piece = lattice.pieces[position]
         shown = printable(piece.text)
         message = f"the word {shown!r} is not known"
+        for candidate, corrected in self._corrections(lattice.plain, piece):
+            return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
+        return Refusal(message, shown, self.nearest_example(lattice.plain)), False
+
+    def is_mistyped(self, plain: str, piece: Piece) -> bool:
+        """Whether what looks like a name is rather a known word, of which the text makes a valid sentence.
+
+        A name that is only like a listed one is a name of its own: "Theodora" is not "Theodore".
+        """
+        word = piece.text.removesuffix("'s")
+        found = self._corrections(plain, replace(piece, text=word, end=piece.start + len(word)))
+        return any(is_slip(word, one) or not self._is_only_a_name(one) for one, _ in found)
+
+    def _corrections(self, plain: str, piece: Piece) -> Iterator[tuple[str, str]]:
+        """Known words that make a valid sentence in the place of an unknown one, with that sentence."""
         for candidate in self._typos.corrections(piece.text):
             is_name = len(candidate) <= _SHORT and self._is_somebody(candidate)
-            if is_name and sorted(candidate) != sorted(piece.text):
+            if is_name and not is_slip(piece.text, candidate):
                 continue  # "omi" is not "oma"
-            corrected = lattice.plain[: piece.start] + candidate + lattice.plain[piece.end :]
+            corrected = plain[: piece.start] + candidate + plain[piece.end :]
             if self._is_valid(corrected):
-                return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
-        return Refusal(message, shown, self.nearest_example(lattice.plain)), False
+                yield candidate, corrected
+
+    def _is_only_a_name(self, word: str) -> bool:
+        return all(one.word_class in ("NAME", "OWNER") for _, one in self._vocabulary.matches([word], 0))
 
     def _is_somebody(self, word: str) -> bool:
         return any(reading.word_class in _SOMEBODY for _, reading in self._vocabulary.matches([word], 0))

@@ -37,8 +37,12 @@ def _done_before(parts: Parts) -> Clause | None:
 
 
 def _belongs_before(one: Any, other: Any) -> bool:
-    """Whether nothing parts the first words of a clause from the one before: "close it in the hall, wave"."""
-    return isinstance(one, Clause) and isinstance(other, Clause) and (other.placed or other.topic)
+    """Whether nothing parts the first words of a clause from the one before: "closing it in the hall, wave".
+
+    "Before taking the apple home, wave" does not begin to wave at home either.
+    """
+    both = isinstance(one, Clause) and isinstance(other, Clause)
+    return both and (other.placed or other.topic or other.terse)
 
 
 def _ordered(scope: Literal["after_first", "after_last", "before_first", "before_last"]) -> Meaning:

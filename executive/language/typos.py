@@ -51,6 +51,23 @@ class Typos:
         return left
 
 
+def is_slip(word: str, known: str) -> bool:
+    """Whether only the fingers can have made one word of another: "Annna", "Jhon", "Mchael".
+
+    Letters that changed places, one that was typed twice, or one that is missing inside.
+    """
+    if sorted(word) == sorted(known):
+        return True
+    longer, shorter = (word, known) if len(word) > len(known) else (known, word)
+    if len(longer) != len(shorter) + 1:
+        return False
+    left_out = [index for index in range(len(longer)) if longer[:index] + longer[index + 1 :] == shorter]
+    if longer == word:
+        return any(word[max(0, index - 1)] == word[index] and index for index in left_out)
+    inside = any(0 < index < len(longer) - 1 for index in left_out)
+    return inside and len(word) > _SHORT and longer[0] == shorter[0] and longer[-1] == shorter[-1]
+
+
 def _is_likely(word: str, known: str) -> bool:
     """Whether a known word was mistyped, rather than another one that is not known: "oma" is not "mia"."""
     swapped = sorted(word) == sorted(known)

@@ -38,13 +38,13 @@ DOING = {
     "describe": "describing",
 }
 LEANS = re.compile(
-    r"\blook (?:in|into|inside)\b|"
+    r"\b(?:look (?:in|into|inside)|(?:take|get) out)\b|"
     r"\b(it|its|them|they|there|back|here|one|ones|other|another|same|him|her|his|this|that|these|those|both|"
     r"again|door|and|or|then|to|if|which|who|whose|not|now|first|second|third|once|after|before|say|all)"
     r"\b(?! the)"
 )
 """Words that lean on what stands around them, or that a template would give another meaning. What is taken
-right after looking into something is in there."""
+right after looking into something, or taken out after something was opened, is in there."""
 
 IN_ORDER = {
     "{a} and {b}": "ab",

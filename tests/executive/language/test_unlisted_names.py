@@ -1,0 +1,47 @@
+"""Names that no list holds are told by their capital, and by nothing else."""
+
+import pytest
+
+from executive.command_parser import parse
+
+
+def person_of(sentence):
+    parsed = parse(sentence).to_json()
+    return parsed["tasks"][0].get("person") if parsed["tasks"] else None
+
+
+@pytest.mark.parametrize("name", ["Hroswitha", "Guðrún", "O'Malley", "Anne-Sophie", "Hroswitha Baumgartner"])
+def test_an_unknown_word_with_a_capital_is_a_name_as_it_was_written(name):
+    assert person_of(f"wave to {name}") == name
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "wave to hroswitha",
+        "Wave To Hroswitha",
+        "WAVE TO HROSWITHA",
+        "wave to Ana, Hroswitha",
+        "wave to the Yolanthe",
+    ],
+)
+def test_where_a_capital_tells_nothing_the_word_stays_unknown(sentence):
+    assert parse(sentence).refusal is not None
+
+
+@pytest.mark.parametrize(
+    ("sentence", "meant"),
+    [("bring the cup to Kichen", "kitchen"), ("wave to Mraia", "maria"), ("wave to Annna", "anna")],
+)
+def test_a_known_word_that_was_mistyped_is_no_name(sentence, meant):
+    assert f"did you mean {meant!r}" in parse(sentence).refusal.message
+
+
+def test_a_name_that_is_only_like_a_listed_one_is_a_name_of_its_own():
+    assert person_of("wave to Oliveria") == "Oliveria"
+
+
+def test_somebody_of_whom_is_told_may_be_meant_by_him():
+    parsed = parse("tell Ben that Hroswitha is here and give him the cup")
+
+    assert parsed.question.choices == ("Ben", "Hroswitha")
