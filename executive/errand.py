@@ -22,10 +22,10 @@ from executive.clarification import (
     understood_answer,
 )
 from executive.events import InputTaken, QuestionAsked, TaskRefused
+from executive.impossible import impossible
 from executive.meaning import Command, StopCommand
 from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, spoken_by
 from executive.references import PREVIOUS, references, with_references
-from executive.room_words import missing_room
 from executive.session import TASK_TIMEOUT_S, Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
@@ -41,7 +41,6 @@ from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
 from trees.odometry import body_pose
 from trees.questions import OTHER
-from trees.report_words import listed
 from trees.tasks import ObjectDescription, ObjectOf, PickTask, PlaceTask, Task, WalkToTask
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
@@ -76,7 +75,7 @@ class Errand:
         self._acted_on: list[tuple[str, ...]] = []
         self._speaker = ""
         self._found: dict[int | None, str] = {}
-        self._unseen: TaskResult | None = None
+        self._walked_for: TaskResult | None = None
 
     def steps(self) -> Steps:
         """Carry everything out; returns the results of the tasks that were begun."""
@@ -90,10 +89,10 @@ class Errand:
             if self._is_needless(step) or (yield from self._step(step, results)):
                 continue
             first = len(results) == begun + 1
-            if not first or step.said is None or not self._may_be_elsewhere(step.command, results[-1]):
+            if not first or step.said is None or not self._is_worth_a_walk(step.command, results[-1]):
                 self._tell_of_what_was_said(step, results)
                 break
-            self._unseen = results[-1]
+            self._walked_for = results[-1]
             steps = list(looked_for(self._commands, step.said, self._known(), bool(self._speaker)))
         return tuple(results)
 
@@ -123,29 +122,29 @@ class Errand:
             self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
         return True
 
-    def _may_be_elsewhere(self, command: Command, result: TaskResult) -> bool:
-        """Whether what was not seen from here is to be looked for elsewhere, once in an errand.
+    def _is_worth_a_walk(self, command: Command, result: TaskResult) -> bool:
+        """Whether what was not seen, or not to be grasped, from here is to be walked to, once in an errand.
 
-        Not where the robot roams anyhow, nor what has been seen, nor what is not where it was said to be.
+        Not where the robot roams anyhow.
         """
         if (
-            self._unseen is not None
+            self._walked_for is not None
             or not self._walks()
             or not isinstance(command, Bringing)
             or command.count != 1
         ):
             return False
         known = self._known()
-        unseen = result.outcome == "failed" and result.failure is not None and result.failure.is_unseen
-        if not unseen or result.attempts > 1 or known.rooms or known.is_away:
+        if result.outcome != "failed" or result.failure is None or known.rooms or known.is_away:
             return False
-        source = command.source
-        return not (isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source))))
+        if result.failure.is_unseen:
+            return result.attempts <= 1 and _may_be_elsewhere(command, known)
+        return result.failure.is_no_grasp and _is_far(command, known)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""
-        first, last = self._unseen, results[-1]
-        if first is None or first.failure is None or step.said is not None:
+        first, last = self._walked_for, results[-1]
+        if first is None or first.failure is None or not first.failure.is_unseen or step.said is not None:
             return
         if last.failure is None or not last.failure.is_unseen:
             return
@@ -267,26 +266,19 @@ class Errand:
     # --- before anything moves ------------------------------------------------------------------
 
     def _refused(self) -> TaskResult | None:
-        """What is no skill is found out before the first task begins: nothing is half done."""
+        """What is no skill, or cannot be, is found out before the first task begins: nothing is half done."""
         command = without_skill(self._commands)
-        if command is None:
-            return self._without_room()
-        message = str(NoSkillError(command))
-        self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
-        failure = Failure(FailureKind.REFUSED, message)
-        return TaskResult(command.text, command.action, "refused", failure=failure)
-
-    def _without_room(self) -> TaskResult | None:
-        """A room that is not on the map is not walked about for."""
-        rooms = self._session.toolbox.places
-        missing = missing_room(self._commands, rooms)
-        if missing is None:
+        if command is not None:
+            message = str(NoSkillError(command))
+            self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
+            failure = Failure(FailureKind.REFUSED, message)
+            return TaskResult(command.text, command.action, "refused", failure=failure)
+        why = impossible(self._commands, self._session.toolbox.places)
+        if why is None:
             return None
-        command, room = missing
-        known = f"it has {listed([f'the {name}' for name in sorted(rooms)])}" if rooms else "it has no rooms"
-        message = f"there is no {room} on the map; {known}"
-        self._session.tell(TaskRefused(self._session.now_s, command.text, message, room))
-        return TaskResult(command.text, command.action, "failed", failure=Failure.infeasible(message))
+        self._session.tell(TaskRefused(self._session.now_s, why.command.text, why.message, why.word))
+        failure = Failure.infeasible(why.message)
+        return TaskResult(why.command.text, why.command.action, "failed", failure=failure)
 
     # --- references -----------------------------------------------------------------------------
 
@@ -311,6 +303,17 @@ class Errand:
             before = self._session.toolbox.world.last_acted_on
             return () if before is None else (before,)
         return self._acted_on[index] if index < len(self._acted_on) else ()
+
+
+def _may_be_elsewhere(command: Bringing, known: Known) -> bool:
+    """Whether what is not in view may be anywhere but on what the robot stands before."""
+    source = command.source
+    return not (isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source))))
+
+
+def _is_far(command: Bringing, known: Known) -> bool:
+    """Whether what was seen is where no hand gets to without a step."""
+    return isinstance(command.object, ObjectDescription) and not known.is_near(Nearness(command.object))
 
 
 def without_skill(commands: Sequence[Command]) -> Task | None:

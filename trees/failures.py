@@ -95,6 +95,12 @@ class Failure:
         return root.kind is FailureKind.POSTCONDITION and isinstance(root.numbers.get("seen"), str)
 
     @property
+    def is_no_grasp(self) -> bool:
+        """Whether the planner found no way to grasp what was seen: the root tells ``grasps_considered``."""
+        root = self.root
+        return root.kind is FailureKind.INFEASIBLE and "grasps_considered" in root.numbers
+
+    @property
     def choices(self) -> tuple[str, ...]:
         """What a person has to choose from, when several things fit; at the root of the chain."""
         return self._listed("choices")

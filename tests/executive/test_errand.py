@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from executive.clarification import OpenQuestion
+from executive.command_parser import parse
 from executive.errand import Errand, drive
 from executive.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.meaning import StopCommand
@@ -298,6 +299,27 @@ def test_a_room_that_is_not_on_the_map_is_told_before_anything_moves(fake_stage,
     [result] = on.run(task)
 
     assert (result.outcome, result.failure.message) == ("failed", told)
+    assert on.fake.session.now_s == 0.0
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "put the cup on the floor",
+        "pick up the ball from the floor",
+        "pick up the ball on the ground",
+        "pick up the cup and put it on the floor",
+    ],
+)
+def test_the_floor_is_not_looked_for_and_nothing_is_half_done(fake_stage, sentence):
+    on = Stage(fake_stage(LEFT))
+
+    [result] = on.run(*parse(sentence).commands)
+
+    assert (result.outcome, result.failure.message) == (
+        "failed",
+        "the floor is too low for the hands of this robot",
+    )
     assert on.fake.session.now_s == 0.0
 
 

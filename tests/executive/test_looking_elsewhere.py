@@ -96,6 +96,29 @@ def test_it_is_looked_for_once_and_told_as_what_was_asked_for():
     assert last.failure.cause.message == "no thing seen"
 
 
+def out_of_reach():
+    return Failure.infeasible("no way to grasp it was found", grasps_considered=0.0)
+
+
+@pytest.mark.requirement("M5", "M6")
+@pytest.mark.parametrize("sentence", ["pick up the bottle", "put the bottle on the table"])
+def test_what_no_hand_gets_to_from_here_is_walked_to(sentence):
+    notes = Notes(out_of_reach())
+
+    assert carried_out(notes, sentence)[-1] == "done"
+    assert notes.told[1] == "come within reach of the bottle"
+
+
+def test_what_cannot_be_grasped_from_nearby_either_is_told_so():
+    notes = Notes(out_of_reach(), None, out_of_reach())
+
+    assert carried_out(notes, "pick up the bottle") == ["failed", "done", "failed"]
+
+
+class ErrandBesideTheBottle(ErrandHere):
+    before = ("bottle",)
+
+
 class ErrandBeforeTheTable(ErrandHere):
     before = ("table",)
 
@@ -107,6 +130,7 @@ class ErrandBeforeTheTable(ErrandHere):
         (Notes(unseen("cup"), can_walk=False), "pick up the cup", ErrandHere),
         (Notes(Failure.infeasible("the door is stuck")), "pick up the cup", ErrandHere),
         (Notes(Failure.postcondition("it slipped", seen=True)), "pick up the cup", ErrandHere),
+        (Notes(out_of_reach()), "pick up the bottle", ErrandBesideTheBottle),
         (Notes(unseen("cup")), "pick up both cups", ErrandHere),
         (Notes(unseen("cup")), "count the cups", ErrandHere),
     ],

@@ -20,7 +20,9 @@ def recall(stage):
 
     def run(odom_T_things, on_table=True, wanted=CUP):
         solids = [
-            SceneObject(one.name, one.shape, odom_T_things @ one.world_T_object, 0.0, one.category == "object")
+            SceneObject(
+                one.name, one.shape, odom_T_things @ one.world_T_object, 0.0, one.category == "object"
+            )
             for one in ((table(), cup()) if on_table else (cup(),))
         ]
         stage.told.update(stage.told.scene.with_objects(solids))

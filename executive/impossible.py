@@ -1,0 +1,54 @@
+"""What no search would help with, told before anything moves: a room off the map, the floor as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from executive.meaning import Command
+from executive.preparing import Bringing
+from executive.room_words import missing_room
+from trees.report_words import listed
+from trees.tasks import ObjectDescription
+
+_FLOOR = "floor"
+_SLOTS = ("source", "on", "to")
+
+
+@dataclass(frozen=True, slots=True)
+class Impossible:
+    """A command that cannot be done, why, and the word that says so."""
+
+    command: Command
+    message: str
+    word: str
+
+
+def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossible | None:
+    """The first command that cannot be done here, whatever is seen; None without one.
+
+    Args:
+        commands: What was said.
+        rooms: Names of the rooms on the map.
+    """
+    missing = missing_room(commands, rooms)
+    if missing is not None:
+        command, room = missing
+        known = f"it has {listed([f'the {name}' for name in sorted(rooms)])}" if rooms else "it has no rooms"
+        return Impossible(command, f"there is no {room} on the map; {known}", room)
+    for command in commands:
+        if isinstance(command, Bringing) and any(map(_is_floor, _places(command))):
+            return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
+    return None
+
+
+def _places(command: Bringing) -> list[object]:
+    """Where its thing is said to be, and where it goes."""
+    own = command.object.relation if isinstance(command.object, ObjectDescription) else None
+    is_on = [own.to] if own is not None and own.kind == "on" else []
+    return [*(getattr(command, slot, None) for slot in _SLOTS), *is_on]
+
+
+def _is_floor(place: object) -> bool:
+    kind = place.kind if isinstance(place, ObjectDescription) else place
+    return kind == _FLOOR
