@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from kinematics.requests import MoveRequest
+from kinematics.walking.room import WalkingRoom
 from trees.contract import Contract
 from trees.empty_arms import are_at, home_joints, tucked_joints
 from trees.failures import Failure
 from trees.move_here import move_from_here
+from trees.own_load import without_held
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 from trees.toolbox import Toolbox
@@ -44,4 +46,14 @@ class DrawArmsIn(PlannedMotionLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} has no arm to draw in")
         if are_at(toolbox, joints):
             return None
+        if self._out and self._meets_something():
+            return Failure.infeasible("the hands have no room to come out again")
         return move_from_here(toolbox, joints, keep_others=True)
+
+    def _meets_something(self) -> bool:
+        """Whether something is seen where the hands would come: somebody may stand there unknown."""
+        toolbox, settings = self.toolbox, self.toolbox.model.description.walking
+        scan = None if toolbox.ranging is None else toolbox.ranging.scan()
+        if scan is None or settings is None:
+            return False
+        return WalkingRoom(settings).turn_meets(without_held(toolbox, scan), 0.0) is not None

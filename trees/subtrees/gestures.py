@@ -38,7 +38,7 @@ def wave(toolbox: Toolbox) -> Behaviour:
         SwingHand("swing hand", toolbox),
         GoHome("lower hand", toolbox),
     ]
-    return tidily("wave", children, toolbox)
+    return tidily("wave", children, toolbox, toolbox.policy.walk_timeout_s)
 
 
 def point_at(toolbox: Toolbox) -> Behaviour:
@@ -60,7 +60,7 @@ def point_at(toolbox: Toolbox) -> Behaviour:
         Hold("hold", toolbox, toolbox.policy.pointing_hold_s),
         GoHome("lower arm", toolbox),
     ]
-    return tidily("point at", children, toolbox)
+    return tidily("point at", children, toolbox, toolbox.policy.walk_timeout_s)
 
 
 def look_at(toolbox: Toolbox) -> Behaviour:
@@ -78,7 +78,7 @@ def look_at(toolbox: Toolbox) -> Behaviour:
         turned_to("face it", toolbox, everywhere(toolbox), BEHIND_RAD),
         Alternatives("look", ways, hopeless=hands_are_not_in_the_way),
     ]
-    return tidily("look at", children, toolbox)
+    return tidily("look at", children, toolbox, toolbox.policy.walk_timeout_s)
 
 
 def hands_are_not_in_the_way(failure: Failure) -> bool:

@@ -9,7 +9,6 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.alternatives import Alternatives
-from trees.away_from_start import is_away
 from trees.failures import Failure, FailureKind
 from trees.leaves.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.leaves.choose_furniture import ChooseFurniture
@@ -19,7 +18,6 @@ from trees.leaves.locate import Locate
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.recall_support import RecallSupport
 from trees.leaves.walk_to import WalkTo
-from trees.odometry import body_pose
 from trees.policy import Gaze
 from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import search_place
@@ -40,7 +38,7 @@ def turned_around(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
 
 
 def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternatives:
-    """Look from here, then turned around where the robot roams; reads "task", writes "place"."""
+    """Look from here, then turned around; reads "task", writes "place"."""
     policy = toolbox.policy
     turned: list[Behaviour] = [
         *turned_around(toolbox, (*policy.level_gazes, *policy.search_gazes[:1])),
@@ -50,17 +48,13 @@ def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternat
         search_place("look around", toolbox, gazes),
         Alternatives("turned", turned, looking_elsewhere_is_useless, worth_going),
     ]
-    return Alternatives(name, ways, looking_elsewhere_is_useless, turning_where_it_roams)
+    return Alternatives(name, ways, looking_elsewhere_is_useless, turning_if_it_walks)
 
 
-def turning_where_it_roams(way: Behaviour, _failure: Failure | None) -> bool:
-    """Turns only among rooms, and away from where the robot began: it may face a table there."""
-    turns = [leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint)]
-    return not turns or (turns[0].toolbox.can_walk and _roams(turns[0].toolbox))
-
-
-def _roams(toolbox: Toolbox) -> bool:
-    return bool(toolbox.places) or is_away(body_pose(toolbox))
+def turning_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
+    """Turns only where the robot can."""
+    turns = (leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint))
+    return all(turn.toolbox.can_walk for turn in turns)
 
 
 def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) -> Behaviour:

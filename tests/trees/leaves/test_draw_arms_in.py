@@ -45,3 +45,16 @@ def test_a_robot_that_cannot_says_so(stage_with, monkeypatch):
 
     assert stage.run(DrawArmsIn("in", stage.toolbox)) is Status.FAILURE
     assert "no arm to draw in" in stage.failed()[0].message
+
+
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize(("point_m", "come_out"), [((0.35, 0.3, 1.0), False), ((0.9, 0.3, 1.0), True)])
+def test_hands_do_not_come_out_into_what_the_range_sensor_sees(stage_with, point_m, come_out):
+    stage = stage_with(walks=True)
+    assert stage.run(DrawArmsIn("in", stage.toolbox)) is Status.SUCCESS
+    stage.fake.ranging.points_m = np.array([point_m])
+
+    out = stage.run(DrawArmsIn("out", stage.toolbox, out=True))
+
+    assert (out is Status.SUCCESS) is come_out
+    assert arms_are_tucked(stage.toolbox) is not come_out
