@@ -169,8 +169,8 @@ class Antecedents(RepeatedNouns):
             raise ask("which of those that are found is meant?")
         if not thing.anaphoric:
             return
-        if kind is None and thing.ordinal == "other" and not thing.said:
-            raise ask("another what?")
+        if kind is None and thing.ordinal == "other":
+            raise ask("other than what? nothing was named before" if thing.said else "another what?")
         if thing.ordinal in _COUNTED and any(one.of.ordinal not in _COUNTED for one in singles):
             raise ask(f"the {thing.ordinal} that was named, or from the left?")
         before = [one for one in same.values() if one.clause != self._clause and one.task in self._held]
@@ -186,6 +186,22 @@ class Antecedents(RepeatedNouns):
         kinds = dict.fromkeys(one.kind for one in (*([self._kind] if self._kind else []), *named) if one.kind)
         if len(kinds) > 1:
             raise ask("which one is meant?", [f"the {kind}" for kind in kinds])
+
+    def _not_of_what_is_put(self, place: Nominal, root: int) -> None:
+        """Ask what "the left one" is that a can is put onto, if nothing but that very can was named.
+
+        "The red box on the blue one" is on a box: its colour tells that box from the other.
+
+        Raises:
+            UnresolvedError: It may be anything.
+        """
+        handled = self._kind
+        is_put = root == len(self._commands) or any(
+            one.task == root and handled is not None and one.of.kind == handled.kind for one in self._entities
+        )
+        told = [slot for slot in _CONTRASTED if getattr(place, slot) is not None]
+        if is_put and handled is not None and all(getattr(handled, slot) is None for slot in told):
+            raise ask("which one is meant?")
 
     def _only_contrast(self, other: Nominal) -> None:
         """Ask when "the blue one" beside something may be of a kind that was named just before.

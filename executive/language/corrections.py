@@ -36,6 +36,8 @@ _ADDS = frozenset({"also", "too", "as", "well", "both", "another", "and", "or", 
 _LEANS = frozenset({"it", "them", "him", "her", "there", "one"})
 """Words that stand for what was said before."""
 
+_SIDE = frozenset({"LEFT_RIGHT"})
+
 _INSTEAD = "instead"
 Understood = Callable[[str], tuple[Command, ...] | None]
 
@@ -120,11 +122,20 @@ class _Repair:
     def _is_open(self, done: str) -> bool:
         """Whether "the red one" may be any of several things: none or several of them have a colour."""
         before = Span(0, self._marker.span.start)
-        nouns = self._nouns(before)[0]
+        nouns = [*self._nouns(before)[0], *self._hands(before)]
         if len(nouns) < 2 or len(set(nouns)) < len(nouns):
             return len(nouns) > 1
         anew = self._describing(Span(self._marker.span.end, self._end))
         return done == ADDS or len(anew) != 1 or self._describing(before).count(anew[0]) != 1
+
+    def _hands(self, span: Span) -> list[str]:
+        """The hands of a span that are told by their side, any of which "the right one" may replace."""
+        return [
+            one.said
+            for index in range(span.start, span.end)
+            for one in self._lattice.phrase(index)
+            if one.word_class == "HAND" and self._lattice.ends_with(index, _SIDE) and one.end <= span.end
+        ]
 
     def _describing(self, span: Span) -> list[str]:
         """What sorts of words describe things within a span: a colour, a size; "one" is none."""
@@ -248,8 +259,11 @@ class _Repair:
         kept = self._texts(old.end, self._marker.span.start)
         rest = self._texts(self._resumed(new.end), self._end)
         was = self._texts(old.start, old.end)
-        without, replaced = ([*before, *one, *kept, *rest] for one in (was, words))
         anew = " ".join(words) if any(one.startswith("do ") for one in shared) else None
+        hands = self._hands(old)
+        if ones and hands and not sorts:
+            words[ones[0] - new.start] = hands[0]
+        without, replaced = ([*before, *one, *kept, *rest] for one in (was, words))
         return _Candidate(" ".join(without), " ".join(replaced), alone, elliptic, anew)
 
     def _resumed(self, position: int) -> int:

@@ -226,6 +226,7 @@ class Destinations(Antecedents):
                     replace(value, kind=holder.kind, sort=holder.sort, anaphoric=False, said="")
                 )
             self._only_kind((*self._places, *self._mentioned))
+            self._not_of_what_is_put(value, root)
         return self._destination(value)
 
     def _holder_like(self, *, into: bool) -> Nominal | None:

@@ -77,6 +77,8 @@ class ItsDoor(Discourse):
         meant = another_of(thing, opened[-1:])
         last = self._kind.kind if self._kind is not None else None
         if meant.kind is None or meant.kind != last or any(one.kind != meant.kind for one in named):
+            if last is None and not named and thing.ordinal == "other":
+                raise ask("other than what? nothing was named before")
             what = last or "thing"
             told = f"to {action} a {what} ({what!r}) is nothing that this robot can do"
             raise (
