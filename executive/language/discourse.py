@@ -73,6 +73,7 @@ class Discourse:
         self._said_before: tuple[Nominal, ...] = ()
         self._said_first = False
         self._stated: list[Nominal] = []
+        self._stated_to_go: dict[int, int] = {}
         self._clause = 0
         self._remembers = False
 

@@ -15,7 +15,7 @@ from executive.language.scopes import UNCLEAR_ORDER
 from trees import tasks
 from trees.tasks import ObjectOf
 
-_SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive", "lifts", "reaches")
+_SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive", "lifts", "reaches", "stated")
 """Slots that say how a task was ordered, not what it is."""
 
 _GOES = frozenset({"walk_to", "move", "go_home"})
@@ -39,6 +39,17 @@ def _slots_of(one: Draft) -> dict[str, Any]:
         for name, value in one.slots
         if name not in _SAID
     }
+
+
+def _is_named_again(person: Any, said: Any) -> bool:
+    return bool(person == said)
+
+
+def _is_the_same(person: Any, said: Any) -> bool:
+    """Whether somebody is named again, or is who "him" may be."""
+    if isinstance(said, Nominal) and isinstance(person, Nominal) and said.reference == "him":
+        return person.reference is None and may_be(said.said, person)
+    return _is_named_again(person, said)
 
 
 class DoneAlready(Doubts):
@@ -113,11 +124,14 @@ class DoneAlready(Doubts):
         """Whether the task before gives the very thing to whom it is to be brought."""
         first, *rest = bundle
         last, root = self._did[-1] if self._did else (None, -1)
-        if last is None or last.action != "hand_over" or not first.get("fetched") or len(rest) != 1:
+        if last is None or last.action != "hand_over" or first.get("source") is not None:
             return False
-        same = [one.get("to") for one in (last, *rest)]
-        thing = first.get("object")
-        if rest[0].action != "hand_over" or same[0] != same[1] or first.get("source") is not None:
+        brought = first.get("fetched") and len(rest) == 1
+        if not brought and not (last.get("stated") and not rest):  # "it goes to Ana, give it to her"
+            return False
+        handed, thing = bundle[-1], first.get("object")
+        same = _is_the_same if last.get("stated") else _is_named_again
+        if handed.action != "hand_over" or not same(last.get("to"), handed.get("to")):
             return False
         if isinstance(thing, Nominal) and thing.reference == "it":
             thing = self._it(thing, first.action)

@@ -13,6 +13,8 @@ from executive.references import references
 from trees import tasks
 from trees.tasks import ObjectOf
 
+_MOVES = frozenset({"pick", *PUTS_DOWN})
+
 _TOLD = frozenset({"count", "find", "describe"})
 """Tasks that end with something to tell."""
 
@@ -54,6 +56,19 @@ class Doubts(Destinations):
             raise ask("what shall be told?")
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
+
+    def _doubt_stated(self, one: Draft, root: int) -> None:
+        """Ask what is done with a thing that was just said to go elsewhere: "the milk goes in the fridge".
+
+        Raises:
+            UnresolvedError: Something else is.
+        """
+        if one.action not in _MOVES:
+            return
+        if one.get("stated"):
+            self._stated_to_go[root] = self._clause
+        elif self._stated_to_go.get(root, self._clause) != self._clause:
+            raise ask("it is said to go elsewhere: shall it be put there first?")
 
     def _doubt_another(self) -> None:
         """Ask where another one goes that is only taken, by the verb that took one somewhere.

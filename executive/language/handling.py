@@ -303,6 +303,15 @@ def _can_i_have(parts: Parts) -> Clause:
     return clause(parts, [given(one, ME) for one in each])
 
 
+def _let_have(parts: Parts) -> Clause:
+    """Let Ana have the cup: she gets it, unless it is somewhere that she would have to go."""
+    person = next((part for part in parts if isinstance(part, Nominal)), ME)
+    each = arranged(parts)
+    if any(one.goal is not None or one.back or one.person is not None for one in each):
+        raise unfit()
+    return clause((), [given(one, person) for one in each])
+
+
 def _want(parts: Parts) -> Clause:
     each = arranged(parts)
     for one in each:
@@ -325,6 +334,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "give_it": _give_it,
     "give": _give,
     "can_i_have": _can_i_have,
+    "let_have": _let_have,
     "want": _want,
 }
 

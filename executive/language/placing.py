@@ -15,11 +15,8 @@ from executive.language.opposite_sides import with_the_middle
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     HARMS,
-    Benefit,
     Bundle,
     Clause,
-    Hand,
-    Item,
     Items,
     Meaning,
     Nominal,
@@ -133,20 +130,6 @@ def _drop_off(parts: Parts) -> Clause:
     if not dropped or any(one.goal is None for one in arranged(parts, goes=True)):
         raise unfit()
     return _put(parts)
-
-
-def _shall_go(parts: Parts) -> Clause:
-    """The milk needs to go in the fridge: nothing is told of it but where it goes."""
-    first, *others = (part for part in parts if isinstance(part, Item))
-    if first.details or not all(one.details for one in others):
-        raise unfit()
-    told = tuple(part for part in parts if not isinstance(part, (Word, Item)) and _is_detail(part))
-    return _put((*words(parts, "SHALL_GO"), replace(first, details=told), *others))
-
-
-def _is_detail(part: Any) -> bool:
-    """Whether it is said of a thing, rather than joining two."""
-    return isinstance(part, (Where, Hand, Benefit)) or part == "back"
 
 
 def _put_into(parts: Parts) -> Clause:
@@ -330,7 +313,6 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put_it": _put_it,
     "put_where": _put_where,
     "drop_off": _drop_off,
-    "shall_go": _shall_go,
     "put_into": _put_into,
     "move_thing": _move_thing,
     "drop": _drop,

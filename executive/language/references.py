@@ -47,7 +47,7 @@ _TAKES_SEVERAL = frozenset(
 
 _ASIDE = frozenset(
     {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in"}
-    | {"done", "condition", "late", "lifts", "reaches", "reports", "one_of"}
+    | {"done", "condition", "late", "lifts", "reaches", "reports", "one_of", "stated"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 
@@ -230,6 +230,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         if self._is_done_already(action, slots):
             return ObjectOf(root)  # "come, stand next to me"
         self._doubt_done(one)
+        self._doubt_stated(one, root)
         self._note_object(named, resolved)
         if action == "walk_to":
             self._note_walk(one.get("to"))

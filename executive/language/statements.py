@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import arranged, guarded, unfit
+from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
 from executive.language.scopes import Further, Group, Separator
@@ -92,13 +93,18 @@ def _mention_lost(parts: Parts) -> Clause:
     nominal = one.object
     if one.goal is not None or one.back or one.hand is not None or one.person is not None:
         raise unfit()
-    if item.details and any("find" in word.said.split() for word in words(parts, "LOST", "LOSES")):
+    if item.details and any(map(_is_nowhere, words(parts, "LOST", "LOSES", "LOST_WHERE"))):
         raise unfit()  # where it is, or where it is not?
     if nominal.sort != "thing" or nominal.reference or nominal.anaphoric:
         raise unfit()
     if nominal.count != 1 or (nominal.plural and not nominal.paired):
         raise unfit()
     return Clause((), "base", mention=Mention(nominal, one.source), about=people)
+
+
+def _is_nowhere(word: Word) -> bool:
+    """Whether it says that nobody knows where something is."""
+    return word.meaning == "nowhere" or "find" in word.said.split()
 
 
 def _mention_wanted(parts: Parts) -> Clause:
@@ -116,13 +122,29 @@ def _mention_wanted(parts: Parts) -> Clause:
 def _mention_for(parts: Parts) -> Clause:
     """A statement of who is to get a thing: "the red cup is for Mia, bring it to her"."""
     of, person = (part for part in parts if isinstance(part, Nominal))
-    is_now = words(parts, "IS_AT")[0].said in ("is", "are") and words(parts, "FOR")[0].said == "for"
+    said = [word.said for word in words(parts, "IS_AT", "FOR")]
+    is_now = said in (["is", "for"], ["are", "for"]) or bool(words(parts, "BELONGS_TO"))
     somebody = person.sort in ("name", "person") and person.is_single and not person.reference
     if not is_now or not somebody or of.sort != "thing" or of.reference or of.anaphoric or not of.determined:
         raise unfit()
     told = _named(of)
     stated = None if told.mention is None else replace(told.mention, meant_for=person)
     return replace(told, mention=stated, about=(person,))
+
+
+def _mention_belongs(parts: Parts) -> Clause:
+    """A statement of where a thing has its place, which is "there" after it: "... put them there"."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    place: Where = parts[-1]
+    (one,) = arranged((item,))
+    nominal = one.object
+    if one.goal is not None or one.back or one.hand is not None or one.person is not None:
+        raise unfit()
+    if nominal.sort != "thing" or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    if place.role != "either" or place.relation is not None or place.of.reference or place.of.is_person:
+        raise unfit()
+    return replace(_named(nominal, one.source), about=(place.of,))
 
 
 def _mention_state(parts: Parts) -> Clause:
@@ -220,6 +242,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention": _mention,
     "mention_how": _mention_how,
     "mention_for": _mention_for,
+    "mention_belongs": _mention_belongs,
     "mention_lost": _mention_lost,
     "mention_state": _mention_state,
     "mention_wanted": _mention_wanted,
