@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -56,6 +57,17 @@ class Doubts(Destinations):
             raise ask("what shall be told?")
         if one.get("again") and not self._was_opened(resolved):
             raise UnresolvedError(Trouble("how to do it ('again') cannot be chosen", "again"))
+
+    def _doubt_for_whom(self, about: Sequence[Nominal]) -> None:
+        """Ask who gets what was just brought to nobody: "bring a blanket, Grandma is cold".
+
+        Raises:
+            UnresolvedError: It may be somebody of whom a statement tells why.
+        """
+        brought = self._unsaid_giving is not None and self._unsaid_giving[0] == len(self._commands) - 1
+        people = [str(one.kind) for one in about if one.is_person]
+        if brought and people:
+            raise ask("to whom?", ["me", *people])
 
     def _doubt_stated(self, one: Draft, root: int) -> None:
         """Ask what is done with a thing that was just said to go elsewhere: "the milk goes in the fridge".

@@ -102,6 +102,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             for named in (*clause.about, *clause.said_before):
                 self._name_place(named)
             self._stated += clause.about if not clause.bundles else ()
+            self._doubt_for_whom(clause.about if not clause.bundles else ())
             for bundle in clause.bundles:
                 for each in self._spread(self._with_mention(bundle)):
                     self._bundle(each, clause.text)

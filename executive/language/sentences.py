@@ -10,12 +10,12 @@ from typing import Any, Literal
 
 from executive.language.arrivals import as_done, done_by_then
 from executive.language.begun_by import in_base_form
+from executive.language.given_reasons import are_reasons_fit, doubts_of_reasons
 from executive.language.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Meaning, Nominal, Trouble
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
-from executive.language.speech import UNQUOTED
-from executive.language.statements import is_statement, may_be_said, with_places
+from executive.language.statements import is_statement, with_places
 from executive.language.told import told_or_done
 
 
@@ -117,8 +117,11 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     told = told_or_done(one.part for one in said if isinstance(one.part, Clause))
     if told is not None:
         return told if isinstance(told, Trouble) else None
-    if may_be_said(parts):
-        return Trouble(UNQUOTED, asks=True)
+    doubt = doubts_of_reasons(parts)
+    if doubt is not None:
+        return doubt
+    if not are_reasons_fit(parts):
+        return None
     if any(after.asked and is_statement(before.part) for before, after in itertools.pairwise(said)):
         return Trouble("is that so, or is it asked?", asks=True)  # "the cup is dirty? Put it in the sink"
     clauses = in_order(said)

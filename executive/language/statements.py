@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
@@ -12,16 +11,7 @@ from executive.language.arranging import arranged, guarded, unfit
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
-from executive.language.scopes import Further, Group, Separator
-
-
-class _Reason:
-    """Why a command before it was given; it changes nothing."""
-
-    __slots__ = ()
-
-
-_REASON = _Reason()
+from executive.language.scopes import Further
 
 
 def _mention(parts: Parts) -> Clause:
@@ -159,10 +149,6 @@ def _mention_state(parts: Parts) -> Clause:
     return Clause((), "base", mention=Mention(nominal, state=state))
 
 
-def _reason(_parts: Parts) -> _Reason:
-    return _REASON
-
-
 def _located_after(parts: Parts) -> Where:
     where: Where = parts[-1]
     return where
@@ -171,27 +157,6 @@ def _located_after(parts: Parts) -> Where:
 def is_statement(part: Any) -> bool:
     """Whether it says something and commands nothing."""
     return isinstance(part, Clause) and not part.bundles
-
-
-def may_be_said(parts: Parts) -> bool:
-    """Whether a reason stands where words to say may go on: "say hello, I'm cold"."""
-    return any(
-        _goes_on(after) and _last_action(before) == "say" for before, after in itertools.pairwise(parts)
-    )
-
-
-def _goes_on(part: Any) -> bool:
-    """Whether it states something, and no full stop stands before it."""
-    if not isinstance(part, Further):
-        return part is _REASON
-    stated = isinstance(part.part, Clause) and is_statement(part.part) and bool(part.part.about)
-    return stated and part.separator is not Separator.STOP
-
-
-def _last_action(part: Any) -> str | None:
-    part = part.part if isinstance(part, Further) else part
-    last = (*part.first, *part.second)[-1] if isinstance(part, Group) else part
-    return str(last.bundles[-1][-1].action) if isinstance(last, Clause) and last.bundles else None
 
 
 def with_places(parts: Parts) -> Parts | None:
@@ -246,8 +211,6 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention_lost": _mention_lost,
     "mention_state": _mention_state,
     "mention_wanted": _mention_wanted,
-    "reason": _reason,
-    "reason_after": _reason,
     "located_after": _located_after,
 }
 
