@@ -30,8 +30,7 @@ def fronted(parts: Parts) -> Clause | Trouble | None:
     said = first.get("object")
     if said == one.object and len(command.bundles) == 1 and not topic.details:
         return replace(command, terse=True, topic=listed)  # "the cup: bring me the cup"
-    pronoun = "them" if of.count != 1 or of.plural else "it"
-    if not isinstance(said, Nominal) or said.reference != pronoun or of.reference:
+    if not isinstance(said, Nominal) or said.reference not in _pronouns(of) or of.reference:
         return None
     if of.sort not in ("thing", "container", "door") or (of.plural and of.count == 1):
         return None
@@ -41,6 +40,13 @@ def fronted(parts: Parts) -> Clause | Trouble | None:
             return None
         changed = changed.with_slot(name, value)
     return replace(command, bundles=((changed, *rest), *command.bundles[1:]), terse=True, topic=listed)
+
+
+def _pronouns(of: Nominal) -> tuple[str, ...]:
+    """What stands for it right behind it: "that one" for one thing, either of the others for scissors."""
+    if of.count != 1 or of.plural:
+        return ("them",)
+    return ("it", "this", "them") if of.paired else ("it", "this")
 
 
 def _leans(bundle: Bundle) -> bool:

@@ -39,8 +39,6 @@ def thing(one: Arranged, doing: str) -> Nominal:
         raise trouble(
             f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind
         )
-    if nominal.reference == "this":
-        raise trouble("which one is meant?", asks=True)
     unclear = nominal.plural and not nominal.reference and not nominal.counted and not nominal.determined
     if unclear or nominal.is_vague:
         raise trouble("how many of them?", asks=True)
@@ -50,6 +48,7 @@ def thing(one: Arranged, doing: str) -> Nominal:
         and not nominal.reference
         and nominal.is_plain
         and nominal.count == 1
+        and not nominal.is_bare_one
         and one.source is None
     ):
         raise trouble("which object is meant?", asks=True)

@@ -147,6 +147,11 @@ class Nominal:
         """Whether the noun says it all."""
         return all(getattr(self, name) is None for name in _DESCRIBES)
 
+    @property
+    def is_bare_one(self) -> bool:
+        """Whether it is no more than "one" of what was named before: "Tom needs a fork, take one to him"."""
+        return self.anaphoric and self.is_plain and self.count == 1 and not (self.determined or self.plural)
+
 
 SEATS = frozenset({"sofa", "armchair", "chair", "bed", "bench", "stool"})
 

@@ -55,6 +55,11 @@ _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
 
 
+def one_at_a_time(action: str) -> str:
+    """The refusal of opening or closing several things at once."""
+    return f"only one at a time can be told to {action}; name each of them"
+
+
 def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str | None) -> Any:
     """The task that puts a thing to where it goes."""
     of = goal.of
@@ -275,10 +280,7 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                 who = "the robot" if relation.to.sort == "you" else relation.to.kind or "somebody"
                 raise trouble(f"which door? is it behind {who}, or the one just walked through?", asks=True)
             if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
-                raise trouble(
-                    f"only one at a time can be told to {action}; name each of them",
-                    nominal.kind,
-                )
+                raise trouble(one_at_a_time(action), nominal.kind)
             if nominal.anaphoric and nominal.sort == "any" and not nominal.is_plain:
                 bundles.append((draft(action, object=nominal, hand=one.hand),))
                 continue  # "open the top drawer, then close the bottom one"

@@ -247,6 +247,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
             return None, thing
         if one.get("inside"):
             return None, self._looked_into()
+        if thing.is_bare_one:
+            raise ask("which object is meant?")
         if thing.reference:
             meant = self._it(thing, one.action, one.get("source"))
             return (meant, self._description(meant)) if isinstance(meant, Nominal) else (None, meant)

@@ -94,9 +94,12 @@ def _said_after(done_first: Clause, said_first: tuple[Clause, ...]) -> Clause:
         for bundle in clause.bundles
         for one in bundle
         for _, value in one.slots
-        if isinstance(value, Nominal) and (one.action == "close" or opens or value.sort in ("thing", "any"))
+        if isinstance(value, Nominal)
+        and (one.action == "close" or opens or value.sort in ("thing", "any", "name", "person"))
     ]
-    fitting = (one for one in named if one.is_single and not one.reference and not one.is_person)
+    fitting = [one for one in named if one.is_single and not one.reference]
+    if any(one.action == "say" for clause in said_first for bundle in clause.bundles for one in bundle):
+        fitting = [one for one in fitting if not one.is_person]  # "him" may be somebody in words to say
     return replace(done_first, said_before=tuple(dict.fromkeys(fitting)))
 
 

@@ -85,7 +85,8 @@ class StatedThings(Discourse):
         """The very thing that was stated: "it", or "them" where it is several."""
         of = stated.of
         pronoun = "it" if of.is_single else "them"
-        if thing.reference != pronoun:
+        one_of_them = thing.is_bare_one and of.indefinite and of.is_single  # "he needs a fork, bring him one"
+        if thing.reference != pronoun and not one_of_them:
             raise _unrelated()
         if thing.said == "both" and of.count not in (2, "both"):
             raise ask("which two are meant?")

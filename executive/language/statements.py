@@ -7,10 +7,11 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import arranged, guarded, unfit
+from executive.language.arranging import arranged, guarded, trouble, unfit
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
+from executive.language.placing import one_at_a_time
 from executive.language.scopes import Further
 
 
@@ -138,15 +139,18 @@ def _mention_belongs(parts: Parts) -> Clause:
 
 
 def _mention_state(parts: Parts) -> Clause:
-    """A statement that something is open or closed, of which only the opposite can be asked."""
+    """A statement that something is open or closed, or has to be, which only one thing follows from."""
     (item,) = (part for part in parts if isinstance(part, Item))
     nominal = item.of
-    is_door = nominal.sort in ("container", "door") and nominal.is_single and nominal.determined
-    wished = {"should", "must"} & {one for word in words(parts, "IS_AT") for one in word.said.split()}
-    if wished or not is_door or item.details or nominal.reference or nominal.anaphoric:
+    is_door = nominal.sort in ("container", "door") and nominal.determined
+    if not is_door or item.details or nominal.reference or nominal.anaphoric:
         raise unfit()
-    state = "open" if words(parts, "OPENED") else "closed"
-    return Clause((), "base", mention=Mention(nominal, state=state))
+    said = {one for word in words(parts, "IS_AT") for one in word.said.split()}
+    wished = bool(words(parts, "SHALL_BE")) or not said.isdisjoint(("should", "must"))
+    is_open = bool(words(parts, "OPENED")) != wished  # what should be closed is taken to be open
+    if not nominal.is_single:
+        raise trouble(one_at_a_time("close" if is_open else "open"), nominal.kind)
+    return Clause((), "base", mention=Mention(nominal, state="open" if is_open else "closed"))
 
 
 def _located_after(parts: Parts) -> Where:

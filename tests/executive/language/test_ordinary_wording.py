@@ -102,8 +102,10 @@ class TestWhatHasToGoSomewhere:
     def test_a_thing_that_has_to_go_somewhere_is_put_there(self, sentence):
         assert tasks_of(sentence) == tasks_of("put the milk in the fridge")
 
-    def test_a_thing_that_is_told_by_a_place_of_its_own_is_refused(self):
-        assert tasks_of("the cup on the table needs to go on the shelf") == []
+    def test_a_thing_that_is_told_by_a_place_of_its_own_is_taken_from_there(self):
+        (task,) = tasks_of("the cup on the table needs to go on the shelf")
+
+        assert (task["from"], task["on"]) == ("table", "shelf")
 
 
 class TestInTheRoom:
