@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
+BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE", "FREE_REASON"})
 """Terminals that are recognised by their form, not listed."""
 
 

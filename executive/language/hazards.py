@@ -48,6 +48,11 @@ def harm_in(commands: Sequence[Command]) -> Trouble | None:
     return None
 
 
+def is_hazard(kind: str) -> bool:
+    """Whether a thing of some kind could be meant to harm somebody, or could harm whoever gets it."""
+    return not _stands_in("harmless", kind) and _is(kind, "sharp", "fire", "poison", "medicine", "explodes")
+
+
 def _described(thing: Any, commands: Sequence[Command]) -> Any:
     """The description behind "it", which may stand for what "it" stood for before."""
     for _ in commands:

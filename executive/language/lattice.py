@@ -11,6 +11,7 @@ from executive.language.begun_twice import without_beginnings
 from executive.language.colons import BEFORE_A_COLON
 from executive.language.contracted import uncontracted
 from executive.language.courtesies import is_condition
+from executive.language.free_reasons import FREE_REASON, free_reasons
 from executive.language.hesitations import SET_OFF, is_set_off, says_nothing
 from executive.language.titles import titled_names
 from executive.language.tokens import Piece
@@ -100,18 +101,22 @@ class Lattice:
         self._text_ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
-        self._names: dict[int, list[Word]] = {}
+        self._formed: dict[int, list[Word]] = {}
         for found in list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)):
             self._add_name(*found, texts)
         for found in list(titled_names(pieces, plain, self._begins, vocabulary)):
             self._add_name(*found, texts)
+        for first, end in free_reasons(pieces, self._begins, self._nothing_said, vocabulary):
+            self._formed.setdefault(first, []).append(
+                Word(FREE_REASON, "reason", first, end, " ".join(texts[first:end]))
+            )
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
 
     def _add_name(self, start: int, end: int, word_class: str, name: str, texts: Sequence[str]) -> None:
         """Keep a name that is no phrase of the vocabulary."""
         word = Word(word_class, name, start, end, " ".join(texts[start:end]))
-        self._names.setdefault(start, []).append(word)
+        self._formed.setdefault(start, []).append(word)
         self._begins[start].add(word_class)
         self._ended[end].add(word_class)
 
@@ -231,7 +236,7 @@ class Lattice:
             for length, reading in vocabulary.matches(texts, start)
             if reading.word_class != "KIN_TITLE"
         ]
-        found += self._names.get(start, ())
+        found += self._formed.get(start, ())
         if piece.quoted:
             found = [Word("QUOTED", piece.text, start, start + 1)]
         elif piece.is_mark:
