@@ -41,6 +41,7 @@ from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
 from trees.odometry import body_pose
 from trees.questions import OTHER
+from trees.regions import START
 from trees.tasks import ObjectDescription, ObjectOf, PickTask, PlaceTask, Task, WalkToTask
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
@@ -89,7 +90,7 @@ class Errand:
             if self._is_needless(step) or (yield from self._step(step, results)):
                 continue
             first = len(results) == begun + 1
-            if not first or step.said is None or not self._is_worth_a_walk(step.command, results[-1]):
+            if not first or step.said is None or not self._is_worth_a_walk(step, results[-1]):
                 self._tell_of_what_was_said(step, results)
                 break
             self._walked_for = results[-1]
@@ -111,7 +112,9 @@ class Errand:
             result = yield from self._task(waiting.pop(0))
             results.append(replace(result, provenance=provenance))
             if result.outcome != "done":
-                return result.outcome == "failed" and step.may_fail
+                goes_on = result.outcome == "failed" and step.may_fail
+                self._speaker = START if goes_on and step.finds_speaker else self._speaker
+                return goes_on
             names += [] if result.acted_on is None else [result.acted_on]
             waiting[:0] = [_of_one(command, name) for name in result.others]
             if step.finds_for is not None and result.acted_on is not None:
@@ -122,20 +125,18 @@ class Errand:
             self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
         return True
 
-    def _is_worth_a_walk(self, command: Command, result: TaskResult) -> bool:
+    def _is_worth_a_walk(self, step: Prepared, result: TaskResult) -> bool:
         """Whether what was not seen, or not to be grasped, from here is to be walked to, once in an errand.
 
-        Not where the robot roams anyhow.
+        Not what the robot has walked to already.
         """
-        if (
-            self._walked_for is not None
-            or not self._walks()
-            or not isinstance(command, Bringing)
-            or command.count != 1
-        ):
+        command = step.command
+        if self._walked_for is not None or step.is_reached or not self._walks():
+            return False
+        if not isinstance(command, Bringing) or command.count != 1:
             return False
         known = self._known()
-        if result.outcome != "failed" or result.failure is None or known.rooms or known.is_away:
+        if result.outcome != "failed" or result.failure is None or known.rooms:
             return False
         if result.failure.is_unseen:
             return result.attempts <= 1 and _may_be_elsewhere(command, known)

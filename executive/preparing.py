@@ -10,6 +10,7 @@ is taken to a room and then put somewhere is only carried to the room.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -17,9 +18,10 @@ from executive.at_hand import Nearness
 from executive.meaning import Command
 from trees.away_from_start import leads_away
 from trees.fridge_inside import is_behind_door
-from trees.handles import DRAWER, MEANT_BY
+from trees.handles import BODY_OF, DRAWER, MEANT_BY
 from trees.tasks import (
     WHERE_IT_WAS,
+    CloseTask,
     CountTask,
     DescribeTask,
     Destination,
@@ -49,13 +51,15 @@ class Prepared:
     Attributes:
         command: What to do.
         said: Index of the command that was said; None for what has to be done before it.
-        finds_speaker: Whether it tells who "me" is, for all that follows.
+        finds_speaker: Whether it tells who "me" is, for all that follows. Where it may fail, nobody has to be
+            there: "come back" is to where the robot began then.
         unless_open: Whether it is left out when the door turns out to stand open.
         unless_held: Left out while a hand holds what this is about.
         unless_near: Left out while this is known.
         finds_for: Index of the said command whose object is the one that this task was about.
         may_fail: Whether the errand goes on without it.
         carries: Index of the said command whose object this one only takes along.
+        is_reached: Whether a walk to what it is about comes before it.
     """
 
     command: Command
@@ -67,6 +71,7 @@ class Prepared:
     finds_for: int | None = None
     may_fail: bool = False
     carries: int | None = None
+    is_reached: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,11 +124,21 @@ def prepared(
     if not can_walk:
         return tuple(said)
     steps = list(_steps(commands, known))
-    walks = any(isinstance(step.command, WalkToTask) for step in steps if step.said is None)
-    if walks and any(_who(command) == SPEAKER for command in commands):
-        find = FindTask("see who speaks", person=SPEAKER)
-        steps.insert(0, Prepared(find, finds_speaker=True))
+    if any(map(_goes_away, itertools.takewhile(lambda step: _who(step.command) != SPEAKER, steps))):
+        to_speaker = [command for command in commands if _who(command) == SPEAKER]
+        if to_speaker:
+            find = FindTask("see who speaks", person=SPEAKER)
+            goes_back = all(isinstance(command, WalkToTask) for command in to_speaker)
+            steps.insert(0, Prepared(find, finds_speaker=True, may_fail=goes_back))
     return tuple(steps)
+
+
+def _goes_away(step: Prepared) -> bool:
+    """Whether the robot is elsewhere after a step, where "me" would be somebody else."""
+    command = step.command
+    if isinstance(command, MoveTask):
+        return leads_away(command)
+    return isinstance(command, WalkToTask | OpenTask | CloseTask)
 
 
 def looked_for(
@@ -199,7 +214,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             near = Nearness(_described(there)) if roams and not _is_person(there) else None
             before.append(Prepared(WalkToTask(f"walk to {_named(there)}", there), unless_near=near))
         yield from before
-        yield Prepared(command, index)
+        yield Prepared(command, index, is_reached=any(isinstance(one.command, WalkToTask) for one in before))
 
 
 def _is_carried(command: Command, known: Known) -> bool:
@@ -309,7 +324,7 @@ def _inside(command: Command) -> str | None:
 
 
 def _there(command: Command, commands: Sequence[Command], known: Known) -> Destination | None:
-    """Where what is held is to go; what puts things behind a door comes within reach of it by itself."""
+    """Where what is held is to go; what puts things behind a door, or into a drawer, goes there by itself."""
     if isinstance(command, HandOverTask):
         return command.to
     if isinstance(command, PlaceTask) and command.to == WHERE_IT_WAS:
@@ -319,7 +334,13 @@ def _there(command: Command, commands: Sequence[Command], known: Known) -> Desti
         to = command.on or command.to
         beside = to.relation if isinstance(to, ObjectDescription) and to.kind is None else None
         return to if beside is None else beside.to
-    return command.to if isinstance(command, PutInTask) and _behind(command, commands) is None else None
+    if not isinstance(command, PutInTask) or _behind(command, commands) is not None:
+        return None
+    return BODY_OF[DRAWER] if _is_drawer(command.to) else command.to
+
+
+def _is_drawer(there: Destination | None) -> bool:
+    return isinstance(there, str | ObjectDescription) and _described(there).kind == DRAWER
 
 
 def _seen_from(command: Command) -> str | None:

@@ -1,5 +1,6 @@
 """What is not to be seen from where the robot stands is walked to, also without rooms on a map."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -107,6 +108,40 @@ def test_what_no_hand_gets_to_from_here_is_walked_to(sentence):
 
     assert carried_out(notes, sentence)[-1] == "done"
     assert notes.told[1] == "come within reach of the bottle"
+
+
+class ErrandAcrossTheRoom(ErrandHere):
+    """Opening the drawer leads the robot away."""
+
+    def _known(self):
+        away = bool(self._session.told)
+        return replace(super()._known(), is_away=away, drawer_is_open=away)
+
+
+def test_what_goes_into_a_drawer_across_the_room_is_fetched_and_taken_there():
+    notes = Notes(None, unseen("cup"))
+
+    assert carried_out(notes, "put the cup in the top drawer", ErrandAcrossTheRoom)[-1] == "done"
+    assert notes.told == [
+        "open the top drawer",
+        "put the cup in the top drawer",
+        "come within reach of the cup",
+        "pick up the cup",
+        "walk to the drawers",
+        "put the cup in the top drawer",
+    ]
+
+
+class ErrandAwayFromTheStart(ErrandHere):
+    def _known(self):
+        return replace(super()._known(), is_away=True)
+
+
+def test_what_was_walked_to_and_is_not_there_is_not_walked_to_again():
+    notes = Notes(None, unseen("cup"))
+
+    assert carried_out(notes, "pick up the cup", ErrandAwayFromTheStart)[-1] == "failed"
+    assert notes.told == ["come within reach of the cup", "pick up the cup"]
 
 
 def test_what_cannot_be_grasped_from_nearby_either_is_told_so():

@@ -54,6 +54,29 @@ def test_who_speaks_is_found_out_before_the_robot_goes_away():
     assert first.command.person == "me"
 
 
+@pytest.mark.requirement("L2")
+@pytest.mark.parametrize(
+    "sentence",
+    ["walk to Ana and come back", "move forward 2 meters and come back", "open the fridge, come to me"],
+)
+def test_who_speaks_is_known_before_the_robot_is_sent_away_and_told_to_come_back(sentence):
+    first = steps(sentence)[0]
+
+    assert first.finds_speaker
+    assert first.may_fail
+
+
+@pytest.mark.parametrize(
+    "sentence", ["come here", "wave to Ana and come here", "come here, then walk to Ana"]
+)
+def test_who_speaks_is_walked_to_at_once_where_the_robot_has_not_been_sent_away(sentence):
+    assert FindTask not in kinds(sentence)
+
+
+def test_who_is_to_be_given_something_has_to_be_there():
+    assert not steps("bring me the bottle from the fridge")[0].may_fail
+
+
 def test_somebody_who_is_named_need_not_be_looked_for_first():
     assert FindTask not in kinds("bring Ana the bottle from the fridge")
 
@@ -265,6 +288,15 @@ def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():
     back, give = notes.told[-2:]
     assert (back.to, give.to) == ("Ana", "Ana")
     assert give.object.name == "green bottle"
+
+
+def test_an_errand_comes_back_to_where_the_robot_began_if_nobody_is_there():
+    notes = Notes(fails="find")
+
+    results = carried_out(notes, "walk to Ana and come back")
+
+    assert [result.outcome for result in results] == ["failed", "done", "done"]
+    assert [command.to for command in notes.told if isinstance(command, WalkToTask)] == ["Ana", "start"]
 
 
 class FlatErrand(Errand):
