@@ -25,6 +25,7 @@ from executive.language.records import sentences_of_records
 from executive.language.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
+from executive.language.spoken_marks import with_spoken_marks
 from executive.language.tokens import (
     MAX_LENGTH,
     MalformedTextError,
@@ -118,6 +119,8 @@ class CommandParser:
             return of_records
         if not parsed.commands and (unmarked := self._unmarked(text, parsed, remembers)) is not None:
             return unmarked
+        if parsed.refusal is not None and (dictated := self._dictated(text, remembers)) is not None:
+            return dictated
         sentences = lines_as_sentences(text)
         if sentences is None:
             return parsed
@@ -143,6 +146,14 @@ class CommandParser:
             return None
         found = self.parse(plain, remembers)
         return replace(found, text=text) if found.commands else None
+
+    def _dictated(self, text: str, remembers: bool) -> Parsed | None:
+        """What the text means with the marks that are spoken in it, if it means nothing without."""
+        written = with_spoken_marks(text, self.vocabulary) if len(text) <= MAX_LENGTH else None
+        if written is None:
+            return None
+        found = self.parse(written, remembers)
+        return replace(found, text=text) if found.refusal is None else None
 
     def _speaks(self, text: str) -> bool:
         """Whether some word of a text is about speaking, so that what is quoted may be said."""

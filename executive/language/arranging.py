@@ -245,15 +245,12 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
             and where.role != "from"
         ):
             raise unfit()
-        if where.relation is not None and where.of.is_place and result.source and result.source.is_place:
-            result = replace(result, source=checked(result.source.placed(Relative(where.relation, where.of))))
+        source = result.source
+        told_by_place = source is not None and (source.is_place or _is_anything(result.object))
+        if where.relation is not None and where.of.is_place and source is not None and told_by_place:
+            result = replace(result, source=checked(source.placed(Relative(where.relation, where.of))))
         elif where.relation is not None:
-            if result.source is not None and result.source.kind is not None and not result.source.is_place:
-                other = where.of.kind or "that"
-                beside = f"{where.relation.replace('_', ' ')} the {other}"
-                raise trouble(
-                    f"which is {beside}, the {result.object.kind} or the {result.source.kind}?", asks=True
-                )
+            _doubt_what_is_beside(result, where)
             result = replace(result, object=checked(result.object.placed(Relative(where.relation, where.of))))
         elif not has_source:
             if where.role == "from":
@@ -272,6 +269,24 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     if result.object.reference and result.object.relation is not None:
         raise unfit()
     return result
+
+
+def _is_anything(of: Nominal) -> bool:
+    """Whether it is whatever there is: "what is in the box"."""
+    return of.kind is None and of.is_plain and not (of.anaphoric or of.reference or of.said)
+
+
+def _doubt_what_is_beside(result: Arranged, where: Where) -> None:
+    """Ask which of two is beside something: "the cup in the box next to the door".
+
+    Raises:
+        TroubleError: It may be either.
+    """
+    place = result.source
+    if place is not None and place.kind is not None and not place.is_place and where.relation is not None:
+        beside = f"{where.relation.replace('_', ' ')} the {where.of.kind or 'that'}"
+        thing = "what is there" if _is_anything(result.object) else f"the {result.object.kind or 'one'}"
+        raise trouble(f"which is {beside}, {thing} or the {place.kind}?", asks=True)
 
 
 def _told_apart(result: Arranged, kind: RelationKind, of: Nominal) -> Arranged:

@@ -12,7 +12,8 @@ from executive.language.brief_tasks import takes_a_moment
 from executive.language.lattice import Word
 from executive.language.neighbours import WITH_A_HAND
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Draft, Hand, Meaning, Nominal, Trouble, Where
+from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.placing import MEANINGS as PLACING
 from executive.language.scopes import Separator
 from executive.language.told import as_told
 
@@ -135,6 +136,16 @@ def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
     return _clause((Hand(side.meaning), *words(parts, "PAUSE"), parts[-1]))
 
 
+def _hand_moves(parts: Parts) -> Clause | Trouble | None:
+    """Terse: "right hand: bowl onto tray"."""
+    side = words(parts, "LEFT_RIGHT")[0]
+    of, where = next(part for part in parts if isinstance(part, Nominal)), parts[-1]
+    if words(parts, "PAUSE")[-1].meaning != ":" or of.reference or not isinstance(where, Where):
+        return None
+    put = PLACING["put"]((Item(of, (where, Hand(side.meaning))),))
+    return replace(put, terse=True) if isinstance(put, Clause) else put
+
+
 _STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
@@ -173,6 +184,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "you_do": _you_do,
         "briefly": _briefly,
         "clause_with_hand": _clause_with_hand,
+        "hand_moves": _hand_moves,
         "there_first": _there_first,
     }
 )

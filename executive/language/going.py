@@ -13,12 +13,14 @@ from executive.language.arranging import ME, TroubleError, arranged, clause, gua
 from executive.language.lists import has_company, said_again, spoken
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
+    EXCEEDS,
     Clause,
     Item,
     Meaning,
     Measure,
     Nominal,
     Relative,
+    Trouble,
     draft,
     relation_kind,
 )
@@ -92,6 +94,10 @@ _WALKS = frozenset({"walk", "walking", "go", "going", "drive", "driving"})
 """Verbs that lead forward as far as is said, unless another direction is."""
 
 _INSIDE = frozenset({"in", "inside", "into"})
+
+
+class _ExceededError(TroubleError):
+    """A limit is exceeded, which holds however the rest is read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,7 +196,7 @@ def _walk_at_speed(parts: Parts) -> Clause:
     measure = next(part for part in parts if isinstance(part, Measure))
     if measure.of not in ("linear_speed", "angular_speed"):
         raise unfit()
-    _bounded(measure)
+    bounded(measure)
     raise trouble("how fast to walk to a place cannot be chosen", f"{measure.value:g} {_UNITS[measure.of]}")
 
 
@@ -246,7 +252,7 @@ def _move(parts: Parts) -> Clause:
     for one in (part for part in parts if isinstance(part, Measure)):
         if one.of in measures:
             raise unfit()
-        measures[one.of] = _bounded(one)
+        measures[one.of] = bounded(one)
     if words(parts, "A_LITTLE") and not {"distance", "duration", "angle"} & set(measures):
         raise unfit()  # "a little bit forward at 0.2 m/s" does not say how far
     linear, angular = _direction(parts, measures)
@@ -279,6 +285,8 @@ def _move_on(parts: Parts) -> Clause:
         raise trouble("back to where, or backward?", asks=True)
     try:
         return replace(_move(parts), terse=True)
+    except _ExceededError:
+        raise
     except TroubleError:
         raise unfit() from None  # what is wrong is said of the reading with a verb
 
@@ -318,14 +326,14 @@ def _is_return(parts: Parts, measures: Mapping[str, float]) -> bool:
     )
 
 
-def _bounded(measure: Measure) -> float:
+def bounded(measure: Measure) -> float:
     """The value, if it is within the limits: what exceeds them is refused, never clamped."""
     limit, unit, name = _LIMITS[measure.of], _UNITS[measure.of], _NAMES[measure.of]
     value = f"{measure.value:g} {unit}"
     if measure.value <= 0:
         raise trouble(f"a {name} of {value} is nothing to do", value)
     if measure.value > limit:
-        raise trouble(f"the {name} of {value} exceeds the limit of {limit:g} {unit}", value)
+        raise _ExceededError(Trouble(f"the {name} of {value} {EXCEEDS} {limit:g} {unit}", value))
     return measure.value
 
 
@@ -340,7 +348,7 @@ def _wait(parts: Parts) -> Clause:
         raise trouble("for how long?", asks=True)
     if measures[0].of != "duration":
         raise unfit()
-    return clause(parts, [(draft("wait", duration_s=round(_bounded(measures[0]), 3)),)])
+    return clause(parts, [(draft("wait", duration_s=round(bounded(measures[0]), 3)),)])
 
 
 def _go_home(parts: Parts) -> Clause:

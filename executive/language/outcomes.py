@@ -7,7 +7,7 @@ from typing import Any
 
 from executive.language.going import NO_DIRECTION
 from executive.language.hazards import harm_in
-from executive.language.phrases import HARMS, Nominal, Trouble
+from executive.language.phrases import EXCEEDS, HARMS, Nominal, Trouble
 from executive.language.references import Resolver, UnresolvedError
 from executive.language.scopes import UNCLEAR_ORDER
 from executive.language.sentences import Sentence
@@ -96,8 +96,8 @@ def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]
     return len(longer) > len(shorter) and ends == [one.action for one in shorter] and not handled
 
 
-def explains_best(trouble: Trouble) -> tuple[bool, bool, bool, bool]:
+def explains_best(trouble: Trouble) -> tuple[bool, bool, bool, bool, bool]:
     """How well a trouble explains a sentence, the lowest best; any "go" can lack a direction."""
     no_more = trouble.message == NO_DIRECTION
     harmless = not trouble.message.endswith(HARMS)
-    return harmless, no_more, not trouble.asks, trouble != UNCLEAR_ORDER
+    return harmless, EXCEEDS not in trouble.message, no_more, not trouble.asks, trouble != UNCLEAR_ORDER

@@ -19,6 +19,9 @@ Quantity = Literal["duration", "distance", "angle", "linear_speed", "angular_spe
 HARMS = "could harm; this robot does not do that"
 """How a refusal ends that explains a sentence better than any question about it."""
 
+EXCEEDS = "exceeds the limit of"
+"""What a refusal says of a number that is over a limit, which holds however the rest is read."""
+
 _RELATION_KINDS: dict[str, RelationKind] = {kind: kind for kind in get_args(RelationKind)}
 
 

@@ -15,7 +15,9 @@ from executive.language.neighbours import is_endless, runs_together, stops, uncl
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Meaning, Nominal, Trouble
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
+from executive.language.set_speed import doubt_of_speed
 from executive.language.statements import is_statement, with_places
+from executive.language.the_same import with_the_same
 from executive.language.told import told_or_done
 
 
@@ -128,8 +130,12 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if any(after.asked and is_statement(before.part) for before, after in itertools.pairwise(said)):
         return Trouble("is that so, or is it asked?", asks=True)  # "the cup is dirty? Put it in the sink"
     clauses = in_order(said)
+    if not isinstance(clauses, Trouble):
+        clauses = with_the_same(clauses)
     if isinstance(clauses, Trouble):
         return clauses
+    if (doubtful := doubt_of_speed(clauses)) is not None:
+        return doubtful
     numbers = [_number_of(one.part) for one in said]
     counted = [one for one in numbers if one is not None]
     if any(after <= before for before, after in itertools.pairwise(counted)):
