@@ -307,6 +307,8 @@ def _let_have(parts: Parts) -> Clause:
     """Let Ana have the cup: she gets it, unless it is somewhere that she would have to go."""
     person = next((part for part in parts if isinstance(part, Nominal)), ME)
     each = arranged(parts)
+    if person.sort == "person" and person.kind == "person" and not person.determined:
+        raise unfit()  # "can somebody have the cup?"
     if any(one.goal is not None or one.back or one.person is not None for one in each):
         raise unfit()
     return clause((), [given(one, person) for one in each])

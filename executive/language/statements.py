@@ -88,9 +88,7 @@ def _mention_lost(parts: Parts) -> Clause:
         raise unfit()  # where it is, or where it is not?
     if nominal.sort != "thing" or nominal.reference or nominal.anaphoric:
         raise unfit()
-    if nominal.count != 1 or (nominal.plural and not nominal.paired):
-        raise unfit()
-    return Clause((), "base", mention=Mention(nominal, one.source), about=people)
+    return replace(_named(nominal, one.source), about=people)
 
 
 def _is_nowhere(word: Word) -> bool:

@@ -46,11 +46,13 @@ def _with(one: Arranged) -> Bundle:
 def with_the_same(clauses: Sequence[Clause]) -> tuple[Clause, ...] | Trouble:
     """The clauses with what is done again; what that is has to be all that was said before."""
     done: list[Clause] = []
+    told: list[Clause] = []
     for one in clauses:
         if not _is_same(one):
             done.append(one)
+            told.append(one)
             continue
-        before = done[0].bundles if len(done) == 1 else ()
+        before = told[0].bundles if len(told) == 1 else ()
         again = tuple(_again(before[0], bundle[0]) for bundle in one.bundles) if len(before) == 1 else (None,)
         bundles = tuple(bundle for bundle in again if bundle is not None)
         if len(bundles) < len(one.bundles):
@@ -72,6 +74,8 @@ def _again(before: Bundle, same: Draft) -> Bundle | None:
         return None
     if new.sort != old.sort and not (new.anaphoric and not old.is_person):
         return None
+    if new.is_plain and source is None and (new.anaphoric or new.kind == old.kind):
+        return None  # "put the red cup there, do the same with the cup"
     kept = tuple((name, new if name == slot else value) for name, value in first.slots if name != "count")
     again = replace(first, slots=kept)
     if source is not None:
