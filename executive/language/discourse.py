@@ -72,6 +72,7 @@ class Discourse:
         self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._said_before: tuple[Nominal, ...] = ()
         self._said_first = False
+        self._said_late: set[int] = set()
         self._stated: list[Nominal] = []
         self._stated_to_go: dict[int, int] = {}
         self._clause = 0

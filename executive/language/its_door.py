@@ -114,14 +114,23 @@ class ItsDoor(Discourse):
         return found
 
     def _shelf_of_what_is_open(self, place: Any) -> Any:
-        """The top shelf of the fridge that stands open: "open the fridge, put the milk on the top shelf"."""
+        """The top shelf of the fridge that stands open: "open the fridge, put the milk on the top shelf".
+
+        Raises:
+            UnresolvedError: It is said before the fridge is: "before you put it on the top shelf, open ...".
+        """
         if not isinstance(place, Nominal) or place.kind != "shelf" or place.relation is not None:
             return place
         standing = self._standing_open()
         if place.ordinal not in _LEVELS or place.owner is not None or len(standing) != 1:
             return place
         ((container, since),) = standing.items()
-        return place if self._has_left(since) else replace(place, relation=Relative("in", container))
+        if self._has_left(since):
+            return place
+        named_in = next(one.clause for one in self._entities if one.of == container)
+        if self._said_first and named_in in self._said_late:
+            raise ask(f"the {place.ordinal} shelf of the {container.kind}, or another one?")
+        return replace(place, relation=Relative("in", container))
 
     def _was_closed(self, of: Nominal) -> bool:
         """Whether a task before closes it."""

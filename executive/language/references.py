@@ -99,6 +99,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
                 raise ask("which of them is meant?")
             self._mention = clause.mention or self._mention
             self._said_before, self._said_first = clause.said_before, clause.said_first
+            self._said_late |= {self._clause} if clause.said_before else set()
             for named in (*clause.about, *clause.said_before):
                 self._name_place(named)
             self._stated += clause.about if not clause.bundles else ()
