@@ -278,7 +278,7 @@ def clauses():
                 actions = {one["action"] for one in sentence["tasks"]} - {"pick"}
                 if (
                     verb in DOING
-                    and not {"pick", "put", "take", "n"} & set(rest)
+                    and not {"pick", "put", "take", "go", "n"} & set(rest)
                     and len(actions) <= 1
                     and actions.isdisjoint({"say", "stop"})
                     and not any(map(is_endless, sentence["tasks"]))
