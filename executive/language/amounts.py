@@ -38,6 +38,15 @@ def _several(parts: Parts) -> Nominal | Trouble | None:
     return replace(nominal, count=int(amount), counted=True, determined=True)
 
 
+def _some_of(parts: Parts) -> Nominal | Trouble | None:
+    """Two of the four cans: as many as are meant, of no fewer."""
+    meant, among = (part for part in parts if isinstance(part, float))
+    if meant > among or among < 2:
+        return Trouble(f"{meant:g} of {among:g}: how many are meant?", asks=True)
+    first = parts.index(among)
+    return _several((*parts[:first], *parts[first + 1 :]) if meant != among else parts[parts.index(among) :])
+
+
 def one_by_one(rank: str) -> str:
     """Why several things cannot be chosen by what only one of them can be."""
     return f"{rank!r} is one of them; name several things one by one"
@@ -122,6 +131,7 @@ def unclear_glasses(nominal: Nominal) -> Trouble:
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "several": _several,
+        "some_of": _some_of,
         "both": _both,
         "all": _all,
         "one_of": _one_of,

@@ -166,7 +166,7 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
         return _at(result, wheres, has_source=has_source)
     if goals and goals[0].of.reference == "there" and any(where.role == "either" for where in wheres):
         raise trouble("which place is meant, the one that is named or the one before?", asks=True)
-    goal = goals[0] if goals else _goal(open_ones)
+    goal = goals[0] if goals else _goal(item.of, wheres, open_ones)
     index = wheres.index(goals[0] if goals else open_ones[0])
     before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]
     for where in after:
@@ -203,23 +203,67 @@ def _only(values: list[Any]) -> Any:
     return distinct[0] if distinct else None
 
 
-def _goal(open_ones: list[Where]) -> Where:
+def _goal(thing: Nominal, wheres: list[Where], open_ones: list[Where]) -> Where:
+    """Where it goes, among places that may as well be where it is.
+
+    Raises:
+        TroubleError: Either may be where it goes.
+    """
     first, *others = open_ones
     if not others:
         return first
-    if (
-        len(others) == 1
-        and others[0].preposition == "in"
-        and others[0].of.sort == "room"
-        and first.of.is_place
-        and first.preposition
-    ):
+    if len(others) == 1 and first.preposition and first.of.is_place and _is_in_a_room(others[0]):
         return replace(first, of=checked(first.of.placed(Relative("in", others[0].of))))
+    if len(others) == 1 and (_is_placed(thing, wheres) or _goes_first(first, others[0])):
+        told = _told_by_place(first, others[0])
+        if told is not None:
+            return told
     raise trouble("of these places, which is where it is, and which is where it goes?", asks=True)
 
 
+def _is_in_a_room(where: Where) -> bool:
+    return where.preposition == "in" and where.of.sort == "room"
+
+
+def _is_placed(thing: Nominal, wheres: list[Where]) -> bool:
+    """Whether no place can tell which thing is meant: "it", and "the cup from the sink"."""
+    return bool(thing.reference) or any(where.role in ("is", "from") for where in wheres)
+
+
+def _goes_first(first: Where, second: Where) -> bool:
+    """Whether what is put goes to the first of two places, and the second one tells which that is.
+
+    It does "in the bowl next to the stove", and "on the tray in front of me"; "on the table next to the
+    sofa" the thing may be as well that is to be put next to the sofa.
+    """
+    into = first.preposition == "in" and first.of.sort in ("thing", "container")
+    ahead = second.relation == "in_front_of" and second.of.sort in ("me", "you")
+    return second.relation is not None and (into or (first.preposition == "on" and ahead))
+
+
+def _told_by_place(first: Where, second: Where) -> Where | None:
+    """The first of two places, told by the second one: "next to the box on the shelf"; None if it is not."""
+    of = first.of
+    if of.reference or second.of.reference or of.sort in ("me", "you", "name", "room", "any"):
+        return None
+    if second.relation is None and (of.is_place or second.preposition != "on" or not second.of.is_place):
+        return None
+    if first.relation is not None and second.relation is not None:
+        return None
+    if second.of.sort in ("thing", "any") and second.relation is not None and not _is_spot(first, second):
+        if of.sort == "container":
+            return None  # "in the sink next to the plate"
+        if first.preposition == "on":
+            beside = f"the {of.kind} {second.relation.replace('_', ' ')} the {second.of.kind or 'other'}"
+            raise trouble(f"is {beside}, or shall it be put there on the {of.kind}?", asks=True)
+    return _told(first, second)
+
+
 def _told(goal: Where, where: Where) -> Where:
-    """What is said after where the thing goes tells where that is: "to the man standing by the door"."""
+    """What is said after where the thing goes tells where that is: "to the man standing by the door".
+
+    What else stands on a table tells of no table which one it is, but where on it: "next to the plate".
+    """
     of = goal.of
     if of.sort == "me" and where.of.is_place:
         raise trouble(f"are you at the {where.of.kind}, or shall it be put there?", asks=True)
@@ -227,7 +271,17 @@ def _told(goal: Where, where: Where) -> Where:
         raise unfit()
     if where.relation is None and of.is_place and where.of.sort != "room":
         raise unfit()
+    if _is_spot(goal, where):
+        beside = checked(where.of.placed(Relative("on", of)))
+        return replace(goal, of=beside, preposition=None, relation=where.relation)
     return replace(goal, of=checked(of.placed(Relative(_kind(where), where.of))))
+
+
+def _is_spot(goal: Where, where: Where) -> bool:
+    """Whether it says where on a piece of furniture something goes: next to another thing there."""
+    beside = where.relation not in (None, "nearest") and where.of.sort in ("thing", "any")
+    onto = goal.preposition == "on" and goal.relation is None and goal.of.sort == "furniture"
+    return beside and onto and not where.of.reference and where.of.relation is None
 
 
 def _kind(where: Where) -> RelationKind:
@@ -236,6 +290,7 @@ def _kind(where: Where) -> RelationKind:
 
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
+    said = _nested(said)
     for where in said:
         if where.left_by is not None:
             result = replace(result, object=replace(result.object, owner=where.left_by))
@@ -287,6 +342,15 @@ def _doubt_what_is_beside(result: Arranged, where: Where) -> None:
         beside = f"{where.relation.replace('_', ' ')} the {where.of.kind or 'that'}"
         thing = "what is there" if _is_anything(result.object) else f"the {result.object.kind or 'one'}"
         raise trouble(f"which is {beside}, {thing} or the {place.kind}?", asks=True)
+
+
+def _nested(said: list[Where]) -> list[Where]:
+    """With what a relative clause goes on with told of its end: "that is next to the can behind the box"."""
+    match said:
+        case [Where(role="is", relation=str()) as clause, Where(role="either", relation=str()) as end]:
+            if clause.of.sort in ("thing", "any") and not clause.of.reference and clause.of.relation is None:
+                return [replace(clause, of=checked(clause.of.placed(Relative(_kind(end), end.of))))]
+    return said
 
 
 def _told_apart(result: Arranged, kind: RelationKind, of: Nominal) -> Arranged:

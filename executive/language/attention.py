@@ -144,6 +144,12 @@ def _is_it(parts: Parts) -> Clause:
     return _whether_there(parts)
 
 
+def _is_still(parts: Parts) -> Clause:
+    """Is the cup still on the table? What is seen tells it, whatever was there before."""
+    nominal, *details = (part for part in parts if not isinstance(part, Word))
+    return _find((Items((Item(nominal, tuple(details)),)),))
+
+
 def _whether_at(parts: Parts) -> Clause:
     """Check whether the cup is on the table."""
     nominal, where = (part for part in parts if not isinstance(part, Word))
@@ -276,6 +282,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "find": _asking(_find),
     "find_him": _find_him,
     "is_it": _asking(_is_it),
+    "is_still": _asking(_is_still),
     "whether_at": _whether_at,
     "search": _search,
     "search_beside": _search_beside,

@@ -98,6 +98,11 @@ def _briefly(parts: Parts) -> Clause | None:
     return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
 
 
+def _impatiently(parts: Parts) -> Clause | None:
+    """Close the door already: it is done as soon as any other command is."""
+    return _clause(parts[:-1])
+
+
 def _there_first(parts: Parts) -> Clause | None:
     """There, pick up the box: at the place that was gone to just before."""
     command: Clause = parts[-1]
@@ -183,6 +188,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "clause": _clause,
         "you_do": _you_do,
         "briefly": _briefly,
+        "impatiently": _impatiently,
         "clause_with_hand": _clause_with_hand,
         "hand_moves": _hand_moves,
         "there_first": _there_first,

@@ -17,7 +17,9 @@ from executive.language.phrases import Clause, Items, Meaning, Trouble
 MAX_STEPS = 2_500
 """Parts looked at before a sentence counts as too tangled; none of 2,800 collected ones needs 370."""
 
-_REFUSED_COMMANDS = frozenset({"NO_SKILL", "HARM", "THROW", "NEGATION", "ASK", "LIMITLESS", "REVOKE"})
+_REFUSED_COMMANDS = frozenset(
+    {"NO_SKILL", "HARM", "THROW", "NEGATION", "ASK", "LIMITLESS", "LEFT_OUT", "REVOKE"}
+)
 """Word classes that begin a command which is refused: "say hi and jump"."""
 
 _TOLD = frozenset({"command", "handled", "by_then"})

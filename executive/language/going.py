@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import ME, TroubleError, arranged, clause, guarded, trouble, unfit
-from executive.language.lists import has_company, said_again, spoken
+from executive.language.lists import goal_told_once_more, has_company, said_again, spoken
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     EXCEEDS,
@@ -184,6 +184,7 @@ def _walk(parts: Parts) -> Clause:
     goals = [part for part in reached if isinstance(part, (Nominal, Relative))]
     if has_company(parts):
         raise unfit()
+    goals = goal_told_once_more(goals, parts)
     for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
         again = said_again(before, after, parts)
         if again is not None:
@@ -255,6 +256,8 @@ def _move(parts: Parts) -> Clause:
         measures[one.of] = bounded(one)
     if words(parts, "A_LITTLE") and not {"distance", "duration", "angle"} & set(measures):
         raise unfit()  # "a little bit forward at 0.2 m/s" does not say how far
+    if words(parts, "SLOWLY") and not {"linear_speed", "angular_speed"} & set(measures):
+        raise unfit()  # how slowly?
     linear, angular = _direction(parts, measures)
     if "linear_speed" in measures:
         linear = math.copysign(measures["linear_speed"], linear)
@@ -283,6 +286,8 @@ def _move_on(parts: Parts) -> Clause:
         raise unfit()
     if said[0].said == "back" and len(parts) == 1:
         raise trouble("back to where, or backward?", asks=True)
+    if words(parts, "TURN_SIDE") and words(parts, "PAUSE"):
+        raise unfit()  # "right, 90 degrees": that may be how one begins to speak
     try:
         return replace(_move(parts), terse=True)
     except _ExceededError:
@@ -326,9 +331,9 @@ def _is_return(parts: Parts, measures: Mapping[str, float]) -> bool:
     )
 
 
-def bounded(measure: Measure) -> float:
+def bounded(measure: Measure, longest: float | None = None) -> float:
     """The value, if it is within the limits: what exceeds them is refused, never clamped."""
-    limit, unit, name = _LIMITS[measure.of], _UNITS[measure.of], _NAMES[measure.of]
+    limit, unit, name = longest or _LIMITS[measure.of], _UNITS[measure.of], _NAMES[measure.of]
     value = f"{measure.value:g} {unit}"
     if measure.value <= 0:
         raise trouble(f"a {name} of {value} is nothing to do", value)
@@ -340,15 +345,6 @@ def bounded(measure: Measure) -> float:
 def _turn_around(parts: Parts) -> Clause:
     duration_s = round(math.pi / TURN_RAD_S, 3)
     return clause(parts, [(draft("move", linear_m_s=0.0, angular_rad_s=TURN_RAD_S, duration_s=duration_s),)])
-
-
-def _wait(parts: Parts) -> Clause:
-    measures = [part for part in parts if isinstance(part, Measure)]
-    if not measures:
-        raise trouble("for how long?", asks=True)
-    if measures[0].of != "duration":
-        raise unfit()
-    return clause(parts, [(draft("wait", duration_s=round(bounded(measures[0]), 3)),)])
 
 
 def _go_home(parts: Parts) -> Clause:
@@ -390,7 +386,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
             "walk_bare": _walk_bare,
             "walk_at_speed": _walk_at_speed,
             "turn_around": _turn_around,
-            "wait": _wait,
             "go_home": _go_home,
             "stop": _stop,
             "revoke": _revoke,

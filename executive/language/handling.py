@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 from executive.language.arranging import (
     ME,
     Arranged,
+    TroubleError,
     arranged,
     clause,
     found_there,
@@ -323,6 +325,22 @@ def _want(parts: Parts) -> Clause:
     raise trouble("shall it be brought to you?", asks=True)
 
 
+def _wants_for(parts: Parts) -> Clause:
+    """The guest would like the menu."""
+    somebody = next(part for part in parts if isinstance(part, Nominal))
+    if not _is_somebody(somebody):
+        raise unfit()
+    with contextlib.suppress(TroubleError):
+        _want(parts)
+    who = somebody.kind if somebody.sort == "name" else f"the {somebody.kind}"
+    raise trouble(f"shall it be brought to {who}?", asks=True)
+
+
+def _is_somebody(of: Nominal) -> bool:
+    """Whether it is one person who is named, and not whoever speaks."""
+    return of.sort in ("person", "name") and of.is_single and not of.reference
+
+
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "pick": _pick,
     "clear": _clear,
@@ -338,6 +356,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "can_i_have": _can_i_have,
     "let_have": _let_have,
     "want": _want,
+    "wants_for": _wants_for,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

@@ -48,6 +48,7 @@ _BEHIND_A_COURTESY = frozenset(
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
+_HELPS_BODY = "HELPS_BODY"
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
@@ -252,9 +253,12 @@ class Lattice:
             start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
             for length, reading in vocabulary.matches(texts, start - 1)
         )
+        body = max((word.end for word in found if word.word_class == _HELPS_BODY), default=0)
         for word in found:
             for index in range(start, word.end):
                 self._covered[index] = True
+            if word.end < body and word.word_class == "OPENING":
+                continue  # "help me get up" asks for a hand, and "get" for nothing
             if word.end < idiom:
                 continue  # "take a picture" takes no picture from the wall
             if word.word_class in _DESCRIBING and word.end < compound:

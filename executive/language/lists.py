@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
+from executive.language.appositions import told_once_more
 from executive.language.features import described
 from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, nominal_of, words
@@ -60,6 +61,9 @@ def _items(parts: Parts) -> Items | Trouble | None:
     links = [part for part in parts if isinstance(part, Joined)]
     if len(links) == len(each) - 1:
         each, links = _named_at_last(each, links)
+        each, links = _told_once_more(each, links)
+    if len(each) > 1 and any(one.of.sort == "you" for one in each):
+        return None  # "take the cup, you left it there"
     if len(each) > 1 and len(links) == len(each) - 1:
         placed = bool(each[-2].details and each[-1].details) and not _may_be_one(each[-2].of, each[-1].of)
         unclear = None if placed else said_again(each[-2].of, each[-1].of, links[-1:])
@@ -100,6 +104,23 @@ def _named_at_last(each: tuple[Item, ...], links: list[Joined]) -> tuple[tuple[I
         named = Item(replace(second.of, **told), (*first.details, *second.details), second.too)
         return (*each[:index], named, *each[index + 2 :]), [*links[:index], *links[index + 1 :]]
     return each, links
+
+
+def _told_once_more(each: tuple[Item, ...], links: list[Joined]) -> tuple[tuple[Item, ...], list[Joined]]:
+    """With "the blue ball, the big one" as one thing; among three it may be one more of them."""
+    if len(each) != 2 or not links[0].commas:
+        return each, links
+    one = told_once_more(*each)
+    return (each, links) if one is None else ((one,), [])
+
+
+def goal_told_once_more(goals: list[Nominal | Relative], parts: Parts) -> list[Nominal | Relative]:
+    """With "to the chair, the red one" as one goal."""
+    match goals, [part for part in parts if isinstance(part, Joined)]:
+        case [Nominal() as before, Nominal() as after], [Joined(commas=True)]:
+            one = told_once_more(Item(before), Item(after))
+            return goals if one is None else [one.of]
+    return goals
 
 
 def is_nameless(of: Nominal) -> bool:

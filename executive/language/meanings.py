@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 from executive.language import (
     amounts,
+    appositions,
     arrivals,
     attention,
     before_command,
@@ -32,8 +33,10 @@ from executive.language import (
     stated_goals,
     statements,
     the_same,
+    told_after,
     turns,
     two_verbs,
+    verbless,
     waiting,
 )
 from executive.language.begun_by import begun_by
@@ -43,6 +46,7 @@ from executive.language.phrases import Meaning
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         **amounts.MEANINGS,
+        **appositions.MEANINGS,
         **arrivals.MEANINGS,
         **attention.MEANINGS,
         **before_command.MEANINGS,
@@ -68,7 +72,9 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **stated_goals.MEANINGS,
         **statements.MEANINGS,
         **the_same.MEANINGS,
+        **told_after.MEANINGS,
         **turns.MEANINGS,
+        **verbless.MEANINGS,
         **two_verbs.MEANINGS,
         **waiting.MEANINGS,
         "begun_by": begun_by,

@@ -160,6 +160,27 @@ def _simple(parts: Parts) -> Nominal | None:
     return None
 
 
+def _whichever(parts: Parts) -> Nominal | Trouble | None:
+    """Whichever book is nearest to the lamp: the one that is."""
+    *said, last = (part for part in parts if part not in words(parts, "WHICHEVER", "IS_AT", "DET", "ONE"))
+    noun = described(nominal_of(tuple(said)), tuple(said))
+    if not isinstance(noun, Nominal) or noun.plural:
+        return noun if isinstance(noun, Trouble) else None
+    one = replace(noun, determined=True)
+    if isinstance(last, Nominal):
+        return one.placed(Relative("nearest", last))
+    if last.word_class != "NEAREST" and last.meaning not in SUPERLATIVES and last.word_class != "ORDINAL":
+        return None  # "whichever cup is big"
+    feature = feature_of(last)
+    return None if feature is None else described(one, (feature,))
+
+
+def _whoever(parts: Parts) -> Nominal | Trouble:
+    """Whoever is closest to you."""
+    to = next((part for part in parts if isinstance(part, Nominal)), ROBOT)
+    return Nominal("person", "person", determined=True).placed(Relative("nearest", to))
+
+
 def _np(parts: Parts) -> Nominal | Trouble | None:
     nominal: Nominal | Trouble | None = parts[0]
     if (
@@ -199,5 +220,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "rank": _rank,
         "simple": _simple,
         "np": _np,
+        "whichever": _whichever,
+        "whoever": _whoever,
     }
 )

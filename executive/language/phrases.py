@@ -271,12 +271,16 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A thing that a statement names, and where it says that it is, in which state, or for whom."""
+    """A thing that a statement names, and where it says that it is, in which state, or for whom.
+
+    Of what merely ``exists`` it is not said where.
+    """
 
     of: Nominal
     source: Nominal | None = None
     state: str | None = None
     meant_for: Nominal | None = None
+    exists: bool = False
 
 
 Bundle = tuple[Draft, ...]

@@ -189,7 +189,11 @@ def _received(one: Arranged, verb: str) -> Arranged:
 
 
 def _move_thing(parts: Parts) -> Clause:
-    verb = words(parts, "MOVE_THING")[0].said
+    return moved(parts, words(parts, "MOVE_THING")[0].said)
+
+
+def moved(parts: Parts, verb: str) -> Clause:
+    """Things that go from where they are to somewhere else."""
     each = [_received(one, verb) for one in arranged(parts, goes=True)]
     for one in each:
         if one.goal is None:

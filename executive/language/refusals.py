@@ -21,7 +21,17 @@ _NOUNS = frozenset({"KIND", "THING"})
 _LINK = "LINK"
 _NEVER_USED = frozenset(
     {
-        *("NEGATION", "CONTRAST", "CONDITION", "LOOP", "LIMITLESS", "DOUBT", "HESITATION", "SECOND_THOUGHT"),
+        *(
+            "NEGATION",
+            "CONTRAST",
+            "CONDITION",
+            "LOOP",
+            "LIMITLESS",
+            "LEFT_OUT",
+            "DOUBT",
+            "HESITATION",
+            "SECOND_THOUGHT",
+        ),
         *("PRAISE", "ASKS_ROBOT"),
     }
 )

@@ -16,9 +16,10 @@ from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Meaning, Nominal, Trouble
 from executive.language.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.set_speed import doubt_of_speed
-from executive.language.statements import is_statement, with_places
+from executive.language.statements import is_statement
 from executive.language.the_same import with_the_same
 from executive.language.told import told_or_done
+from executive.language.told_after import with_what_is_told_after
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,10 +107,10 @@ def _said_after(done_first: Clause, said_first: tuple[Clause, ...]) -> Clause:
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
-    placed = with_places(parts)
-    if placed is None:
-        return None
-    parts = placed
+    told_after = with_what_is_told_after(parts)
+    if told_after is None or isinstance(told_after, Trouble):
+        return told_after
+    parts = told_after
     said = [
         part if isinstance(part, Further) else Further(Separator.NOTHING, part)
         for part in parts

@@ -48,6 +48,12 @@ _ATTACHED = re.compile(
 )
 """Words that may begin what is to be done around the saying, instead of belonging to what is said."""
 
+_UNTIL_WHEN = re.compile(
+    r" (?:until|till) (?:\d{1,2}(?:[:.]\d\d)?(?: ?[ap]m)?|\w+ o'clock|half past \w+|noon|midnight|tomorrow"
+    r"|one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|\w+day)$"
+)
+"""How long something lasts that is told: nothing is said until then."""
+
 _LOOPED = re.compile(
     r"(?:,\s*)?\b(?P<loop>(?:every|each) time|whenever|every \w+|until|repeatedly|forever)\b"
 )
@@ -100,8 +106,14 @@ _GREETINGS = frozenset(_GREETING_LINES.split())
 """What is said as it stands, in any order."""
 
 
+_ASKED_IN_PASSING = frozenset({"what's up", "how are you", "how do you do", "how's it going", "what's new"})
+"""Greetings in the form of a question, which nobody answers."""
+
+
 def _is_greeting(text: str) -> bool:
     """Whether every word is a greeting, a number, or, after a greeting, a name."""
+    if text.lower().rstrip("?!., ") in _ASKED_IN_PASSING:
+        return True
     said = re.findall(r"[\w']+", text)
     first, *rest = said or [""]
     lowered_words = {one.lower() for one in said}
@@ -132,7 +144,8 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     greeting = _is_greeting(text)
     told_of = _IS_NO_SPEECH.match(lowered) and not _STATED_OF_ONES_OWN.match(lowered)
-    if not that and (" to " in lowered or (told_of and not greeting)):
+    is_told = bool(words(parts, "TELL")) and _STATED.match(lowered)  # "tell Ana I want to go out"
+    if not that and ((" to " in lowered and not is_told) or (told_of and not greeting)):
         raise unfit()
     if that and lowered.startswith("you"):
         raise unfit()
@@ -145,7 +158,7 @@ def _speech(parts: Parts) -> str:
         _UNSPOKEN.search(text)
         or (_SENTENCES.search(text) and not greeting)
         or (word.said and not (greeting and word.said == TIME))
-        or _ATTACHED.search(lowered)
+        or _ATTACHED.search(_UNTIL_WHEN.sub("", lowered) if that else lowered)
         or (not greeting and _ORDERED.match(lowered))
         or not (greeting or _STATED.match(lowered) or (that and _TOLD.match(lowered)))
     ):

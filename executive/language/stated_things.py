@@ -26,6 +26,11 @@ def _goes_to(person: Nominal, one: Draft) -> bool:
     return isinstance(to, Nominal) and (to == person or to.reference == "him")
 
 
+def _is_one(thing: Nominal, of: Nominal) -> bool:
+    """Whether it is one thing that is opened or closed: the only one, or one of those that were stated."""
+    return thing.count == 1 and not thing.plural and (of.is_single or thing.anaphoric)
+
+
 class StatedThings(Discourse):
     """Puts what a statement named in place of the first "it", "them" or "one" after it."""
 
@@ -40,12 +45,16 @@ class StatedThings(Discourse):
             return (self._at_stated_place(first), *rest)
         stated, self._mention = self._mention, None
         thing = first.get("object")
+        if stated.exists and self._commands and self._commands[-1].action == "walk_to":
+            raise ask(f"where is the {stated.of.kind}?")  # "go to the shelf, there is a cup, bring it"
         if stated.state is not None:
             return (self._made_opposite(first, stated), *rest)
         if stated.meant_for is not None and not all(_goes_to(stated.meant_for, one) for one in bundle):
             raise ask(f"is it for {stated.meant_for.kind}, or for whom?")
         if first.action in ("open", "close") and not stated.of.is_place and stated.of.sort != "door":
             raise _unrelated()
+        if first.action in ("open", "close") and isinstance(thing, Nominal) and not _is_one(thing, stated.of):
+            raise ask(f"which {stated.of.kind} is meant?")
         takes_place = stated.source is None or first.action in _AT_A_PLACE
         if not isinstance(thing, Nominal) or not takes_place:
             raise _unrelated()

@@ -12,11 +12,13 @@ from executive.language.lattice import Word
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
 from executive.language.placing import one_at_a_time
-from executive.language.scopes import Further
+
+_EXISTS = frozenset({"thing", "container", "door"})
+"""Sorts of what a statement names for a task: "there are two doors, close the left one"."""
 
 
 def _mention(parts: Parts) -> Clause:
-    """A statement of where a thing is, or somebody."""
+    """A statement of where a thing is, or somebody; or that it is there at all."""
     (item,) = (part for part in parts if isinstance(part, Item))
     came = bool(words(parts, "CAME_TO_BE"))
     places = [_stays(part, came=came) for part in parts if isinstance(part, Where)]
@@ -26,12 +28,14 @@ def _mention(parts: Parts) -> Clause:
     nominal = one.object
     if one.goal is not None or one.back or one.hand is not None or one.person is not None:
         raise unfit()
-    placed = one.source is not None or nominal.relation is not None
-    if nominal.sort != "thing" or nominal.reference or not placed or nominal.anaphoric:
+    if nominal.sort not in _EXISTS or nominal.reference or nominal.anaphoric:
+        raise unfit()
+    if nominal.sort != "thing" and one.source is not None:
         raise unfit()
     if nominal.is_vague or (nominal.plural and not nominal.counted):
         nominal = replace(nominal, count="all")
-    return Clause((), "base", mention=Mention(nominal, one.source))
+    exists = one.source is None and nominal.relation is None
+    return Clause((), "base", mention=Mention(nominal, one.source, exists=exists))
 
 
 def _stays(where: Where, *, came: bool) -> Where:
@@ -108,6 +112,36 @@ def _mention_wanted(parts: Parts) -> Clause:
     return _named(nominal, one.source)
 
 
+def _mention_who(parts: Parts) -> Clause:
+    """A statement of who somebody is: "my sister is Lena. Give her the umbrella"."""
+    is_now = words(parts, "IS_AT")[0].said == "is"
+    both = [part for part in parts if isinstance(part, Nominal)]
+    names = [one for one in both if one.sort == "name"]
+    others = [one for one in both if one.sort == "person" or one.reference == "this"]
+    if not is_now or len(names) != 1 or len(others) != 1:
+        raise unfit()
+    (other,) = others
+    if other.reference != "this" and not (other.determined and other.is_single and not other.reference):
+        raise unfit()
+    return Clause((), "base", about=(names[0],))
+
+
+def _mention_name(parts: Parts) -> Clause:
+    """A statement of what somebody is called: "her name is Lena"."""
+    (name,) = words(parts, "NAME")
+    return Clause((), "base", about=(Nominal("name", name.meaning, determined=True),))
+
+
+def _mention_either(parts: Parts) -> Clause:
+    """A statement of two places where a thing may be: it is looked for wherever it can be."""
+    (item,) = (part for part in parts if isinstance(part, Item))
+    if item.details or item.of.sort != "thing" or item.of.reference or item.of.anaphoric:
+        raise unfit()
+    if any(_stays(part, came=False).role == "to" for part in parts if isinstance(part, Where)):
+        raise unfit()
+    return _named(item.of)
+
+
 def _mention_for(parts: Parts) -> Clause:
     """A statement of who is to get a thing: "the red cup is for Mia, bring it to her"."""
     of, person = (part for part in parts if isinstance(part, Nominal))
@@ -151,59 +185,10 @@ def _mention_state(parts: Parts) -> Clause:
     return Clause((), "base", mention=Mention(nominal, state="open" if is_open else "closed"))
 
 
-def _located_after(parts: Parts) -> Where:
-    where: Where = parts[-1]
-    return where
-
-
 def is_statement(part: Any) -> bool:
     """Whether it says something and commands nothing."""
     return isinstance(part, Clause) and not part.bundles
 
-
-def with_places(parts: Parts) -> Parts | None:
-    """With what is said after a command of where its thing is: "bring me the book, it's on the shelf".
-
-    None where a command has no thing that alone can be meant.
-    """
-    found: list[Any] = []
-    for part in parts:
-        if not isinstance(part, Where):
-            found.append(part)
-            continue
-        before = found.pop()
-        of = before.part if isinstance(before, Further) else before
-        placed = _PLACED((of, part)) if isinstance(of, Clause) else None
-        if not isinstance(placed, Clause):
-            return None
-        found.append(replace(before, part=placed) if isinstance(before, Further) else placed)
-    return tuple(found)
-
-
-_LOCATED = frozenset({"pick", "hand_over", "find"})
-"""Tasks of a thing that may have a place."""
-
-
-def _placed(parts: Parts) -> Clause:
-    """A command with where its only thing is, unless it names another that may be meant."""
-    command, where = parts
-    if len(command.bundles) != 1 or where.role in ("to", "from"):
-        raise unfit()
-    first, *rest = command.bundles[0]
-    named = first.get("object")
-    goals = [value for one in (first, *rest) for name, value in one.slots if name in ("to", "on", "there")]
-    if first.action not in _LOCATED or not all(isinstance(one, Nominal) and one.is_person for one in goals):
-        raise unfit()
-    if not isinstance(named, Nominal) or named.reference or first.get("source") or named.relation:
-        raise unfit()
-    (one,) = arranged((Item(named, (where,)),))
-    slots = tuple((name, one.object if name == "object" else value) for name, value in first.slots)
-    told = replace(first, slots=slots).with_slot("source", one.source)
-    placed: Clause = replace(command, bundles=((told, *rest),))
-    return placed
-
-
-_PLACED = guarded(_placed)
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention": _mention,
@@ -211,9 +196,11 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "mention_for": _mention_for,
     "mention_belongs": _mention_belongs,
     "mention_lost": _mention_lost,
+    "mention_either": _mention_either,
+    "mention_name": _mention_name,
+    "mention_who": _mention_who,
     "mention_state": _mention_state,
     "mention_wanted": _mention_wanted,
-    "located_after": _located_after,
 }
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

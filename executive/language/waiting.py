@@ -1,4 +1,4 @@
-"""Waiting somewhere: "wait in the kitchen for ten seconds"."""
+"""Waiting, where the robot stands or somewhere else: "wait in the kitchen for ten seconds"."""
 
 from __future__ import annotations
 
@@ -6,14 +6,25 @@ from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from executive.language.arranging import guarded, trouble, unfit
-from executive.language.going import MEANINGS as GOING
-from executive.language.going import goal_of
+from executive.language.arranging import clause, guarded, trouble, unfit
+from executive.language.going import bounded, goal_of
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Meaning, Measure, Nominal, Relative, draft
 
+MAX_WAIT_S = 3600.0
+"""A robot that waits stands; beyond it the number is taken for a mistake."""
+
 _LINGERS = "linger"
 """Meaning of the verbs of waiting that take a place; nobody is to rest or to sleep there."""
+
+
+def _wait(parts: Parts) -> Clause:
+    measures = [part for part in parts if isinstance(part, Measure)]
+    if not measures:
+        raise trouble("for how long?", asks=True)
+    if measures[0].of != "duration":
+        raise unfit()
+    return clause(parts, [(draft("wait", duration_s=round(bounded(measures[0], MAX_WAIT_S), 3)),)])
 
 
 def _wait_at(parts: Parts) -> Clause:
@@ -24,9 +35,7 @@ def _wait_at(parts: Parts) -> Clause:
     measures = [part for part in parts if isinstance(part, Measure)]
     if not measures:
         raise trouble("for how long?", asks=True)
-    waits = GOING["wait"]((words(parts, "WAIT")[0], *measures))
-    if not isinstance(waits, Clause):
-        raise unfit()
+    waits = _wait((words(parts, "WAIT")[0], *measures))
     return replace(waits, bundles=((draft("walk_to", to=goal),), *waits.bundles))
 
 
@@ -42,5 +51,5 @@ def _waiting_at(parts: Parts) -> Nominal | Relative:
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {"wait_at": guarded(_wait_at), "waiting_at": guarded(_waiting_at)}
+    {"wait": guarded(_wait), "wait_at": guarded(_wait_at), "waiting_at": guarded(_waiting_at)}
 )
