@@ -27,6 +27,10 @@ _LOCATED = frozenset({"pick", "hand_over", "find"})
 """Tasks of a thing that may have a place."""
 
 
+_TOLD_APART = _LOCATED | {"open", "close", "point_at", "look_at"}
+"""Tasks of a thing that may be told from others."""
+
+
 @dataclass(frozen=True, slots=True)
 class ToldAfter:
     """What is said of "it" behind a command.
@@ -34,17 +38,20 @@ class ToldAfter:
     Attributes:
         features: What tells it from others.
         places: Where it is.
+        number: "ONE" or "ONES", where it is said which one it is.
     """
 
     features: tuple[Feature | Relative, ...] = ()
     places: tuple[Where, ...] = ()
+    number: str = ""
 
 
 def _told_after(parts: Parts) -> ToldAfter | None:
     said = (feature_of(part) if part in words(parts, "COLOR", "MATERIAL") else part for part in parts)
     features = tuple(part for part in said if isinstance(part, (Feature, Relative)))
     places = tuple(part for part in parts if isinstance(part, Where))
-    return ToldAfter(features, places) if features or places else None
+    number = next((word.word_class for word in words(parts, "ONE", "ONES")), "")
+    return ToldAfter(features, places, number) if features or places else None
 
 
 def with_what_is_told_after(parts: Parts) -> Parts | Trouble | None:
@@ -80,10 +87,14 @@ def _with_details(first: Draft, rest: list[Draft], after: ToldAfter) -> Draft:
     """The first task of a command with its thing as it is told behind it."""
     named = first.get("object")
     goals = [value for one in (first, *rest) for name, value in one.slots if name in ("to", "on", "there")]
-    if first.action not in _LOCATED or not all(isinstance(one, Nominal) and one.is_person for one in goals):
+    told_of = _LOCATED if after.places else _TOLD_APART
+    only_thing = all(isinstance(one, Nominal) and one.is_person for one in goals)
+    if first.action not in told_of or not only_thing:
         raise unfit()
     if not isinstance(named, Nominal) or named.reference:
         raise unfit()
+    if after.number and (named.plural or named.paired) != (after.number == "ONES"):
+        raise unfit()  # "take the cups, it's the red one"
     if after.places and (first.get("source") or named.relation):
         raise unfit()
     if any(where.role in ("to", "from") for where in after.places):
