@@ -18,7 +18,7 @@ from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.leaf import from_exception
 from trees.scene_update import kind_of
-from trees.tasks import ObjectDescription, PickTask, Task
+from trees.tasks import ObjectDescription, PickTask, Task, WaitTask
 from trees.toolbox import Toolbox
 
 if TYPE_CHECKING:
@@ -35,6 +35,11 @@ TASK_TIMEOUT_S = 480.0
 TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
 R = TypeVar("R")
+
+
+def _waited_s(command: Command, timeout_s: float) -> float:
+    """How much longer a task may take because it waits, unless it was given a limit of its own."""
+    return command.duration_s if isinstance(command, WaitTask) and timeout_s == TASK_TIMEOUT_S else 0.0
 
 
 def ended(steps: Generator[object, None, R]) -> R:
@@ -229,7 +234,7 @@ class Session:
             outcome = "refused", refusal
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
-            outcome = yield from self._run_guarded(tree, began_s + timeout_s)
+            outcome = yield from self._run_guarded(tree, began_s + timeout_s + _waited_s(command, timeout_s))
             self._stand()
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}

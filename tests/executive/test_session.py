@@ -16,7 +16,7 @@ from robots.sensed_state import SensedState
 from trees.failures import Failure, FailureKind
 from trees.pauses import Pauses
 from trees.policy import TreePolicy
-from trees.tasks import GoHomeTask, ObjectDescription, PickTask, Relation
+from trees.tasks import GoHomeTask, ObjectDescription, PickTask, Relation, WaitTask
 
 HOME = GoHomeTask("go home")
 
@@ -287,3 +287,19 @@ def test_every_tree_gives_up_tidily_before_the_session_cuts_it_off():
 
     longest_s = policy.task_timeout_s + policy.walk_timeout_s  # what is put behind a door
     assert longest_s + 30.0 < TASK_TIMEOUT_S
+
+
+def test_a_wait_may_last_longer_than_what_a_task_does_is_given(fake_stage):
+    on = fake_stage()
+
+    result = on.session.run_task(WaitTask("wait", TASK_TIMEOUT_S + 60.0))
+
+    assert (result.outcome, result.failure) == ("done", None)
+
+
+def test_a_wait_is_given_up_when_a_limit_of_its_own_says_so(fake_stage):
+    on = fake_stage()
+
+    result = on.session.run_task(WaitTask("wait", 30.0), timeout_s=5.0)
+
+    assert result.outcome == "failed"
