@@ -235,7 +235,7 @@ class Lattice:
                 " ".join(texts[start : start + length]),
             )
             for length, reading in vocabulary.matches(texts, start)
-            if reading.word_class != "KIN_TITLE"
+            if reading.word_class not in ("KIN_TITLE", "KIN_TITLE_ALONE")
         ]
         found += self._formed.get(start, ())
         if piece.quoted:

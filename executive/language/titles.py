@@ -13,6 +13,8 @@ _ARTICLES = frozenset({"the", "a", "an", "that", "this", "some"})
 _GOES_ON = frozenset({"SEP", "AND", "DET", "IT", "BEFORE", "AFTER", "FIRST"})
 """Word classes of which "the Dr. Then" is no name."""
 
+_TITLES = frozenset({"TITLE", "KIN_TITLE", "KIN_TITLE_ALONE"})
+
 _OF = "'s"
 
 Found = tuple[int, int, str, str]
@@ -34,10 +36,12 @@ def titled_names(
     for start in range(len(pieces)):
         if texts[start] in _MINE:
             yield from _related(pieces, texts, plain, begins, start, vocabulary)
-        if begins[start].isdisjoint({"TITLE", "KIN_TITLE"}) or (start and texts[start - 1] in _ARTICLES):
+        before = texts[start - 1] if start else ""
+        if begins[start].isdisjoint(_TITLES) or before in _ARTICLES:
             continue
         for length, reading in vocabulary.matches(texts, start):
-            if reading.word_class not in ("TITLE", "KIN_TITLE"):
+            whose = reading.word_class == "KIN_TITLE_ALONE" and before in _MINE
+            if reading.word_class not in _TITLES or whose:
                 continue
             formal = reading.word_class == "TITLE"
             name = start + length

@@ -31,7 +31,7 @@ _SOUNDS = re.compile(r"[aeiouy]|[^\x00-\x7f]")
 
 _OF = "'s"
 _ENDS_A_SENTENCE = frozenset(".!?:;")
-_PEOPLE = frozenset({"NAME", "OWNER", "PERSON", "OWNING", "TITLE", "KIN_TITLE", "PEOPLE"})
+_PEOPLE = frozenset({"NAME", "OWNER", "PERSON", "OWNING", "TITLE", "KIN_TITLE", "KIN_TITLE_ALONE", "PEOPLE"})
 """Word classes that are often written with a capital, which says nothing of the words around them."""
 
 _TELLS = "TELL"

@@ -40,7 +40,7 @@ def test_words_that_cannot_be_honoured_are_named_in_the_refusal(sentence, word):
 @pytest.mark.parametrize(
     "sentence",
     [
-        "pick up the cup, the red one",
+        "pick up the red cup, the blue one",
         "put the cup in the box and put it on the shelf",
         "say pick up the cup and open the fridge",
         "go back",

@@ -115,8 +115,8 @@ def test_each_place_of_a_list_is_that_of_the_things_before_it():
 @pytest.mark.parametrize(
     "sentence",
     [
-        "bring me the blue cup, the one on the shelf",
-        "go to the chair, the red one",
+        "bring me the cup from the shelf, the blue one",
+        "go to the red chair, the blue one",
         "give Ana the ball, the red ball",
         "walk to the table and put the cup in the bowl there",
     ],
