@@ -32,9 +32,11 @@ def _mention(parts: Parts) -> Clause:
         raise unfit()
     if nominal.sort != "thing" and one.source is not None:
         raise unfit()
+    exists = one.source is None and nominal.relation is None
+    if exists and nominal.is_vague:
+        raise unfit()  # "I dropped some cups"
     if nominal.is_vague or (nominal.plural and not nominal.counted):
         nominal = replace(nominal, count="all")
-    exists = one.source is None and nominal.relation is None
     return Clause((), "base", mention=Mention(nominal, one.source, exists=exists))
 
 
