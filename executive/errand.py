@@ -42,7 +42,16 @@ from trees.held import HeldObject, held_object
 from trees.odometry import body_pose
 from trees.questions import OTHER
 from trees.regions import START
-from trees.tasks import ObjectDescription, ObjectOf, PickTask, PlaceTask, Task, WalkToTask
+from trees.tasks import (
+    Destination,
+    ObjectDescription,
+    ObjectOf,
+    PickTask,
+    PlaceTask,
+    Task,
+    Thing,
+    WalkToTask,
+)
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -126,7 +135,7 @@ class Errand:
         return True
 
     def _is_worth_a_walk(self, step: Prepared, result: TaskResult) -> bool:
-        """Whether what was not seen, or not to be grasped, from here is to be walked to, once in an errand.
+        """Whether what was not seen, grasped or put down from here is to be walked to, once in an errand.
 
         Not what the robot has walked to already.
         """
@@ -140,7 +149,10 @@ class Errand:
             return False
         if result.failure.is_unseen:
             return result.attempts <= 1 and _may_be_elsewhere(command, known)
-        return result.failure.is_no_grasp and _is_far(command, known)
+        if result.failure.is_no_grasp and _is_far(command.object, known):
+            return True
+        infeasible = result.failure.root.kind is FailureKind.INFEASIBLE
+        return infeasible and isinstance(command, PlaceTask) and _is_far(command.on or command.to, known)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""
@@ -312,9 +324,13 @@ def _may_be_elsewhere(command: Bringing, known: Known) -> bool:
     return not (isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source))))
 
 
-def _is_far(command: Bringing, known: Known) -> bool:
-    """Whether what was seen is where no hand gets to without a step."""
-    return isinstance(command.object, ObjectDescription) and not known.is_near(Nearness(command.object))
+def _is_far(place: Destination | Thing | None, known: Known) -> bool:
+    """Whether a thing, or furniture, is where no hand gets to without a step."""
+    if isinstance(place, str):
+        return not known.is_near(Nearness(ObjectDescription(place)))
+    if not isinstance(place, ObjectDescription) or place.kind is None:
+        return False
+    return not known.is_near(Nearness(place))
 
 
 def without_skill(commands: Sequence[Command]) -> Task | None:

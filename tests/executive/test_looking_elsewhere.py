@@ -97,6 +97,17 @@ def test_it_is_looked_for_once_and_told_as_what_was_asked_for():
     assert last.failure.cause.message == "no thing seen"
 
 
+class ErrandBeforeTheTable(ErrandHere):
+    before = ("table",)
+
+
+class ErrandWithTheCup(ErrandHere):
+    """The first task picks it up."""
+
+    def _known(self):
+        return replace(super()._known(), in_hand=lambda _task: bool(self._session.told))
+
+
 def out_of_reach():
     return Failure.infeasible("no way to grasp it was found", grasps_considered=0.0)
 
@@ -144,6 +155,19 @@ def test_what_was_walked_to_and_is_not_there_is_not_walked_to_again():
     assert notes.told == ["come within reach of the cup", "pick up the cup"]
 
 
+def test_what_cannot_be_put_down_from_here_is_taken_to_the_furniture():
+    notes = Notes(Failure.infeasible("there is no spot on the shelf"))
+
+    assert carried_out(notes, "put the cup on the shelf", ErrandWithTheCup)[-1] == "done"
+    assert notes.told == ["put the cup on the shelf", "walk to the shelf", "put the cup on the shelf"]
+
+
+def test_what_cannot_be_put_down_where_the_robot_stands_is_told_so():
+    notes = Notes(Failure.infeasible("there is no spot on the table"))
+
+    assert carried_out(notes, "put the cup on the table", ErrandBeforeTheTable) == ["failed"]
+
+
 def test_what_cannot_be_grasped_from_nearby_either_is_told_so():
     notes = Notes(out_of_reach(), None, out_of_reach())
 
@@ -152,10 +176,6 @@ def test_what_cannot_be_grasped_from_nearby_either_is_told_so():
 
 class ErrandBesideTheBottle(ErrandHere):
     before = ("bottle",)
-
-
-class ErrandBeforeTheTable(ErrandHere):
-    before = ("table",)
 
 
 @pytest.mark.parametrize(
