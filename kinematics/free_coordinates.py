@@ -76,6 +76,19 @@ class FreeCoordinates:
         turn = 2.0 * vector if norm < 1e-12 else vector * (2.0 * math.atan2(norm, w) / norm)
         return np.concatenate([q[:3], turn, q[self._columns]])
 
+    def start(self, q: Array) -> Array:
+        """Free coordinates in which a plan can begin for a robot that rests at a configuration.
+
+        Plans keep away from the joint limits by a margin; a motion that was stopped, or led by what the hand
+        felt, may have ended inside of it. Such joints begin where the margin ends, and ``lead_in`` takes them
+        there.
+        """
+        x = self.from_q(q)
+        margin, limited = self._model.description.planning_margin_rad, self._columns - 7
+        lower, upper = self._model.lower_rad[limited] + margin, self._model.upper_rad[limited] - margin
+        x[self.base_size :] = np.clip(x[self.base_size :], lower, upper)
+        return x
+
     def from_many(self, q: Array) -> Array:
         """``from_q`` of many configurations, shape (n, nq), at once, shape (n, size)."""
         if self._mount is not None:

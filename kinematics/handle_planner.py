@@ -108,7 +108,7 @@ class _HandleTask:
     @property
     def starts_free(self) -> bool:
         """Whether the robot is inside nothing where it stands."""
-        return self._reach_planner.is_free(self._space.from_q(self.request.q_start))
+        return self._reach_planner.is_free(self._space.start(self.request.q_start))
 
     def grasps(self) -> Iterator[Grasp]:
         """Candidates, the most promising first."""
@@ -196,7 +196,7 @@ class _HandleTask:
         groups = model.description.groups
         arms = [joint for hand in ("left", "right") for joint in groups[f"{hand}_arm"]]
         moving = [self._space.index(joint) for joint in (*arms, *groups["torso"])]
-        start = self._space.from_q(request.q_start)
+        start = self._space.start(request.q_start)
         reach = self._reach_planner.plan(start, x_pregrasp, moving, np.random.default_rng(request.seed))
         if reach is None:
             return "no path to the handle"

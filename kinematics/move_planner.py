@@ -40,7 +40,7 @@ class _Ends:
 def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
     """Plan it, or say why there is none."""
     space = free_coordinates(model, request.stance)
-    start = space.from_q(request.q_start)
+    start = space.start(request.q_start)
     ends = _Ends(space, start, _goal(model, space, start, request))
     scene = relaxed_at(model, request.scene, request.q_start)
     curve = _way(model, request, ends, scene)

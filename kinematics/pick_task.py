@@ -109,7 +109,7 @@ class PickTask:
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
         self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
-        self._x_start = self._space.from_q(request.q_start)
+        self._x_start = self._space.start(request.q_start)
         # the search starts at home, which keeps elbows where they belong
         self._seed = model.home_over(request.stance)
         self.reasons: Counter[str] = Counter()

@@ -100,7 +100,7 @@ class PlaceTask:
         self._space = free_coordinates(model, request.stance)
         self._scene = relaxed_at(model, request.scene, request.q_start, reserve_m)
         self._planner = self._planner_in(self._scene)
-        self._x_start = self._space.from_q(request.q_start)
+        self._x_start = self._space.start(request.q_start)
         self._ik = inverse_kinematics(model, request.stance, self.hand)
         self._reached: dict[tuple[bytes, bytes], IkResult] = {} if before is None else before._reached
         self._seed = self._seed_posture()

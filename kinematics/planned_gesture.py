@@ -58,7 +58,7 @@ class PlannedGesture(GestureTask):
         reasons: Counter[str] = Counter()
         moving = [self.space.index(joint) for joint in self.arm.joints]
         for goal in self._postures(wish, reasons):
-            x_start, x_goal = self.space.from_q(self._q_start), self.space.from_q(goal)
+            x_start, x_goal = self.space.start(self._q_start), self.space.from_q(goal)
             if not self.planner.is_free(x_goal):
                 reasons["collision or lost balance"] += 1
                 continue

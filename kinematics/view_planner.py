@@ -77,7 +77,7 @@ class ViewPlanner:
             return NoPlan("no posture shows what was not seen yet", {"hidden from everywhere": 1})
         arms = [joint for hand in HANDS for joint in model.description.groups[f"{hand}_arm"]]
         moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
-        rng, start = np.random.default_rng(request.seed), space.from_q(request.q_start)
+        rng, start = np.random.default_rng(request.seed), space.start(request.q_start)
         reasons: Counter[str] = Counter()
         free = (view for view in views[:MOST_JUDGED] if planner.is_free(view.x))
         for view in itertools.islice(free, MOST_PLANNED):
