@@ -16,10 +16,13 @@ from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_placement import LookAtPlacement
 from trees.leaves.note_bystanders import NoteBystanders
 from trees.leaves.offer import Offer
+from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.verify_taken import VerifyTaken
 from trees.leaves.wait import Hold
 from trees.offers import OFFERED
+from trees.policy import Gaze
 from trees.subtrees.have_it import have_it
+from trees.subtrees.search import looking_elsewhere_is_useless
 from trees.subtrees.search_place import search_place
 from trees.subtrees.tidily import tidily
 from trees.toolbox import Toolbox
@@ -28,11 +31,10 @@ from trees.toolbox import Toolbox
 def hand_over(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     policy = toolbox.policy
-    gazes = (*policy.level_gazes, *policy.level_gazes[:1])
-    know_who = search_place("know the person", toolbox, gazes, slots=("to",))
+    know_who = search_place("know the person", toolbox, _gazes(toolbox), slots=("to",))
     children: list[Behaviour] = [
         have_it(toolbox, know_who),
-        search_place("find the person", toolbox, gazes, slots=("to",)),
+        _find_the_person(toolbox),
         NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),
         AwaitPull(OFFERED, toolbox),
@@ -43,6 +45,25 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
         _see_who_has_it(toolbox),
     ]
     return tidily("hand over", children, toolbox)
+
+
+def _gazes(toolbox: Toolbox) -> tuple[Gaze, ...]:
+    level = toolbox.policy.level_gazes
+    return (*level, *level[:1])
+
+
+def _find_the_person(toolbox: Toolbox) -> Behaviour:
+    """As the robot stands once it has the thing, then upright: out of a deep reach it could not look up."""
+    gazes = _gazes(toolbox)
+    upright: list[Behaviour] = [
+        BestEffort(ReadyToWalk("stand upright", toolbox)),
+        search_place("look again", toolbox, gazes, slots=("to",)),
+    ]
+    ways = [
+        search_place("look around", toolbox, gazes, slots=("to",)),
+        Sequence("from upright", memory=True, children=upright),
+    ]
+    return Alternatives("find the person", ways, looking_elsewhere_is_useless)
 
 
 def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
