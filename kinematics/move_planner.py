@@ -49,7 +49,7 @@ def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
         resting = touching_at_rest(model, scene, request.q_start, q_goal)
         curve = PathPlanner(model, space, validity(model, request.stance, resting)).straight(start, ends.goal)
         if curve is None:
-            return _no_way(validity(model, request.stance, scene), q_goal, request.q_start)
+            return _no_way(validity(model, request.stance, scene), ends)
         scene = resting
     trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
     if trajectory is None:
@@ -89,8 +89,7 @@ def _way(model: RobotModel, request: MoveRequest, ends: _Ends, scene: PlanningSc
     return None
 
 
-def _no_way(judge: Validity, q_goal: Array, q_start: Array) -> NoPlan:
+def _no_way(judge: Validity, ends: _Ends) -> NoPlan:
     """What bars goal or start, if anything does."""
-    pair = judge.colliding_pair(q_goal) or judge.colliding_pair(q_start)
-    reason = "no collision-free path" if pair is None else f"{pair[0]} collides with {pair[1]}"
+    reason = judge.why_not(ends.goal) or judge.why_not(ends.start) or "no collision-free path"
     return NoPlan(f"no motion to the posture was found: {reason}", {reason: 1})

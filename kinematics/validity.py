@@ -25,6 +25,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
 from kinematics.trajectory import Stance
+from kinematics.why_not_free import why_not_free
 
 if TYPE_CHECKING:
     from kinematics.kernel.robot_arrays import RobotArrays
@@ -48,6 +49,10 @@ class Validity(Protocol):
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of a pair that collides at a configuration, shape (nq,), or None."""
+        ...
+
+    def why_not(self, x: Array) -> str | None:
+        """Why a point, shape (size,), is not free, in words for people; None when it is."""
         ...
 
     def allowing(self, scene: PlanningScene) -> Validity | None:
@@ -207,6 +212,18 @@ class SampledValidity:
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of the first pair that collides, or None."""
         return self._world.colliding_pair(q)
+
+    def why_not(self, x: Array) -> str | None:
+        """Why a point is not free, in words for people; None when it is."""
+        if self.points_are_free(x[None]):
+            return None
+        (q,), (reached,) = self._space.to_q(x[None])
+        pair = self.colliding_pair(q)
+        if not reached:
+            return why_not_free("reach")
+        if np.any(q[7:] < self._lower) or np.any(q[7:] > self._upper):
+            return why_not_free("limits")
+        return why_not_free("balance") if pair is None else why_not_free("contact", pair)
 
     def allowing(self, scene: PlanningScene) -> None:
         """Nothing is shared."""

@@ -1,0 +1,25 @@
+"""Why a posture is not free, in words for people."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+_WHY_NOT = MappingProxyType(
+    {
+        "reach": "the feet could not stay where they are",
+        "limits": "a joint would come too near to its limit",
+        "balance": "the robot would lean too far over its feet",
+    }
+)
+
+
+def why_not_free(reason: str, pair: tuple[str, str] | None = None) -> str:
+    """In words for people why a point is not free.
+
+    Args:
+        reason: "reach", "limits", "balance", or any other where something is too near to something.
+        pair: What collides with what, when that is it.
+    """
+    if pair is not None:
+        return f"{pair[0]} collides with {pair[1]}"
+    return _WHY_NOT.get(reason, "something would come too near")
