@@ -92,6 +92,17 @@ class _Repair:
         """Whether what was said before is no sentence yet: "grab the big, no, the small spoon"."""
         return self._understood(" ".join(self._texts(0, self._marker.span.start))) is None
 
+    @cached_property
+    def _marked_anew(self) -> str | None:
+        """A command that begins with the words of the correction: "forget that, wait half a minute"."""
+        for start in range(self._marker.span.end - 1, self._marker.span.start, -1):
+            if is_mark(self._lattice, start):
+                break
+            anew = " ".join(self._texts(start, self._end))
+            if any(map(self._is_verb, self._lattice.phrase(start))) and self._understood(anew) is not None:
+                return anew
+        return None
+
     def commands(self) -> tuple[Command, ...] | None:
         """The one meaning, or None."""
         if not self._replaces():
@@ -107,7 +118,8 @@ class _Repair:
             done = change(before, after, earlier=one.alone and not one.elliptic, whole=one.anew is not None)
             if done in (LOSES, SAME):
                 return None
-            if one.anew is not None and not self._is_all(one.anew, after):
+            anew = self._marked_anew or one.anew
+            if anew is not None and not self._is_all(anew, after):
                 return None  # "give Ana the bowl, no, give me the cup": nothing else holds on
             if done is not None and not (one.elliptic and self._is_open(done)):
                 key = repr([command_json(command) for command in after])

@@ -42,6 +42,7 @@ _SUBJECTS = frozenset(
 )
 _SOMEBODY = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "EVERYBODY"})
 _WAITS = frozenset({"WAIT"})
+_TAKES_BACK = "CORRECTION"
 _SENTENCE_ENDS = frozenset({".", "!", "?", ";"})
 
 
@@ -70,7 +71,8 @@ def free_reasons(
         if not sorts or any(reading.word_class not in _SAME for reading in readings):
             continue  # "as soon as", "so now"
         end = next(
-            (index for index in range(start + length, len(pieces)) if pieces[index].is_mark), len(pieces)
+            (index for index in range(start + length, len(pieces)) if _ends(pieces, index, begins)),
+            len(pieces),
         )
         first = nothing_said[start] or pieces[start - 1].text in _SENTENCE_ENDS
         if first and (sorts[0] == "purpose" or end + 1 >= len(pieces) or pieces[end].text != ","):
@@ -78,6 +80,11 @@ def free_reasons(
         reason = Reason(pieces, start + length, end, begins, vocabulary)
         if _is_clause(reason, sorts[0]) and is_harmless(reason):
             yield start, end
+
+
+def _ends(pieces: Sequence[Piece], index: int, begins: Sequence[AbstractSet[str]]) -> bool:
+    """Whether a clause ends at a place; at a dash, if it is taken back: "because we are done - no, ..."."""
+    return pieces[index].is_mark or (pieces[index].text == "-" and _TAKES_BACK in begins[index + 1])
 
 
 def _is_clause(reason: Reason, sort: str) -> bool:
