@@ -233,7 +233,8 @@ class Destinations(Antecedents):
         """What "the blue one" is that something is put into or onto, which cannot hold anything itself.
 
         Raises:
-            UnresolvedError: Nothing was named that holds things.
+            UnresolvedError: Nothing was named that holds things, or what was is in the hand: nobody puts
+                anything onto that.
         """
         handled = self._kind
         if handled is None or handled.is_place or handled.kind in HOLDERS:
@@ -241,7 +242,8 @@ class Destinations(Antecedents):
         lately = (one.of for one in self._entities)
         named = dict.fromkeys((*self._places, *self._mentioned, *lately))
         holders = [one for one in named if one.is_place or one.kind in HOLDERS]
-        if into and not holders:
+        in_hand = {one.of for one in self._entities if one.task in self._held}
+        if (into and not holders) or (not into and not in_hand.isdisjoint(holders)):
             raise ask("which one is meant?")
         return holders[0] if len({one.kind for one in holders}) == 1 else None
 

@@ -101,6 +101,12 @@ def test_what_nothing_makes_clear_stays_a_question(said):
     assert heard(*said).question.text == "what does 'it' stand for?"
 
 
+@pytest.mark.requirement("L3")
+def test_nothing_is_put_onto_what_is_in_the_hand():
+    assert heard("pick up the cup", "put the can on the left one").question is not None
+    assert heard("find the box", "put the can on the left one").commands
+
+
 @pytest.mark.requirement("L2")
 def test_the_thing_that_was_moved_last_is_the_one_that_is_moved_again(fake_stage):
     session = fake_stage(cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))).session
