@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -25,7 +26,7 @@ from executive.language.records import sentences_of_records
 from executive.language.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.spoken_marks import with_spoken_marks
+from executive.language.spoken_marks import with_spoken_marks, without_last_mark
 from executive.language.tokens import (
     MAX_LENGTH,
     MalformedTextError,
@@ -109,6 +110,7 @@ class CommandParser:
     def __init__(self, vocabulary: Vocabulary, rules: Mapping[str, Rule]) -> None:
         self.vocabulary = vocabulary
         self._rules = rules
+        self._verbs = rules["command"].first - rules["transport"].first
         self._explainer = Explainer(vocabulary, self._is_valid)
         self._reader = Reader(self._only_commands, self._meanings_as, self._sort_of, rules["command"].first)
 
@@ -121,6 +123,8 @@ class CommandParser:
             return unmarked
         if parsed.refusal is not None and (dictated := self._dictated(text, remembers)) is not None:
             return dictated
+        if (ended := self._ended_by_a_mark(text, parsed, remembers)) is not None:
+            return ended
         sentences = lines_as_sentences(text)
         if sentences is None:
             return parsed
@@ -154,6 +158,20 @@ class CommandParser:
             return None
         found = self.parse(written, remembers)
         return replace(found, text=text) if found.refusal is None else None
+
+    def _ended_by_a_mark(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
+        """What is said without the mark that is spoken behind it; a question where that may be a word."""
+        if not parsed.commands or not isinstance(parsed.commands[-1], SayTask):
+            return None
+        found = without_last_mark(text, self.vocabulary)
+        if found is None:
+            return None
+        plain, is_sure = found
+        if not is_sure:
+            return Parsed(
+                text, question=Question("is its last word to be said too, or does it end what is said?")
+            )
+        return replace(self.parse(plain, remembers), text=text)
 
     def _speaks(self, text: str) -> bool:
         """Whether some word of a text is about speaking, so that what is quoted may be said."""
@@ -195,7 +213,7 @@ class CommandParser:
             if commands is not None:
                 return Parsed(text, commands=commands, manners=lattice.manners())
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
-        if _asks_about_doing(lattice):
+        if _asks_about_doing(lattice, self._verbs):
             return Parsed(text, question=Question("is that asked about, or shall it be done?"))
         if _praises(lattice):
             return Parsed(text, question=Question("is that praise for it, or shall it be done?"))
@@ -303,8 +321,8 @@ class CommandParser:
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
 
 
-def _asks_about_doing(lattice: Lattice) -> bool:
-    """Whether a question mark ends "opening the fridge?" or "the milk goes in the fridge?"."""
+def _asks_about_doing(lattice: Lattice, verbs: AbstractSet[str]) -> bool:
+    """Whether a question mark ends "opening the fridge?", "the milk goes there?", "the milk from there?"."""
     asks = lattice.plain.rstrip().endswith("?")
     if not asks:
         return False
@@ -313,6 +331,8 @@ def _asks_about_doing(lattice: Lattice) -> bool:
     states = states or any(word.word_class == "GETS" for word in said)
     begins = {word.word_class for word in lattice.phrase(0)}
     states = states or ("YOU_DO" in begins and begins.isdisjoint(_ASK))  # "you take sugar?"
+    classes = {word.word_class for word in said}
+    states = states or ("FROM" in classes and classes.isdisjoint(verbs))
     return states or any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
 
 
