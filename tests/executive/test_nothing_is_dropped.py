@@ -102,7 +102,6 @@ def test_there_is_the_place_that_was_named():
         "tell Ana that dinner is ready and open the door quickly",
         "speak louder",
         "say the magic word",
-        "let Ben have the cup",
         "greet Ana and say her name",
         "say thanks to Ana: hello",
     ],
@@ -149,6 +148,12 @@ def test_greetings_statements_and_quotations_are_said(sentence, words):
 )
 def test_number_side_speaker_and_place_are_never_passed_over(sentence):
     assert parse(sentence).commands == ()
+
+
+def test_who_is_to_have_a_thing_gets_it():
+    (given,) = parse("let Ben have the cup").to_json()["tasks"]
+
+    assert (given["action"], given["to"]) == ("hand_over", "Ben")
 
 
 def test_a_place_beside_a_person_is_no_hand_over():

@@ -107,7 +107,11 @@ def test_partial_with_nothing_sure_asks():
     ("step", "says"),
     [
         ({"action": "pick", "object": {"kind": "unicorn"}}, "step 1: the word 'unicorn' is not known"),
-        ({"action": "walk_to", "to": "atlantis"}, "step 1: the word 'atlantis' is not known"),
+        (
+            {"action": "walk_to", "to": "atlantis"},
+            "step 1: 'atlantis' is nobody whom this robot knows, and no place",
+        ),
+        ({"action": "walk_to", "to": "zorbix"}, "step 1: the word 'zorbix' is not known"),
         (
             {"action": "move", "linear_m_s": 5.0},
             "step 1: the linear speed 5 m/s exceeds the limit of 0.5 m/s",
