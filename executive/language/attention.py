@@ -78,7 +78,7 @@ def _asked(
             raise unfit()
         if nominal.sort == "person" and one.source is not None and one.source.sort == "thing":
             raise TroubleError(wears(nominal, one.source))
-        whole = action == "describe" and nominal.sort == "any" and nominal.kind is None and nominal.is_plain
+        whole = action == "describe" and _is_all_there(nominal)
         if nominal.sort in ("me", "you") and action != "find":
             raise unfit()
         if nominal.sort == "you" or nominal.reference == "this":
@@ -219,8 +219,7 @@ def _describe_scene(parts: Parts) -> Clause:
     for_another = one.person is not None and one.person.sort != "me"
     if one.goal is not None or one.hand is not None or one.back or for_another:
         raise unfit()
-    relation = one.object.relation
-    everything = relation is None or (relation.kind == "in_front_of" and relation.to.sort == "you")
+    everything = one.object.relation is None or _is_before_the_robot(one.object)
     thing = None if everything else one.object
     if not loose and words(parts, "WHAT_IS", "WHAT"):
         raise unfit()
@@ -250,9 +249,21 @@ def _describe(parts: Parts) -> Clause:
 def _everything(one: Draft) -> Draft:
     """The objects on the table: all that is there."""
     nominal = one.get("object")
-    if nominal.sort == "any" and nominal.kind is None and nominal.is_plain and not nominal.reference:
+    if _is_all_there(nominal) and not nominal.reference:
         return draft("describe", source=one.get("source"))
     return one
+
+
+def _is_all_there(nominal: Nominal) -> bool:
+    """Whether things are told by nothing, or by being in front of the robot, as all that it sees is."""
+    if nominal.plural and _is_before_the_robot(nominal):
+        nominal = replace(nominal, relation=None)
+    return nominal.sort == "any" and nominal.kind is None and nominal.is_plain
+
+
+def _is_before_the_robot(nominal: Nominal) -> bool:
+    relation = nominal.relation
+    return relation is not None and relation.kind == "in_front_of" and relation.to.sort == "you"
 
 
 def _describe_superlative(parts: Parts) -> Clause:

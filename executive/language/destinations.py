@@ -290,6 +290,8 @@ class Destinations(Antecedents):
         if self._commands and self._commands[-1].action == "walk_to":
             sent = self._walks[-1]  # just now, unless another place was named since
             places = [place for place in places if place == sent == self._places[-1]]
+            beside = [place for place in self._walked_together if place != held_at] if places else []
+            places = [*beside, *places]
         if len(places) != 1:
             raise ask("which place does 'there' stand for?", [f"the {place.kind}" for place in places])
         return places[0]

@@ -53,6 +53,7 @@ class Discourse:
         self._named_in: list[tuple[int, Nominal]] = []
         self._beside_places: list[Nominal] = []
         self._walks: list[Nominal] = []
+        self._walked_together: tuple[Nominal, ...] = ()
         self._thing_walked_to: Nominal | None = None
         self._people: list[Nominal] = []
         self._people_named_in: dict[Nominal, int] = {}

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.arranging import ME, TroubleError, arranged, clause, guarded, trouble, unfit
-from executive.language.lists import goal_told_once_more, has_company, said_again, spoken
+from executive.language.lists import goal_told_once_more, has_company, named_together, said_again, spoken
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     EXCEEDS,
@@ -189,7 +189,9 @@ def _walk(parts: Parts) -> Clause:
         again = said_again(before, after, parts)
         if again is not None:
             raise trouble(again.message, asks=True)
-    return clause(parts, [(draft("walk_to", to=goal),) for goal in goals])
+    *earlier, last = (draft("walk_to", to=goal) for goal in goals)
+    last = last.with_slot("together", named_together(goals, parts) or None)
+    return clause(parts, [(one,) for one in (*earlier, last)])
 
 
 def _walk_at_speed(parts: Parts) -> Clause:

@@ -20,7 +20,7 @@ SORTS_OF_THINGS = frozenset(
 )
 """What a noun after a comma may say more exactly: "the blue thing, the cup"; "my drink, the juice"."""
 
-_LATER = frozenset({"then", "after", "finally", "followed"})
+_LATER = frozenset({"then", "after", "afterward", "afterwards", "finally", "followed"})
 
 
 def _item(parts: Parts) -> Item:
@@ -53,6 +53,17 @@ def _joined(parts: Parts) -> Joined | None:
 def has_company(parts: Parts) -> bool:
     """Whether somebody is to come along: "go to the table together with Ana"."""
     return any(isinstance(part, Joined) and part.company for part in parts)
+
+
+def named_together(goals: Sequence[Any], parts: Parts) -> tuple[Nominal, ...]:
+    """The places before the last one, unless that is said to come later: "to the table and to the shelf".
+
+    "There" may then be any of them, where "to the table, then to the shelf" leaves but the last one.
+    """
+    links = [part for part in parts if isinstance(part, Joined)]
+    if not links or links[-1].then:
+        return ()
+    return tuple(goal for goal in goals[:-1] if isinstance(goal, Nominal) and goal.is_place)
 
 
 def _items(parts: Parts) -> Items | Trouble | None:

@@ -209,6 +209,14 @@ def _np(parts: Parts) -> Nominal | Trouble | None:
     return told
 
 
+def _person_ahead(parts: Parts) -> Nominal | Trouble | None:
+    """The person in front: of the robot. Of things, the front one may be meant."""
+    nominal = parts[0]
+    if not isinstance(nominal, Nominal) or nominal.sort != "person" or nominal.reference:
+        return None
+    return nominal.placed(Relative("in_front_of", ROBOT))
+
+
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "noun": _noun,
@@ -220,6 +228,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "rank": _rank,
         "simple": _simple,
         "np": _np,
+        "person_ahead": _person_ahead,
         "whichever": _whichever,
         "whoever": _whoever,
     }

@@ -46,7 +46,7 @@ _TAKES_SEVERAL = frozenset(
 """Actions that may be done to several things at once."""
 
 _ASIDE = frozenset(
-    {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in"}
+    {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in", "together"}
     | {"done", "condition", "late", "lifts", "reaches", "reports", "one_of", "stated", "sets_speed"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
@@ -236,6 +236,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         self._note_object(named, resolved)
         if action == "walk_to":
             self._note_walk(one.get("to"))
+            self._walked_together = one.get("together") or ()
         self._commands.append(_TYPES[action](text, **slots))
         self._note_hand(action, root)
         self._did.append((one, root))
