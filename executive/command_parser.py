@@ -11,23 +11,23 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
-from executive.language.bare_lists import with_commas
 from executive.language.chart import Chart, TooTangledError
-from executive.language.contrasted_answers import contrasted_answer
-from executive.language.contrasts import Reader, contrasted
-from executive.language.corrections import corrected
 from executive.language.grammar import Rule, load_rules
-from executive.language.lattice import Lattice
-from executive.language.markup import without_marks, without_quotation_marks
 from executive.language.meanings import MEANINGS as SENTENCES
 from executive.language.outcomes import Outcome, explains_best, outcomes_of
 from executive.language.phrases import Nominal, Trouble
-from executive.language.records import sentences_of_records
-from executive.language.refusals import EXAMPLES, Explainer, printable
+from executive.language.refusing.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.spoken_marks import with_spoken_marks, without_last_mark
-from executive.language.tokens import (
+from executive.language.taken_back.contrasted_answers import contrasted_answer
+from executive.language.taken_back.contrasts import Reader, contrasted
+from executive.language.taken_back.corrections import corrected
+from executive.language.words.bare_lists import with_commas
+from executive.language.words.lattice import Lattice
+from executive.language.words.markup import without_marks, without_quotation_marks
+from executive.language.words.records import sentences_of_records
+from executive.language.words.spoken_marks import with_spoken_marks, without_last_mark
+from executive.language.words.tokens import (
     MAX_LENGTH,
     MalformedTextError,
     Piece,
@@ -35,7 +35,7 @@ from executive.language.tokens import (
     normalise,
     pieces_of,
 )
-from executive.language.unlisted_names import looks_like_a_name
+from executive.language.words.unlisted_names import looks_like_a_name
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.written import split_words

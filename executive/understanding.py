@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from executive.command_parser import parse
-from executive.language.hazards import harm_in
+from executive.language.resolving.hazards import harm_in
 from executive.meaning import Command, Parsed, Question, Refusal
 from executive.references import references, with_references
 from executive.task_result import Provenance

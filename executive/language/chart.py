@@ -11,8 +11,8 @@ from dataclasses import replace
 from typing import Any
 
 from executive.language.grammar import Node, Rule
-from executive.language.lattice import Lattice, Word
 from executive.language.phrases import Clause, Items, Meaning, Trouble
+from executive.language.words.lattice import Lattice, Word
 
 MAX_STEPS = 2_500
 """Parts looked at before a sentence counts as too tangled; none of 2,800 collected ones needs 370."""

@@ -5,42 +5,46 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from executive.language import (
-    amounts,
-    appositions,
+from executive.language.clauses import (
     arrivals,
-    attention,
     before_command,
-    chores,
-    chosen_from,
-    counted_apart,
-    features,
-    gestures,
-    given_reasons,
-    going,
-    handling,
-    lists,
-    nominals,
-    one_after_another,
-    pairs,
-    places,
-    placing,
-    quantities,
     sentences,
-    set_speed,
-    sharing,
-    speech,
     stated_goals,
     statements,
-    the_same,
     told_after,
+)
+from executive.language.clauses.begun_by import begun_by
+from executive.language.clauses.fronted import fronted
+from executive.language.commands import (
+    attention,
+    chores,
+    counted_apart,
+    gestures,
+    going,
+    handling,
+    one_after_another,
+    placing,
+    set_speed,
+    speech,
+    the_same,
     turns,
     two_verbs,
     verbless,
     waiting,
 )
-from executive.language.begun_by import begun_by
-from executive.language.fronted import fronted
+from executive.language.motives import given_reasons
+from executive.language.noun_phrases import (
+    amounts,
+    appositions,
+    chosen_from,
+    features,
+    lists,
+    nominals,
+    pairs,
+    places,
+    quantities,
+    sharing,
+)
 from executive.language.phrases import Meaning
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(

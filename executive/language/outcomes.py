@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from executive.language.going import NO_DIRECTION
-from executive.language.hazards import harm_in
+from executive.language.clauses.scopes import UNCLEAR_ORDER
+from executive.language.clauses.sentences import Sentence
+from executive.language.commands.going import NO_DIRECTION
+from executive.language.commands.speech import UNQUOTED
 from executive.language.phrases import EXCEEDS, HARMS, Nominal, Trouble
-from executive.language.references import Resolver, UnresolvedError
-from executive.language.scopes import UNCLEAR_ORDER
-from executive.language.sentences import Sentence
-from executive.language.speech import UNQUOTED
+from executive.language.resolving.hazards import harm_in
+from executive.language.resolving.references import Resolver, UnresolvedError
 from executive.meaning import Command, command_json
 from trees.tasks import ObjectOf, SayTask
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from executive.language.lattice import Word
 from executive.language.phrases import Nominal
+from executive.language.words.lattice import Word
 
 Parts = tuple[Any, ...]
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.arranging import guarded
-from executive.language.features import described
-from executive.language.going import target
+from executive.language.commands.going import target
+from executive.language.noun_phrases.arranging import guarded
+from executive.language.noun_phrases.features import described
 from executive.language.phrases import Item, Meaning, Nominal, Trouble, Where
-from executive.language.references import Resolver, UnresolvedError
+from executive.language.resolving.references import Resolver, UnresolvedError
 from trees.tasks import ObjectDescription
 
 

@@ -8,7 +8,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from executive.command_parser import EXAMPLES, parse
-from executive.language.tokens import WRITTEN_OUT
+from executive.language.words.tokens import WRITTEN_OUT
 from executive.meaning import wording
 from executive.vocabulary import load_vocabulary
 

@@ -4,9 +4,9 @@ import pytest
 
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import load_rules, rules_of, unknown_terminals
-from executive.language.lattice import Lattice
 from executive.language.meanings import MEANINGS
-from executive.language.tokens import pieces_of
+from executive.language.words.lattice import Lattice
+from executive.language.words.tokens import pieces_of
 from executive.vocabulary import Vocabulary, WordClass, load_vocabulary
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from executive.command_parser import parse
-from executive.language.records import sentences_of_records
+from executive.language.words.records import sentences_of_records
 
 
 def tasks_of(text):

@@ -1,0 +1,1 @@
+"""What stands around a command, and how commands are joined."""

@@ -1,0 +1,196 @@
+"""What may stand before a command: its number in a list, a hand, a place, who is to do it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Any
+
+from executive.language.clauses.arrivals import at_last
+from executive.language.clauses.neighbours import WITH_A_HAND
+from executive.language.clauses.scopes import Separator
+from executive.language.clauses.told import as_told
+from executive.language.commands.brief_tasks import takes_a_moment
+from executive.language.commands.placing import MEANINGS as PLACING
+from executive.language.phrase_parts import Parts, words
+from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.words.lattice import Word
+
+
+class _Nothing:
+    """A part that says nothing of its own."""
+
+    __slots__ = ()
+
+
+NOTHING = _Nothing()
+
+
+def _nothing(_parts: Parts) -> Any:
+    return NOTHING
+
+
+@dataclass(frozen=True, slots=True)
+class _Numbered:
+    """Which one of a numbered list a command is."""
+
+    number: int
+
+
+def _list_number(parts: Parts) -> _Numbered | None:
+    is_mark = parts[-1].word_class == "BULLET" or parts[-1].meaning in (".", ")", ":", "paren")
+    return _step_number(parts) if is_mark else None
+
+
+def _step_number(parts: Parts) -> _Numbered | None:
+    (said,) = words(parts, "NUM", "AMOUNT", "LETTER")
+    return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
+
+
+def _clause(parts: Parts) -> Clause | None:
+    """A command, with what was said before it."""
+    command: Clause = parts[-1]
+    if any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")):
+        return None  # "the cup. With your left hand. Wave"
+    if sum(isinstance(part, _Numbered) for part in parts) > 1:
+        return None  # "turn left 90. 2. Wave"
+    for part in parts[:-1]:
+        if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
+            command = replace(command, terse=True)  # else it belongs to what was said before
+            continue
+        slot = (
+            ("hand", part.side)
+            if isinstance(part, Hand)
+            else ("source", part.of)
+            if isinstance(part, Where)
+            else None
+        )
+        if isinstance(part, _Numbered):
+            command = replace(command, number=part.number)
+        if isinstance(part, Where) and part.role == "is":
+            if not _is_taken_or_seen(command):
+                return None  # "in the kitchen, put the cup on the table"
+            command = replace(command, placed=True)
+        if slot is not None:  # "take the cup with the right, wave", "... from the table, wave": of which?
+            command = replace(command, terse=True)
+        if isinstance(part, Hand):
+            command = replace(command, hand_first=True)
+        if slot is not None:
+            changed = _with_slot(command, *slot)
+            if changed is None:
+                return None
+            command = changed
+    return command
+
+
+def _you_do(parts: Parts) -> Clause | None:
+    """A command that begins with who is to do it: "you take the cup"."""
+    command = as_told(parts[-1])
+    if command is None:
+        return None
+    clause = _clause((*(part for part in parts[:-1] if not isinstance(part, Word)), command))
+    return None if clause is None else replace(clause, terse=True)
+
+
+def _briefly(parts: Parts) -> Clause | None:
+    *said, moment = parts
+    return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
+
+
+def _impatiently(parts: Parts) -> Clause | None:
+    """Close the door already: it is done as soon as any other command is."""
+    return _clause(parts[:-1])
+
+
+def _there_first(parts: Parts) -> Clause | None:
+    """There, pick up the box: at the place that was gone to just before."""
+    command: Clause = parts[-1]
+    if words(parts, "THERE")[0].said != "there" or command.form != "base" or command.question:
+        return None
+    if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
+        return None
+    arrived = _clause((*(part for part in parts[:-1] if isinstance(part, _Numbered)), command))
+    if arrived is None:
+        return None
+    there = Nominal("any", reference="there")
+    if _is_taken_or_seen(command):
+        arrived = _with_slot(arrived, "source", there)
+    return None if arrived is None else replace(arrived, bundles=((at_last(),), *arrived.bundles))
+
+
+def _is_taken_or_seen(command: Clause) -> bool:
+    """Whether a place before it can only be where its thing is."""
+    return all(bundle[0].action in ("pick", "find", "count", "describe") for bundle in command.bundles)
+
+
+def _goes(command: Clause) -> bool:
+    """Whether it goes somewhere, where "from there" says nothing."""
+    return all(one.action in ("walk_to", "move", "go_home") for bundle in command.bundles for one in bundle)
+
+
+def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
+    """A command with a hand before it; a mere "right," may be no more than how one begins to speak."""
+    side = words(parts, "LEFT_RIGHT")[0]
+    if not words(parts, "HAND", "USE") and side.said in ("left", "right"):
+        return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
+    joined = [part for part in parts if isinstance(part, Separator)]
+    orders = any(word.said == "use" for word in words(parts, "USE"))
+    if not orders and any(one.value >= Separator.THEN.value for one in joined):
+        return None  # "take the cup with the right. Wave"
+    return _clause((Hand(side.meaning), *words(parts, "PAUSE"), parts[-1]))
+
+
+def _hand_moves(parts: Parts) -> Clause | Trouble | None:
+    """Terse: "right hand: bowl onto tray"."""
+    side = words(parts, "LEFT_RIGHT")[0]
+    of, where = next(part for part in parts if isinstance(part, Nominal)), parts[-1]
+    if words(parts, "PAUSE")[-1].meaning != ":" or of.reference or not isinstance(where, Where):
+        return None
+    put = PLACING["put"]((Item(of, (where, Hand(side.meaning))),))
+    return replace(put, terse=True) if isinstance(put, Clause) else put
+
+
+_STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
+
+def _ordinal_step(parts: Parts) -> _Numbered | None:
+    said = parts[0].meaning
+    return _Numbered(_STEPS.index(said) + 1) if said in _STEPS else None
+
+
+_TAKES = {
+    "hand": WITH_A_HAND,
+    "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
+}
+
+
+def _with_slot(command: Clause, name: str, value: Any) -> Clause | None:
+    bundles = []
+    for bundle in command.bundles:
+        first, *rest = bundle
+        if first.action not in _TAKES[name] or first.get(name) not in (None, value):
+            return None
+        bundles.append((_filled(first, name, value), *rest))
+    return replace(command, bundles=tuple(bundles))
+
+
+def _filled(first: Draft, name: str, value: Any) -> Draft:
+    return first if first.get(name) is not None else first.with_slot(name, value)
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType(
+    {
+        "nothing": _nothing,
+        "list_number": _list_number,
+        "step_number": _step_number,
+        "ordinal_step": _ordinal_step,
+        "clause": _clause,
+        "you_do": _you_do,
+        "briefly": _briefly,
+        "impatiently": _impatiently,
+        "clause_with_hand": _clause_with_hand,
+        "hand_moves": _hand_moves,
+        "there_first": _there_first,
+    }
+)

@@ -1,0 +1,1 @@
+"""What each command means, by its verb."""

@@ -1,0 +1,1 @@
+"""Why something is asked for, which changes nothing."""

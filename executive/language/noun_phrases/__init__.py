@@ -1,0 +1,1 @@
+"""What is spoken of: things, people, places and amounts, one or several."""

@@ -1,0 +1,1 @@
+"""Why a sentence is refused, and what works in its place."""

@@ -1,0 +1,1 @@
+"""What is corrected, contrasted or taken back."""

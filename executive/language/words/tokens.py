@@ -1,0 +1,168 @@
+"""From text to pieces: words, numbers, marks, quotations.
+
+Everything is bounded: the length of the text, the number of its pieces, the characters in it.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from executive.language.words.stutter import without_stutter
+from executive.vocabulary.written import BRIDGE_WORDS, split_words
+
+MAX_LENGTH = 500
+"""Characters of one sentence: several times the longest that anybody says to a robot."""
+
+MAX_PIECES = 90
+
+_SPACES = "\t\n\r"
+_PLAIN = str.maketrans(
+    {
+        **dict.fromkeys("\u2018\u2019\u02bc\u00b4", "'"),
+        **dict.fromkeys("\u201c\u201d\u201e\u00ab\u00bb", '"'),
+        **dict.fromkeys("\u2013\u2014\u2022", "-"),
+    }
+)
+_QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
+_BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
+_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
+"""The end of a line without a mark."""
+
+_AFTER_A_NUMBER = re.compile("(?<=[0-9])(?=[\u00bc-\u00be\u2150-\u215e])")
+"""Where a sign for a fraction follows a number: "1½" is no eleven halves."""
+
+_NO_ZERO = re.compile(r"(?<![\w.,\"'])\.(?=\d)")
+"""Before the point of ".5"."""
+
+_NOT = re.compile(r"(?<!\S)!(?=\w)")
+"""A mark that denies what follows, as people write who program."""
+
+_CALL = re.compile(r"^[\W\d]*(?:\w+\.)*([^\W\d]\w*)\((?!s\)|\d+\))[^()]*\)")
+"""A call as programs write it, at the beginning of the text."""
+
+WRITTEN_OUT = {
+    "whats": "what's",
+    "wheres": "where's",
+    "theres": "there's",
+    "thats": "that's",
+    "im": "i'm",
+    "cant": "can't",
+}
+"""Words as they are typed in haste."""
+
+_MARKS = frozenset(".,;:!?")
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One word, number, mark or quotation.
+
+    Attributes:
+        text: As it was said, lower-case.
+        start: Where it begins in the normalised text.
+        end: Where it ends.
+        quoted: Whether it is a quotation, without its marks.
+    """
+
+    text: str
+    start: int
+    end: int
+    quoted: bool = False
+
+    @property
+    def is_mark(self) -> bool:
+        """Whether it is a punctuation mark."""
+        return self.text in _MARKS
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is written in digits."""
+        return self.text[0].isdecimal() and self.text[-1].isdecimal()
+
+
+class MalformedTextError(Exception):
+    """A text that is no sentence at all; the message says why, ``word`` what caused it."""
+
+    def __init__(self, message: str, word: str | None = None) -> None:
+        self.message, self.word = message, word
+        super().__init__(message)
+
+
+def normalise(text: str) -> str:
+    """Replace compatibility characters, trim white space; upper case stays.
+
+    Raises:
+        MalformedTextError: It is empty or too long, or holds characters that nobody can see.
+    """
+    if len(text) > MAX_LENGTH:
+        raise MalformedTextError(f"the sentence has {len(text)} characters, at most {MAX_LENGTH} are read")
+    for character in text:
+        if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Co", "Cn") and character not in _SPACES:
+            code = f"U+{ord(character):04X}"
+            raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
+    plain = " ".join(unicodedata.normalize("NFKC", _AFTER_A_NUMBER.sub(" ", text)).translate(_PLAIN).split())
+    if not ({'"', "'"} & set(plain)):
+        plain = _NO_ZERO.sub("0.", plain)
+    if len(plain) > 1 and plain[0] == plain[-1] and plain[0] in "\"'" and plain.count(plain[0]) == 2:
+        plain = plain[1:-1].strip()
+    if _NOT.search(_QUOTATION.sub(" ", plain)):
+        raise MalformedTextError("'!' before a word may deny it; say only what to do", "!")
+    call = _CALL.match(plain)
+    if call is not None:
+        word = call.group(1)
+        told = "say it in words, or send JSON (docs/model_output.schema.json)"
+        raise MalformedTextError(f"a call ({word}(...)) is no sentence; {told}", word)
+    if not plain:
+        raise MalformedTextError("the sentence is empty")
+    if len(plain) > MAX_LENGTH:
+        raise MalformedTextError(f"the sentence has more than {MAX_LENGTH} characters")
+    return plain
+
+
+def lines_as_sentences(text: str) -> str | None:
+    """The text with a full stop at the end of each line that has no mark; None where no line has none."""
+    if "\n" not in text or len(text) > MAX_LENGTH:
+        return None
+    broken = _LINE_END.sub(". ", text.strip())
+    return None if broken == text.strip() else broken
+
+
+def pieces_of(plain: str) -> list[Piece]:
+    """Split a normalised text; marks at its end are dropped.
+
+    Raises:
+        MalformedTextError: It has too many pieces.
+    """
+    for token in _BRIDGE_LIKE.findall(_QUOTATION.sub(" ", plain)):
+        _refuse_malformed_bridge_word(token.lower())
+    pieces = list(_pieces(plain))
+    while pieces and pieces[-1].is_mark and not pieces[-1].quoted:
+        pieces.pop()
+    if len(pieces) > MAX_PIECES:
+        raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")
+    return without_stutter(pieces)
+
+
+def _refuse_malformed_bridge_word(token: str) -> None:
+    if token not in BRIDGE_WORDS:
+        close = difflib.get_close_matches(token, BRIDGE_WORDS, n=1, cutoff=0.8)
+        if close:
+            raise MalformedTextError(f"{token!r} is no bridge word; did you mean {close[0]!r}?", token)
+
+
+def _pieces(plain: str) -> Iterator[Piece]:
+    position = 0
+    for quotation in _QUOTATION.finditer(plain):
+        yield from _words(plain, position, quotation.start())
+        yield Piece(quotation.group()[1:-1], quotation.start(), quotation.end(), quoted=True)
+        position = quotation.end()
+    yield from _words(plain, position, len(plain))
+
+
+def _words(plain: str, start: int, end: int) -> Iterator[Piece]:
+    for text, first, last in split_words(plain[start:end]):
+        yield Piece(WRITTEN_OUT.get(text, text), start + first, start + last)
