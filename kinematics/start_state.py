@@ -1,8 +1,8 @@
 """A start that is nearer to something than it should be, because that something moved.
 
 No plan can begin where the robot already breaks a margin. What is nearer than its margin at the start
-keeps most of the distance that it has there; a movable object that is believed to touch a link may be
-touched by that link. Everything else is judged as before.
+keeps most of the distance that it has there; a movable object that is believed to touch a link, or what a
+hand holds, may be touched by that. Everything else is judged as before.
 """
 
 from __future__ import annotations
@@ -47,14 +47,22 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         The same scene when nothing is too near; else one in which ``q`` is free, unless a link is in
         furniture or in another link.
     """
-    items = list(scene.objects.values())
+    items, held = list(scene.objects.values()), _held_at(model, scene, q)
     nearby = _nearby(model, _Start(q, items))
     links, relaxed = nearby.parts.links, scene
-    for row, near in nearby.within([item.margin_m + reserve_m + ROOM_M for item in items]).items():
-        item = items[row]
+    near = nearby.within([item.margin_m + reserve_m + ROOM_M for item in items])
+    for row, item in enumerate(items):
         distances = {
-            links[k]: nearby.distance_m(row, k) for k in near if not scene.is_allowed(links[k], item.name)
+            links[k]: nearby.distance_m(row, k)
+            for k in near.get(row, ())
+            if not scene.is_allowed(links[k], item.name)
         }
+        if item.movable:  # that a look took for a second one, where the hand has it
+            distances |= {
+                name: _distance(shape, at, item)
+                for name, (shape, at) in held.items()
+                if not scene.is_allowed(name, item.name)
+            }
         nearest = min(distances.values(), default=np.inf)
         if nearest >= item.margin_m + reserve_m + ROOM_M:
             continue
@@ -64,8 +72,12 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         margin = max(0.0, KEPT_SHARE * nearest - reserve_m - SLACK_M)
         relaxed = relaxed.with_object(replace(item, margin_m=margin))
         if item.movable:
-            touching = [link for link, distance in distances.items() if distance < reserve_m + SLACK_M]
-            relaxed = relaxed.allowing((link, item.name) for link in touching)
+            touching = [
+                name
+                for name, distance in distances.items()
+                if distance < SLACK_M + (0.0 if name in held else reserve_m)
+            ]
+            relaxed = relaxed.allowing((name, item.name) for name in touching)
     return relaxed
 
 
@@ -179,6 +191,16 @@ class _Nearby:
 def _nearby(model: RobotModel, start: _Start) -> _Nearby:
     """A plan asks about one start with several margins."""
     return _Nearby(_parts(model), start)
+
+
+def _held_at(
+    model: RobotModel, scene: PlanningScene, q: Array
+) -> dict[str, tuple[coal.CollisionGeometry, pin.SE3]]:
+    """What hands hold by its name, and where it is at a configuration."""
+    return {
+        name: (coal_shape(held.body.shape), pin.SE3(model.frame_pose(q, held.frame) @ held.frame_T_object))
+        for name, held in scene.attached.items()
+    }
 
 
 def _half_extents_m(shape: Shape) -> tuple[float, float, float]:

@@ -57,6 +57,33 @@ def test_contact_with_furniture_is_never_allowed(talos):
     assert not relaxed_at(talos, scene, talos.q_home).allowed
 
 
+@pytest.mark.requirement("M4")
+@pytest.mark.parametrize("gap_m", [-0.02, 0.004], ids=["in the same place", "inside the margin"])
+def test_what_is_held_and_seen_a_second_time_does_not_keep_the_hand_where_it_is(talos, stance, gap_m):
+    ball = replace(ball_at_the_hand(talos, -0.02), margin_m=0.01)
+    twin = SceneObject(
+        "ball 2", ball.shape, ball.world_T_object @ poses.translation(0.1 + gap_m, 0.0, 0.0), margin_m=0.01
+    )
+    tcp_T_ball = poses.inverse(talos.frame_pose(talos.q_home, "tcp_right")) @ ball.world_T_object
+    hand = talos.description.grippers["right"].touch_links
+    scene = PlanningScene().with_objects([ball, twin]).with_attached("ball", "tcp_right", tcp_T_ball, hand)
+    planner = MotionPlanner(talos)
+
+    answer = planner.answer(
+        MoveRequest(
+            talos.q_home,
+            stance,
+            scene,
+            {"arm_right_4_joint": -2.0, "arm_right_1_joint": 0.0},
+            keep_others=True,
+        )
+    )
+
+    assert isinstance(answer, MovePlan)
+    checked = planner.answer(CheckRequest(answer.step.trajectory, answer.step.scene))
+    assert isinstance(checked, CheckedTrajectory)
+
+
 def distance_of_home_m(talos, item):
     """How near the robot is to something at home, by halving margins."""
     near_m, apart_m = 0.0, 0.05
