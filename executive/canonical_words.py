@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 from executive.config import cache_directory
-from executive.language.commands.going import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
+from executive.language.commands.limits import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation

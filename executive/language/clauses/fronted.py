@@ -20,9 +20,9 @@ def fronted(parts: Parts) -> Clause | Trouble | None:
     ):
         return None
     listed = any(mark.meaning == "," for mark in words(parts, "PAUSE")[-1:])
-    one = _TOPIC((topic,))
+    one: Arranged | Trouble | None = _TOPIC((topic,))
     if not isinstance(one, Arranged):
-        return one  # type: ignore[no-any-return]
+        return one
     of = one.object
     if of.plural and of.determined and not of.counted:
         of = replace(of, count="all")

@@ -67,12 +67,7 @@ def _asked(
     _no_postures(parts, action)
     for one in map(found_there, arranged(parts)):
         nominal = one.object
-        if (
-            one.goal is not None
-            or one.back
-            or one.hand is not None
-            or (one.person is not None and one.person.sort != "me")
-        ):
+        if one.is_handled:
             raise unfit()
         if source is not None and one.source is not None:
             raise unfit()
@@ -216,8 +211,7 @@ def _describe_scene(parts: Parts) -> Clause:
     nothing = Nominal("any", plural=True)
     loose = tuple(_what_is_inside(part) for part in parts if not isinstance(part, Word))
     (one,) = arranged((Item(nothing, loose),))
-    for_another = one.person is not None and one.person.sort != "me"
-    if one.goal is not None or one.hand is not None or one.back or for_another:
+    if one.is_handled:
         raise unfit()
     everything = one.object.relation is None or _is_before_the_robot(one.object)
     thing = None if everything else one.object

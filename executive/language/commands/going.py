@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
+from executive.language.commands.limits import MAX_DURATION_S, ExceededError, bounded, in_words
 from executive.language.noun_phrases.arranging import (
     ME,
     TroubleError,
@@ -27,14 +28,12 @@ from executive.language.noun_phrases.lists import (
 )
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
-    EXCEEDS,
     Clause,
     Item,
     Meaning,
     Measure,
     Nominal,
     Relative,
-    Trouble,
     draft,
     relation_kind,
 )
@@ -45,42 +44,16 @@ FORWARD_M_S = 0.3
 TURN_RAD_S = 0.5
 """Speed of ``turn_left``; to the right is its negative."""
 
-MAX_LINEAR_M_S = 0.5
-MAX_ANGULAR_RAD_S = 1.0
-MAX_DISTANCE_M = 20.0
-MAX_DURATION_S = 600.0
-
 _LINEAR = {"forward": FORWARD_M_S, "backward": -FORWARD_M_S}
 _ANGULAR = {"left": TURN_RAD_S, "right": -TURN_RAD_S}
-_UNITS = {"duration": "s", "distance": "m", "angle": "rad", "linear_speed": "m/s", "angular_speed": "rad/s"}
 NO_DIRECTION = "in which direction?"
-
-_LIMITS = {
-    "duration": MAX_DURATION_S,
-    "distance": MAX_DISTANCE_M,
-    "angle": 4 * math.pi + 1e-9,
-    "linear_speed": MAX_LINEAR_M_S,
-    "angular_speed": MAX_ANGULAR_RAD_S,
-}
-_NAMES = {
-    "duration": "time",
-    "distance": "distance",
-    "angle": "angle",
-    "linear_speed": "speed",
-    "angular_speed": "turning speed",
-}
 
 
 def target(item: Item) -> Nominal:
     """Where an item says to go, point or look: a place or person with what tells it from others."""
     (one,) = arranged((item,), has_source=False)
     nominal = one.object
-    if (
-        one.goal is not None
-        or one.back
-        or one.hand is not None
-        or (one.person is not None and one.person.sort != "me")
-    ):
+    if one.is_handled:
         raise unfit()
     if nominal.sort == "you":
         raise unfit()
@@ -108,10 +81,6 @@ _WALKS = frozenset({"walk", "walking", "go", "going", "drive", "driving"})
 """Verbs that lead forward as far as is said, unless another direction is."""
 
 _INSIDE = frozenset({"in", "inside", "into"})
-
-
-class _ExceededError(TroubleError):
-    """A limit is exceeded, which holds however the rest is read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +183,7 @@ def _walk_at_speed(parts: Parts) -> Clause:
     if measure.of not in ("linear_speed", "angular_speed"):
         raise unfit()
     bounded(measure)
-    raise trouble("how fast to walk to a place cannot be chosen", f"{measure.value:g} {_UNITS[measure.of]}")
+    raise trouble("how fast to walk to a place cannot be chosen", in_words(measure))
 
 
 def _walk_bare(parts: Parts) -> Clause:
@@ -306,7 +275,7 @@ def _move_on(parts: Parts) -> Clause:
         raise unfit()  # "right, 90 degrees": that may be how one begins to speak
     try:
         return replace(_move(parts), terse=True)
-    except _ExceededError:
+    except ExceededError:
         raise
     except TroubleError:
         raise unfit() from None  # what is wrong is said of the reading with a verb
@@ -345,17 +314,6 @@ def _is_return(parts: Parts, measures: Mapping[str, float]) -> bool:
         and verb
         and verb[0].said.split()[0] not in ("move", "step", "take")
     )
-
-
-def bounded(measure: Measure, longest: float | None = None) -> float:
-    """The value, if it is within the limits: what exceeds them is refused, never clamped."""
-    limit, unit, name = longest or _LIMITS[measure.of], _UNITS[measure.of], _NAMES[measure.of]
-    value = f"{measure.value:g} {unit}"
-    if measure.value <= 0:
-        raise trouble(f"a {name} of {value} is nothing to do", value)
-    if measure.value > limit:
-        raise _ExceededError(Trouble(f"the {name} of {value} {EXCEEDS} {limit:g} {unit}", value))
-    return measure.value
 
 
 def _turn_around(parts: Parts) -> Clause:

@@ -110,7 +110,7 @@ def _put(parts: Parts) -> Clause:
     bundles: list[Bundle] = []
     for one in each:
         nominal = thing(one, "putting down")
-        if one.person is not None and one.person.sort != "me":
+        if one.is_for_another:
             raise unfit()
         if one.goal is not None:
             bundles.append((put_draft(nominal, one.goal, one.source, one.hand),))

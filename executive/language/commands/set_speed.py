@@ -9,7 +9,8 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from executive.language.clauses.scopes import Separator
-from executive.language.commands.going import FORWARD_M_S, bounded
+from executive.language.commands.going import FORWARD_M_S
+from executive.language.commands.limits import bounded
 from executive.language.noun_phrases.arranging import guarded, unfit
 from executive.language.phrase_parts import Parts
 from executive.language.phrases import Clause, Meaning, Measure, Trouble

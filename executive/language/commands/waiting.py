@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from executive.language.commands.going import bounded, goal_of
+from executive.language.commands.going import goal_of
+from executive.language.commands.limits import bounded
 from executive.language.noun_phrases.arranging import clause, guarded, trouble, unfit
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Meaning, Measure, Nominal, Relative, draft

@@ -59,6 +59,16 @@ class Arranged:
     person: Nominal | None = None
     back: bool = False
 
+    @property
+    def is_for_another(self) -> bool:
+        """Whether it is for somebody who is not the one who speaks."""
+        return self.person is not None and self.person.sort != "me"
+
+    @property
+    def is_handled(self) -> bool:
+        """Whether more is said than what and where it is: where it goes, with which hand, for whom else."""
+        return self.goal is not None or self.back or self.hand is not None or self.is_for_another
+
 
 def form_of(parts: Iterable[Any]) -> Any:
     """The form of the verb among the parts: "base", "ing" or "ed"."""
