@@ -46,14 +46,18 @@ class DrawArmsIn(PlannedMotionLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} has no arm to draw in")
         if are_at(toolbox, joints):
             return None
-        if self._out and self._meets_something():
-            return Failure.infeasible("the hands have no room to come out again")
+        if self._out and (barred := self._bars_hands()):
+            return Failure.infeasible(barred)
         return move_from_here(toolbox, joints, keep_others=True)
 
-    def _meets_something(self) -> bool:
-        """Whether something is seen where the hands would come: somebody may stand there unknown."""
+    def _bars_hands(self) -> str:
+        """Why the hands cannot come out: somebody may stand there unknown. Empty when they can."""
         toolbox, settings = self.toolbox, self.toolbox.model.description.walking
-        scan = None if toolbox.ranging is None else toolbox.ranging.scan()
-        if scan is None or settings is None:
-            return False
-        return WalkingRoom(settings).turn_meets(without_held(toolbox, scan), 0.0) is not None
+        if toolbox.ranging is None or settings is None:
+            return ""
+        scan = toolbox.ranging.scan()
+        if scan is None:
+            return "the range sensor does not tell whether the hands have room to come out"
+        if WalkingRoom(settings).turn_meets(without_held(toolbox, scan), 0.0) is not None:
+            return "the hands have no room to come out again"
+        return ""

@@ -58,3 +58,15 @@ def test_hands_do_not_come_out_into_what_the_range_sensor_sees(stage_with, point
 
     assert (out is Status.SUCCESS) is come_out
     assert arms_are_tucked(stage.toolbox) is not come_out
+
+
+@pytest.mark.requirement("S2")
+def test_hands_stay_in_while_the_range_sensor_is_silent(stage_with):
+    stage = stage_with(walks=True)
+    assert stage.run(DrawArmsIn("in", stage.toolbox)) is Status.SUCCESS
+    stage.fake.ranging.silent = True
+
+    assert stage.run(DrawArmsIn("out", stage.toolbox, out=True)) is Status.FAILURE
+
+    assert "range sensor" in stage.failed()[0].message
+    assert arms_are_tucked(stage.toolbox)
