@@ -26,7 +26,7 @@ from executive.impossible import impossible
 from executive.meaning import Command, StopCommand
 from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, spoken_by
 from executive.references import PREVIOUS, references, with_references
-from executive.session import TASK_TIMEOUT_S, Session
+from executive.session import Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
 from kinematics import poses
@@ -63,7 +63,7 @@ class Errand:
     Args:
         session: Carries out single tasks.
         commands: What to do, in order.
-        timeout_s: Simulated time that each task may take.
+        timeout_s: Simulated time that each task may take; None is the usual.
         on_question: What becomes of questions.
         provenance: Where each command comes from, when a model asked for it.
     """
@@ -73,7 +73,7 @@ class Errand:
         session: Session,
         commands: Sequence[Command],
         *,
-        timeout_s: float = TASK_TIMEOUT_S,
+        timeout_s: float | None = None,
         on_question: OnQuestion = "ask",
         provenance: Sequence[Provenance | None] = (),
     ) -> None:

@@ -12,7 +12,7 @@ from executive.events import Event, InputTaken, QuestionAsked, TaskRefused
 from executive.exit_codes import ExitCode
 from executive.feedback import result_line, result_line_of_all
 from executive.meaning import Parsed, Refusal
-from executive.session import TASK_TIMEOUT_S, Session
+from executive.session import Session
 from executive.statement import Statement
 from executive.task_result import TaskResult
 from executive.trust import OnQuestion
@@ -90,7 +90,7 @@ def _run(
         errand = Errand(
             session,
             statement.parsed.commands,
-            timeout_s=statement.timeout_s or TASK_TIMEOUT_S,
+            timeout_s=statement.timeout_s,
             on_question="fail" if statement.expect == "question" else on_question,
             provenance=statement.provenance,
         )

@@ -37,9 +37,9 @@ TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 R = TypeVar("R")
 
 
-def _waited_s(command: Command, timeout_s: float) -> float:
-    """How much longer a task may take because it waits, unless it was given a limit of its own."""
-    return command.duration_s if isinstance(command, WaitTask) and timeout_s == TASK_TIMEOUT_S else 0.0
+def usual_limit_s(command: Command) -> float:
+    """Simulated time that a task may take when nobody says how long; a wait lasts as long as said."""
+    return TASK_TIMEOUT_S + (command.duration_s if isinstance(command, WaitTask) else 0.0)
 
 
 def ended(steps: Generator[object, None, R]) -> R:
@@ -135,7 +135,7 @@ class Session:
         *,
         trust: Trust = USUAL_TRUST,
         on_question: OnQuestion = "ask",
-        timeout_s: float = TASK_TIMEOUT_S,
+        timeout_s: float | None = None,
     ) -> Ticket:
         """Take a request; it begins when somebody waits for the ticket.
 
@@ -143,7 +143,7 @@ class Session:
             request: A sentence, a model's JSON text, or the steps of one as Python values.
             trust: How far a model's steps are trusted.
             on_question: What becomes of questions.
-            timeout_s: Simulated time that each task may take.
+            timeout_s: Simulated time that each task may take; None is the usual.
         """
         from executive.conversation import Conversation
         from executive.statement import Statement
@@ -210,7 +210,7 @@ class Session:
         self._lockstep.let_pass(seconds)
         self._cancel_reason = self._pause_reason = None
 
-    def run_task(self, command: Command, timeout_s: float = TASK_TIMEOUT_S) -> TaskResult:
+    def run_task(self, command: Command, timeout_s: float | None = None) -> TaskResult:
         """Carry out one command to its end.
 
         Whatever happens, the robot is left standing, and holding still or at rest.
@@ -218,7 +218,7 @@ class Session:
         return ended(self.task_steps(command, timeout_s))
 
     def task_steps(
-        self, command: Command, timeout_s: float = TASK_TIMEOUT_S
+        self, command: Command, timeout_s: float | None = None
     ) -> Generator[None, None, TaskResult]:
         """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
         wall = WallClock()
@@ -234,7 +234,8 @@ class Session:
             outcome = "refused", refusal
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
-            outcome = yield from self._run_guarded(tree, began_s + timeout_s + _waited_s(command, timeout_s))
+            limit_s = usual_limit_s(command) if timeout_s is None else timeout_s
+            outcome = yield from self._run_guarded(tree, began_s + limit_s)
             self._stand()
         status, failure = outcome
         evidence = dict(tree.evidence) if tree is not None else {}

@@ -44,7 +44,7 @@ class Ticket:
         statement: Statement,
         before: Ticket | None,
         on_question: OnQuestion,
-        timeout_s: float,
+        timeout_s: float | None,
     ) -> None:
         self.statement = statement
         self._session, self._before = session, before
