@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 
@@ -52,6 +53,8 @@ class TreePolicy:
             view that fits is taken for the one that is meant.
         survey_gazes: Where else the head looks before it is said which of several things is meant: what the
             first gaze cuts off on both sides of a table, without leaning.
+        beside_rad: What is farther to a side than this is beside or behind the robot: no turn of the head
+            shows it.
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
@@ -138,6 +141,7 @@ class TreePolicy:
         Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),
         Gaze("to the right", tilt_rad=0.75, pan_rad=-0.5),
     )
+    beside_rad: float = math.radians(60.0)
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05
     same_furniture_m: float = 0.20

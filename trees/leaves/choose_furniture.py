@@ -24,7 +24,7 @@ from trees.tasks import ObjectDescription
 _LEAST_SIDE_M = 0.3
 """Legs, walls and doors are narrower; nobody puts things there."""
 _LOWEST_M, _HIGHEST_M = 0.3, 1.4
-_NEARBY_M, _FACING_RAD = 0.8, math.radians(60.0)
+_NEARBY_M = 0.8
 """Who stands this near to where one looks from, and faces it, has looked."""
 _CONFIDENCE = 0.5
 
@@ -58,7 +58,7 @@ class ChooseFurniture(Leaf):
             place = Place(item.name, "furniture", item.shape, item.world_T_object, _CONFIDENCE)
             there = body.to(standing_place(place, scene, body, gap_m))
             away_m = math.hypot(there.x_m, there.y_m)
-            if away_m > _NEARBY_M or abs(there.yaw_rad) > _FACING_RAD:
+            if away_m > _NEARBY_M or abs(there.yaw_rad) > toolbox.policy.beside_rad:
                 found.append((away_m, place))
         if not found:
             return Failure.postcondition("no furniture is left to look at from nearby", none_left=self.OF)

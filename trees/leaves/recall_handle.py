@@ -23,9 +23,6 @@ from trees.toolbox import Toolbox
 
 _FAR_M = 1.0
 """From so far beside the place for it on, whether it is seen depends on where the robot happens to stand."""
-_TURNED_AWAY_RAD = math.radians(60.0)
-"""Turned farther from how it is stood before, the robot has it beside or behind itself: no turn of the head
-shows it, and right before an open drawer there is no room for the feet to turn."""
 
 
 class RecallHandle(Leaf):
@@ -75,7 +72,8 @@ class RecallHandle(Leaf):
             return Failure.postcondition(f"which {noun} was meant has to be seen")
         place = body.to(handle_standing_place(chosen, body))
         away_m = math.hypot(place.x_m, place.y_m)
-        if away_m < _FAR_M and abs(place.yaw_rad) < _TURNED_AWAY_RAD:
+        # Right before an open drawer there is no room for the feet to turn to what is beside the robot.
+        if away_m < _FAR_M and abs(place.yaw_rad) < toolbox.policy.beside_rad:
             return Failure.postcondition("it is near enough to be looked at from here", away_m=away_m)
         self._set_output("handle", chosen)
         self.feedback_message = f"{chosen.part} where it was seen"

@@ -18,7 +18,7 @@ from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.toolbox import Toolbox
 
-_FAR_M, _BESIDE_RAD = 1.3, math.radians(60.0)
+_FAR_M = 1.3
 """A look to all sides shows what is nearer, and not farther round than this."""
 
 
@@ -45,7 +45,8 @@ class RecallSupport(RecallPlace):
         """Tell what it stood on, unless that is before the robot."""
         toolbox = self.toolbox
         ahead_m, left_m = feet_pose(toolbox).sees(*map(float, item.world_T_object[:2, 3]))
-        if math.hypot(ahead_m, left_m) < _FAR_M and abs(math.atan2(left_m, ahead_m)) < _BESIDE_RAD:
+        is_before = abs(math.atan2(left_m, ahead_m)) < toolbox.policy.beside_rad
+        if is_before and math.hypot(ahead_m, left_m) < _FAR_M:
             return Failure.postcondition(f"where the {item.name} was is looked at from here")
         under = support_of(item, toolbox.world.scene, toolbox.policy.support_gap_m) if item.movable else None
         return super().recall(item, category) if under is None else super().recall(under, "furniture")
