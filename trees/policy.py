@@ -58,6 +58,8 @@ class TreePolicy:
         gaze_tolerance_rad: An aim nearer than this is left as it is; a twentieth of the view.
         same_object_m: Two looks that see a kind and colour nearer than this saw the same object; half
             the distance at which two cups can still be grasped apart.
+        slid_m: What looks like the thing in a hand and hangs in the air this near to it is that one: pushed
+            it slides by centimetres, and an encoder that slipped shows it as far off.
         same_furniture_m: The same for furniture, whose pieces are larger and farther apart.
         hidden_by_hand_m: Something whose line of sight passes a hand nearer than this may be hidden by it.
         blocked_by_hand_m: A line of sight that keeps this far from hands and forearms is free for certain.
@@ -144,6 +146,7 @@ class TreePolicy:
     beside_rad: float = math.radians(60.0)
     gaze_tolerance_rad: float = 0.05
     same_object_m: float = 0.05
+    slid_m: float = 0.15
     same_furniture_m: float = 0.20
     hidden_by_hand_m: float = 0.15
     blocked_by_hand_m: float = 0.10

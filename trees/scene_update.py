@@ -81,7 +81,7 @@ def updated_scene(
             taken.add(name)
             matched[name] = estimate
         for name, estimate in matched.items():
-            objects[name] = _scene_object(name, estimate, policy)
+            objects[name] = scene_object(name, estimate, policy)
             seen[name] = estimate
     return SceneUpdate(scene.with_objects(objects.values()), seen)
 
@@ -113,7 +113,8 @@ def _free_name(words: str, taken: set[str]) -> str:
     return name
 
 
-def _scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
+def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
+    """What was seen, as a planning scene has it."""
     fixed = estimate.category != "object"
     return SceneObject(
         name=name,
