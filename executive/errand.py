@@ -151,8 +151,9 @@ class Errand:
             return result.attempts <= 1 and _may_be_elsewhere(command, known)
         if result.failure.is_no_grasp and _is_far(command.object, known):
             return True
-        infeasible = result.failure.root.kind is FailureKind.INFEASIBLE
-        return infeasible and isinstance(command, PlaceTask) and _is_far(command.on or command.to, known)
+        if result.failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
+            return False  # and what no hand could take is brought nowhere
+        return known.in_hand(command) and _is_far(command.on or command.to, known)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""

@@ -14,6 +14,7 @@ from trees.believed_thing import BelievedThing, Surroundings, split_words
 from trees.choice_words import from_the_left, told_apart
 from trees.doubts import NoneFitsError, UntellableError
 from trees.ranking import least, ordered, sized, there_are
+from trees.report_words import with_article
 from trees.scene_update import kind_of
 from trees.spatial_relation import between_m, lies, lies_from_robot
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
@@ -306,7 +307,7 @@ def _at(
         ]
         where = f"in or on the {source}"
     if not kept:
-        raise NoneFitsError(f"a {noun} is seen, but not {where}", True)
+        raise NoneFitsError(f"{with_article(noun)} is seen, but not {where}", True)
     return kept
 
 

@@ -23,7 +23,7 @@ from trees.held import HeldObject
 from trees.origin import Origin
 from trees.places_by_people import person_compared_with, spots_by_person
 from trees.questions import OTHER, which_is_meant
-from trees.report_words import kinds_in
+from trees.report_words import kinds_in, with_article
 from trees.scene_update import kind_of
 from trees.sight_of_tops import SightOfTops
 from trees.tasks import WHERE_IT_WAS, Destination, ObjectDescription, Relation
@@ -151,7 +151,7 @@ def _surface(
     if not tops and any(
         item.movable and split_words(item.name)[0] in kinds for item in scene.objects.values()
     ):
-        return Failure.infeasible(f"things are put on furniture, not on a {named}")
+        return Failure.infeasible(f"things are put on furniture, not on {with_article(named)}")
     if not tops:
         what = f"no {named}" if named is not None else "nothing to put it on"
         return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects))

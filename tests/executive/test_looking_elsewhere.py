@@ -193,3 +193,10 @@ class ErrandBesideTheBottle(ErrandHere):
 def test_not_all_that_fails_is_looked_for_elsewhere(notes, sentence, errand):
     assert carried_out(notes, sentence, errand) == ["failed"]
     assert len(notes.told) == 1
+
+
+def test_what_no_hand_could_take_is_brought_nowhere():
+    notes = Notes(Failure.infeasible("the bowl is too wide for the hand", width_m=0.18))
+
+    assert carried_out(notes, "put the bowl on the shelf") == ["failed"]
+    assert notes.told == ["put the bowl on the shelf"]

@@ -18,6 +18,7 @@ from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.meant_part import meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
+from trees.report_words import with_article
 from trees.scene_update import kind_of, updated_scene
 from trees.sight import in_view
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -62,7 +63,7 @@ class DetectHandle(LookLeaf):
         noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
         kind = MEANT_BY.get(noun) if noun is not None else None
         if noun is not None and kind is None:
-            return Failure.infeasible(f"a {noun} is nothing that I can open or close")
+            return Failure.infeasible(f"{with_article(noun)} is nothing that I can open or close")
         fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
         if not fitting:
             return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")

@@ -9,6 +9,7 @@ from trees.failures import Failure
 from trees.handles import DOOR, MEANT_BY
 from trees.leaf import DONE, Leaf
 from trees.ports import ports
+from trees.report_words import with_article
 from trees.tasks import ObjectDescription
 
 
@@ -28,5 +29,5 @@ class NamesDoor(Leaf):
         wanted = self.get_input("task").object
         noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
         if noun is not None and MEANT_BY.get(noun, DOOR) != DOOR:
-            return Failure.infeasible(f"a {noun} is closed by its handle")
+            return Failure.infeasible(f"{with_article(noun)} is closed by its handle")
         return DONE

@@ -24,6 +24,7 @@ from executive.language.phrases import (
     draft,
 )
 from executive.language.words.lattice import Word
+from trees.report_words import with_article
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
 """Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""
@@ -290,7 +291,9 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
                 continue  # "open the top drawer, then close the bottom one"
             if not nominal.reference and nominal.sort not in ("container", "door"):
                 what = nominal.kind or "thing"
-                raise trouble(f"to {action} a {what} ({what!r}) is nothing that this robot can do", what)
+                raise trouble(
+                    f"to {action} {with_article(what)} ({what!r}) is nothing that this robot can do", what
+                )
             bundles.append((draft(action, object=nominal, hand=one.hand),))
         about = tuple(one.person for one in each if one.person is not None)
         return replace(clause(parts, bundles), about=about)

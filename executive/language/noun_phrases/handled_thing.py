@@ -8,6 +8,7 @@ from executive.language.noun_phrases.arranging import Arranged, trouble
 from executive.language.phrase_parts import Parts
 from executive.language.phrases import Item, Nominal
 from executive.language.words.lattice import Word
+from trees.report_words import with_article
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
 IT = Nominal("any", reference="it", determined=True)
@@ -86,4 +87,4 @@ def has_clear_place(one: Arranged) -> None:
     """
     place = one.source
     if place is not None and place.indefinite and place.sort in ("thing", "any"):
-        raise trouble(f"is it in or on a {place.kind}, or shall it be brought so?", asks=True)
+        raise trouble(f"is it in or on {with_article(place.kind)}, or shall it be brought so?", asks=True)

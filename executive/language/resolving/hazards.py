@@ -13,6 +13,7 @@ from typing import Any
 
 from executive.language.phrases import Trouble
 from executive.meaning import Command
+from trees.report_words import with_article
 from trees.tasks import HandOverTask, ObjectDescription, ObjectOf, PlaceTask, PutInTask
 
 
@@ -37,7 +38,7 @@ def harm_in(commands: Sequence[Command]) -> Trouble | None:
         if isinstance(command, HandOverTask):
             person = _kind(command.to, commands)
             if person is not None and _stands_in("children", person) and _hurts_a_child(thing, person):
-                return Trouble(f"the {thing} could harm a {person}; it is not handed over", thing)
+                return Trouble(f"the {thing} could harm {with_article(person)}; it is not handed over", thing)
             continue
         place = command.on if isinstance(command, PlaceTask) and command.on is not None else command.to
         where = _kind(place, commands)

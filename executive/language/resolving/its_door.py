@@ -9,6 +9,7 @@ from executive.language.noun_phrases.lists import another_of
 from executive.language.phrases import Nominal, Relative, Trouble
 from executive.language.resolving.discourse import Discourse, UnresolvedError, ask
 from trees import tasks
+from trees.report_words import with_article
 from trees.tasks import ObjectOf
 
 _WITH_A_DOOR = frozenset(
@@ -80,7 +81,7 @@ class ItsDoor(Discourse):
             if last is None and not named and thing.ordinal == "other":
                 raise ask("other than what? nothing was named before")
             what = last or "thing"
-            told = f"to {action} a {what} ({what!r}) is nothing that this robot can do"
+            told = f"to {action} {with_article(what)} ({what!r}) is nothing that this robot can do"
             raise (
                 UnresolvedError(Trouble(told, what)) if not named else ask(f"what shall be {_DONE[action]}?")
             )
