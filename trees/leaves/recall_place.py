@@ -11,7 +11,7 @@ from kinematics.shapes import Box
 from robots.perception.detector import Category
 from trees.believed_thing import surroundings
 from trees.contract import Contract
-from trees.destination import Place, aim_of
+from trees.destination import Place, aim_of, words_of
 from trees.failures import Failure
 from trees.grounding import Found, ground
 from trees.leaf import DONE, Leaf
@@ -64,7 +64,7 @@ class RecallPlace(Leaf):
         for pool in (world.put_down, seen if self._anything else {}):
             if (thing := self._only(aim, pool)) is not None:
                 return self.recall(thing, "object")
-        return Failure.postcondition(f"no {wanted} seen, now or before")
+        return Failure.postcondition(f"no {words_of(aim)} seen, now or before")
 
     def recall(self, item: SceneObject, category: Category) -> Status | Failure:
         """Tell the place of what fits."""
