@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
+from executive.language.asking.alternatives import alternatives
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
@@ -207,6 +208,11 @@ class CommandParser:
             commands = commands or contrasted(lattice, self._reader)
             if commands is not None:
                 return Parsed(text, commands=commands, manners=lattice.manners())
+            question = alternatives(
+                lattice, self._rules["command"].first, self._only_commands, self._only_asked
+            )
+            if question is not None:
+                return Parsed(text, question=question)
         if not outcomes:
             listed = with_commas(lattice)
             commands = None if listed is None else self._only_commands(listed)
@@ -249,13 +255,24 @@ class CommandParser:
 
     def _only_commands(self, text: str) -> tuple[Command, ...] | None:
         """The commands of a sentence that means one thing; it explains nothing."""
+        understood = [one for one in self._outcomes(text) if not isinstance(one, Trouble)]
+        return understood[0] if len(understood) == 1 else None
+
+    def _only_asked(self, text: str) -> str | None:
+        """What a sentence leaves open that means nothing else; it explains nothing."""
+        outcomes = self._outcomes(text)
+        troubles = [one for one in outcomes if isinstance(one, Trouble)]
+        if not troubles or len(troubles) < len(outcomes):
+            return None
+        best = min(troubles, key=explains_best)
+        return best.message if best.asks else None
+
+    def _outcomes(self, text: str) -> list[Outcome]:
         try:
             meanings = self._chart(self._lattice(text)).meanings()
-            outcomes = outcomes_of(meanings, self._people_in, self._is_valid)
+            return outcomes_of(meanings, self._people_in, self._is_valid)
         except (MalformedTextError, TooTangledError):
-            return None
-        understood = [one for one in outcomes if not isinstance(one, Trouble)]
-        return understood[0] if len(understood) == 1 else None
+            return []
 
     def _meanings_as(self, rule: str, text: str) -> list[Any]:
         """What a text means as a part of a sentence."""

@@ -146,6 +146,7 @@ def is_harmless(reason: Reason) -> bool:
     """Whether a reason may be passed over."""
     return not (
         _means_harm(reason)
+        or reason.texts[-1] in words_of("denying")
         or _joins_more(reason)
         or _orders(reason)
         or _tells_which(reason)

@@ -40,6 +40,10 @@ ONE = frozenset({"ONE", "ONES"})
 SAID_ALONE = frozenset({"number", "side", "color", "size", "material", "ordinal", "heading"})
 """Beginnings of one word that may stand for one word anywhere before: "three", "right"."""
 
+MEASURES = frozenset({"FOR", "BY", "NUM", "AMOUNT", "TENS", "ARTICLE", "HALF", "QUARTER", "COUPLE"})
+HEADINGS = frozenset({"FORWARD", "BACKWARD", "TURN_SIDE", "AT_SPEED", "IS_IT", "IF_THERE"})
+"""Word classes that a command without a verb begins with, and that go on with another one as well."""
+
 
 def beginnings(words: Sequence[Word], commands: AbstractSet[str]) -> set[str]:
     """As what a phrase can be taken that begins with one of some words.

@@ -15,7 +15,7 @@ from functools import cached_property
 from typing import Any
 
 from executive.language.phrases import Item, Items, Where
-from executive.language.taken_back.beginnings import beginnings
+from executive.language.taken_back.beginnings import HEADINGS, MEASURES, beginnings
 from executive.language.taken_back.set_apart import Apart
 from executive.language.taken_back.taking_back import Span
 from executive.language.words.lattice import Lattice, Word
@@ -39,8 +39,6 @@ _WEAK = frozenset({",", ":", "-"})
 
 _PASSED = frozenset({"FILLER", "OPENING", "ADDRESSED"})
 _PLACING = frozenset({"where", "from", "with", "person", "number"})
-_MEASURES = frozenset({"FOR", "BY", "NUM", "AMOUNT", "TENS", "ARTICLE", "HALF", "QUARTER", "COUPLE"})
-_HEADINGS = frozenset({"FORWARD", "BACKWARD", "TURN_SIDE", "AT_SPEED", "IS_IT", "IF_THERE"})
 _UNITS = frozenset({"TIME", "LENGTH", "ANGLE", "LINEAR_SPEED", "ANGULAR_SPEED", "FOR", "BY"})
 _SMALL = frozenset({"DET", "HAND", "SIDE", "ONE", "ON", "AT", "TO", "WITH", "USE", "IN"})
 _ALONE = (
@@ -188,7 +186,7 @@ class _Contrast:
 
     def _is_command(self, position: int) -> bool:
         classes = {one.word_class for one in self._lattice.phrase(position)}
-        return bool(classes & self._reader.commands - _MEASURES - _HEADINGS)
+        return bool(classes & self._reader.commands - MEASURES - HEADINGS)
 
     def _begins_anew(self, position: int) -> bool:
         """Whether a command begins at a place, or a courtesy before one."""

@@ -42,6 +42,27 @@ def change(before: Sequence[Command], after: Sequence[Command], *, earlier: bool
     return next((one for one in (LOSES, ADDS) if one in kinds), CONTRASTS)
 
 
+def only_slots_that_differ(
+    before: Sequence[Command], after: Sequence[Command]
+) -> tuple[set[str], set[str], set[str]] | None:
+    """Which slots of the same actions differ, and which only the first and only the second have.
+
+    None where they are not the same actions.
+    """
+    if len(before) != len(after):
+        return None
+    changed: set[str] = set()
+    gone: set[str] = set()
+    new: set[str] = set()
+    for one, other in zip(map(_slots, before), map(_slots, after), strict=True):
+        if one["action"] != other["action"]:
+            return None
+        gone |= set(one) - set(other)
+        new |= set(other) - set(one)
+        changed |= {name for name in set(one) & set(other) if one[name] != other[name]}
+    return changed, gone, new
+
+
 def holds(commands: Sequence[Command], part: Sequence[Command]) -> bool:
     """Whether some commands are among others, one after another, and nothing more is done with theirs."""
     all_of, some = _by_themselves(commands), _by_themselves(part)

@@ -90,7 +90,7 @@ def test_what_is_offered_means_something_and_not_the_opposite():
         ("What can you do?", "this robot answers only"),
         ("Did you bring me the red cup?", "this robot answers only"),
         ("pick up the cup in 5 seconds", "how far, how long or when"),
-        ("wave to Ana or Ben", "say one of them"),
+        ("stop or I scream", "say one of them"),
         ("tell the students to be quiet", "telling somebody to do something"),
         ("please don't wake the baby", "cannot be honoured"),
         ("open the window a little", "how to do it ('a little')"),

@@ -1,0 +1,1 @@
+"""What a sentence leaves open, as a question that can be answered."""
