@@ -42,6 +42,8 @@ _BESIDE = sorted(
 _HERE_M = 0.05
 _SPARE_M, _SPARE_HERE_M = 0.08, 0.04
 """Beside the hands of who stands before furniture, the latter where he stands so already."""
+_BESIDE_LOAD_M = 0.03
+"""Beside what a hand holds, that is still where it was lifted to: the sides of a shelf are as tall."""
 _TIGHT_COST_RAD_M = 20.0
 """A place to stand that is too tight by 1 cm is worth going around by 11 degrees."""
 
@@ -82,16 +84,17 @@ def standing_place(
 def _where_hands_are_free(
     usual: PlanarPose, body: PlanarPose, scene: PlanningScene, room: WalkingRoom
 ) -> PlanarPose:
-    """The usual place before furniture, or the nearest one where hands come to nothing, say to an open door.
+    """The usual place before furniture, or the nearest one where hands and load come to nothing.
 
-    At home or drawn in: whichever way the robot comes; drawn in, they can turn away as well. One that stands
-    well is not sent on for a centimetre.
+    Say to an open door, or to a shelf's side. At home or drawn in: whichever way the robot comes; drawn in,
+    they can turn away as well. One that stands well is not sent on for a centimetre.
     """
     rooms = room.either_way()
 
     def free(stand: PlanarPose, spare_m: float) -> bool:
         turns = rooms[-1].hands_turn(scene, stand, spare_m - _SPARE_M)
-        return turns and not any(one.hands_meet(scene, [stand], spare_m) for one in rooms)
+        empty = turns and not any(one.hands_meet(scene, [stand], spare_m) for one in rooms)
+        return empty and not room.load_meets(scene, [stand], _BESIDE_LOAD_M)
 
     if free(usual, _SPARE_M):
         return usual
@@ -99,10 +102,10 @@ def _where_hands_are_free(
     here = min(stands, key=body.distance_m)
     if here.distance_m(body) < _HERE_M and free(here, _SPARE_HERE_M):
         return here
-    with_room = (
-        one for one in stands if free(one, _SPARE_M) and rooms[-1].tightest(scene, one).lack_m <= 0.0
-    )
-    return next(with_room, usual)
+    roomy = [one for one in stands if free(one, _SPARE_M)]
+    with_room = (one for one in roomy if rooms[-1].tightest(scene, one).lack_m <= 0.0)
+    loaded = room.load_meets(scene, [usual], _BESIDE_LOAD_M)
+    return next(with_room, next(iter(roomy if loaded else ()), usual))
 
 
 def _around(

@@ -104,10 +104,12 @@ class WalkingRoom:
         legs = _Layer("legs", -math.inf, *ends, body_m, body_m, settings.legs_radius_m + sway_m)
         self._layers = [legs, hands]
         self._hands = hands
+        self._load_layer: _Layer | None = None
         if load is not None:
             around_m, from_m = load.radius_m, load.from_m - sway_m
             straight = (load.front_m, load.back_m, load.half_width_m)
-            self._layers.append(_Layer("load", from_m, *straight, around_m, around_m + sway_m))
+            self._load_layer = _Layer("load", from_m, *straight, around_m, around_m + sway_m)
+            self._layers.append(self._load_layer)
         self.widest_m = max(layer.around_m for layer in self._layers) - self._body_m
 
     def either_way(self) -> tuple[WalkingRoom, WalkingRoom]:
@@ -169,17 +171,29 @@ class WalkingRoom:
             way: Where the body comes by, in the scene's frame, a hand's breadth apart.
             spare_m: Left beside the hands.
         """
-        hands = self._hands
-        around_m = math.hypot(max(hands.front_m, hands.back_m), hands.half_width_m) + spare_m
+        return self._meets(self._hands, scene, way, spare_m)
+
+    def load_meets(self, scene: PlanningScene, way: Sequence[PlanarPose], spare_m: float = 0.0) -> bool:
+        """Whether what is held comes to furniture that stands higher, where the body goes and turns.
+
+        What stands on furniture is left to who puts something down there. Arguments as for ``hands_meet``.
+        """
+        if self._load_layer is None:
+            return False
+        furniture = scene.with_objects(item for item in scene.objects.values() if not item.movable)
+        return self._meets(self._load_layer, furniture, way, spare_m)
+
+    def _meets(self, layer: _Layer, scene: PlanningScene, way: Sequence[PlanarPose], spare_m: float) -> bool:
+        around_m = math.hypot(max(layer.front_m, layer.back_m), layer.half_width_m) + spare_m
         middles = np.array([(body.x_m, body.y_m) for body in way])
         beside = [
             obstacle
-            for obstacle in footprints(scene, above_m=hands.from_m)
+            for obstacle in footprints(scene, above_m=layer.from_m)
             if float(obstacle.distance_m(middles).min()) <= around_m
         ]
         if not beside:
             return False
-        outline = _outline(hands, hands.turning_m - self._settings.sway_m)
+        outline = _outline(layer, layer.turning_m - self._settings.sway_m)
         c, s = np.cos([body.yaw_rad for body in way]), np.sin([body.yaw_rad for body in way])
         x = middles[:, :1] + np.outer(c, outline[:, 0]) - np.outer(s, outline[:, 1])
         y = middles[:, 1:] + np.outer(s, outline[:, 0]) + np.outer(c, outline[:, 1])

@@ -10,6 +10,7 @@ from kinematics import poses
 from kinematics.opening_path import DoorArc, DrawerLine
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
+from kinematics.walking.load import Load
 from kinematics.walking.path_planning import clearance_m, footprints
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.room import WalkingRoom
@@ -170,3 +171,31 @@ def test_where_a_wall_leaves_no_way_to_the_nearest_side_one_stands_before_anothe
     )
 
     assert (stand.y_m > 0.6) == (side == "end")
+
+
+HELD = Load(from_m=0.9, front_m=0.5, back_m=-0.3, half_width_m=0.4, radius_m=0.6)
+
+
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize(("top_m", "steps_back"), [(0.92, True), (0.8, False)])
+def test_what_is_held_does_not_come_to_furniture_that_is_taller(top_m, steps_back):
+    shape = Box((0.4, 1.0, 0.02))
+    shelf = SceneObject("shelf", shape, poses.translation(3.0, 0.0, top_m), movable=False)
+    scene = PlanningScene().with_objects([shelf])
+    place = Place("shelf", "furniture", shape, shelf.world_T_object, top_m)
+    loaded = WalkingRoom(load_description("talos").walking, HELD)
+
+    usual = standing_place(place, scene, PlanarPose(), 0.05, ROOM)
+    stand = standing_place(place, scene, PlanarPose(), 0.05, loaded)
+
+    assert loaded.load_meets(scene, [usual]) is steps_back
+    assert not loaded.load_meets(scene, [stand])
+    assert (stand.x_m < usual.x_m) is steps_back
+
+
+def test_things_on_furniture_do_not_keep_a_load_away():
+    bottle = SceneObject("bottle", Cylinder(0.03, 0.3), poses.translation(0.45, 0.1, 1.0))
+
+    assert not WalkingRoom(load_description("talos").walking, HELD).load_meets(
+        PlanningScene().with_objects([bottle]), [PlanarPose()]
+    )
