@@ -24,7 +24,7 @@ from executive.clarification import (
 from executive.events import InputTaken, QuestionAsked, TaskRefused
 from executive.impossible import impossible
 from executive.meaning import Command, StopCommand
-from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, spoken_by
+from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, with_names
 from executive.references import PREVIOUS, references, with_references
 from executive.session import Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
@@ -83,7 +83,7 @@ class Errand:
         self._on_question = on_question
         self._provenance = tuple(provenance) or (None,) * len(self._commands)
         self._acted_on: list[tuple[str, ...]] = []
-        self._speaker = ""
+        self._who: dict[str, str] = {}
         self._found: dict[int | None, str] = {}
         self._walked_for: TaskResult | None = None
 
@@ -103,7 +103,7 @@ class Errand:
                 self._tell_of_what_was_said(step, results)
                 break
             self._walked_for = results[-1]
-            steps = list(looked_for(self._commands, step.said, self._known(), bool(self._speaker)))
+            steps = list(looked_for(self._commands, step.said, self._known(), self._who))
         return tuple(results)
 
     def _step(
@@ -111,7 +111,7 @@ class Errand:
     ) -> Generator[OpenQuestion | None, str | None, bool]:
         """Carry out one step, on several objects one after the other; whether the errand goes on."""
         provenance = None if step.said is None else self._provenance[step.said]
-        command = spoken_by(step.command, self._speaker) if self._speaker else step.command
+        command = with_names(step.command, self._who)
         about = step.finds_for if step.said is None else step.said
         if about in self._found:
             command = _of_one(command, self._found[about])
@@ -122,14 +122,15 @@ class Errand:
             results.append(replace(result, provenance=provenance))
             if result.outcome != "done":
                 goes_on = result.outcome == "failed" and step.may_fail
-                self._speaker = START if goes_on and step.finds_speaker else self._speaker
+                if goes_on and step.finds_who:
+                    self._who[step.finds_who] = START
                 return goes_on
             names += [] if result.acted_on is None else [result.acted_on]
             waiting[:0] = [_of_one(command, name) for name in result.others]
             if step.finds_for is not None and result.acted_on is not None:
                 self._found[step.finds_for] = result.acted_on
-            if step.finds_speaker:
-                self._speaker = str(result.evidence.get("found", ""))
+            if step.finds_who and (found := result.evidence.get("found")):
+                self._who[step.finds_who] = str(found)
         if step.said is not None:
             self._acted_on.append(tuple(names) if step.carries is None else self._names_of(step.carries))
         return True

@@ -11,7 +11,7 @@ is taken to a room and then put somewhere is only carried to the room.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from executive.at_hand import Nearness
@@ -38,7 +38,9 @@ from trees.tasks import (
     WalkToTask,
 )
 
-SPEAKER = "me"
+SPEAKER, IN_FRONT = "me", "in_front"
+_SEE_WHO = {SPEAKER: "see who speaks", IN_FRONT: "see who is in front"}
+"""Whom words mean that others would be meant by once the robot has gone away."""
 
 Bringing = PickTask | HandOverTask | PlaceTask | PutInTask
 """What moves an object, and picks it up first when no hand holds it."""
@@ -51,8 +53,8 @@ class Prepared:
     Attributes:
         command: What to do.
         said: Index of the command that was said; None for what has to be done before it.
-        finds_speaker: Whether it tells who "me" is, for all that follows. Where it may fail, nobody has to be
-            there: "come back" is to where the robot began then.
+        finds_who: The word of which it tells who that is, for all that follows: "me". Where it may fail,
+            nobody has to be there: "come back" is to where the robot began then.
         unless_open: Whether it is left out when the door turns out to stand open.
         unless_held: Left out while a hand holds what this is about.
         unless_near: Left out while this is known.
@@ -64,7 +66,7 @@ class Prepared:
 
     command: Command
     said: int | None = None
-    finds_speaker: bool = False
+    finds_who: str = ""
     unless_open: bool = False
     unless_held: Bringing | None = None
     unless_near: Nearness | None = None
@@ -123,14 +125,24 @@ def prepared(
     said = [Prepared(command, index) for index, command in enumerate(commands)]
     if not can_walk:
         return tuple(said)
-    steps = list(_steps(commands, known))
-    if any(map(_goes_away, itertools.takewhile(lambda step: _who(step.command) != SPEAKER, steps))):
-        to_speaker = [command for command in commands if _who(command) == SPEAKER]
-        if to_speaker:
-            find = FindTask("see who speaks", person=SPEAKER)
-            goes_back = all(isinstance(command, WalkToTask) for command in to_speaker)
-            steps.insert(0, Prepared(find, finds_speaker=True, may_fail=goes_back))
-    return tuple(steps)
+    steps = tuple(_steps(commands, known))
+    return (*(find for word in _SEE_WHO if (find := _finding(word, steps)) is not None), *steps)
+
+
+def _finding(word: str, steps: Sequence[Prepared]) -> Prepared | None:
+    """What tells who "me" or the person in front is before the robot goes away; None where that can wait.
+
+    Who was told to go somewhere first means who is in front of it there.
+    """
+    to_them = [step.command for step in steps if step.said is not None and _who(step.command) == word]
+    before = list(itertools.takewhile(lambda step: _who(step.command) != word, steps))
+    if not to_them or not any(map(_goes_away, before)):
+        return None
+    if word == IN_FRONT and any(step.said is not None and _goes_away(step) for step in before):
+        return None
+    goes_back = all(isinstance(command, WalkToTask) for command in to_them)
+    find = FindTask(_SEE_WHO[word], person=word)
+    return Prepared(find, finds_who=word, may_fail=goes_back and word == SPEAKER)
 
 
 def _goes_away(step: Prepared) -> bool:
@@ -142,20 +154,21 @@ def _goes_away(step: Prepared) -> bool:
 
 
 def looked_for(
-    commands: Sequence[Command], index: int, known: Known, speaker_is_known: bool
+    commands: Sequence[Command], index: int, known: Known, who_is_known: Container[str] = ()
 ) -> tuple[Prepared, ...]:
     """From one command on, with what has to be done where it is not to be seen from here: it is walked to."""
     steps = prepared(commands, True, replace(known, is_away=True))
     done = [place for place, step in enumerate(steps) if step.said is not None and step.said < index]
     begins = done[-1] + 1 if done else 0
-    finding = () if speaker_is_known else tuple(step for step in steps[:begins] if step.finds_speaker)
-    return (*finding, *(step for step in steps[begins:] if not (speaker_is_known and step.finds_speaker)))
+    finding = [step for step in steps if step.finds_who and step.finds_who not in who_is_known]
+    return (*finding, *(step for step in steps[begins:] if not step.finds_who))
 
 
-def spoken_by(command: Command, name: str) -> Command:
-    """The same command with "me" replaced by a name."""
-    if _who(command) == SPEAKER and isinstance(command, HandOverTask | WalkToTask):
-        return replace(command, to=name)
+def with_names(command: Command, who: Mapping[str, str]) -> Command:
+    """The same command with the names of those who were found by a word: "me"."""
+    word = _who(command)
+    if word is not None and word in who and isinstance(command, HandOverTask | WalkToTask):
+        return replace(command, to=who[word])
     return command
 
 
@@ -363,4 +376,6 @@ def _described(there: Destination) -> ObjectDescription:
 
 
 def _named(there: Destination) -> str:
+    if there == IN_FRONT:
+        return "the person in front"
     return str(there) if _is_person(there) else f"the {there}"

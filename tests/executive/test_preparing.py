@@ -7,7 +7,7 @@ import pytest
 
 from executive.command_parser import parse
 from executive.errand import Errand, drive
-from executive.preparing import Known, prepared, spoken_by
+from executive.preparing import Known, prepared, with_names
 from executive.task_result import TaskResult, TaskTimes
 from trees.failures import Failure
 from trees.tasks import (
@@ -50,7 +50,7 @@ def test_what_was_said_keeps_its_number():
 def test_who_speaks_is_found_out_before_the_robot_goes_away():
     first = steps("bring me the bottle from the fridge")[0]
 
-    assert first.finds_speaker
+    assert first.finds_who == "me"
     assert first.command.person == "me"
 
 
@@ -62,8 +62,20 @@ def test_who_speaks_is_found_out_before_the_robot_goes_away():
 def test_who_speaks_is_known_before_the_robot_is_sent_away_and_told_to_come_back(sentence):
     first = steps(sentence)[0]
 
-    assert first.finds_speaker
+    assert first.finds_who == "me"
     assert first.may_fail
+
+
+def test_who_is_in_front_is_found_out_before_the_robot_goes_away_by_itself():
+    first = steps("take the bottle from the fridge and give it to the person in front of you")[0]
+
+    assert (first.finds_who, first.command.person, first.may_fail) == ("in_front", "in_front", False)
+
+
+def test_who_is_in_front_where_the_robot_was_sent_is_found_out_there():
+    said = steps("walk to the kitchen, take the bottle and give it to the person in front of you")
+
+    assert not any(step.finds_who for step in said)
 
 
 @pytest.mark.parametrize(
@@ -111,9 +123,9 @@ def test_a_robot_that_cannot_walk_does_what_was_said_from_where_it_stands():
 def test_me_becomes_the_name_of_who_spoke():
     give = HandOverTask("give it to me", ObjectDescription("bottle"), "me")
 
-    assert spoken_by(give, "Ana").to == "Ana"
-    assert spoken_by(WalkToTask("walk to me", "me"), "Ana").to == "Ana"
-    assert spoken_by(WalkToTask("walk to Ben", "Ben"), "Ana").to == "Ben"
+    assert with_names(give, {"me": "Ana"}).to == "Ana"
+    assert with_names(WalkToTask("walk to me", "me"), {"me": "Ana"}).to == "Ana"
+    assert with_names(WalkToTask("walk to Ben", "Ben"), {"me": "Ana"}).to == "Ben"
 
 
 def test_what_was_seen_inside_needs_no_opening():
