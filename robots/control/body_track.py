@@ -12,6 +12,7 @@ from kinematics.stance import standing_at
 from kinematics.trajectory import Stance, Trajectory
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
 from robots.control.stop_profile import StopProfile
+from robots.control.way_back import way_back
 
 Array = NDArray[np.float64]
 
@@ -47,6 +48,8 @@ class BodyTrack:
         self._trajectory: Trajectory | None = None
         self._paused_at_s: float | None = None
         self._passed = 0.0
+        self._braked_on: tuple[TrajectorySampler, float] | None = None
+        self._going_back = False
         self.now = self._at_rest(q)
         self._last_v = self.now.v
 
@@ -122,15 +125,26 @@ class BodyTrack:
         self._begin(lead_in(rest, self.now.q, self._model.acceleration))
         return True
 
-    def brake(self, along_path: bool) -> None:
-        """Begin to stop: along the path if there is one, else every joint on its own."""
-        self._paused_at_s = None
+    def brake(self, along_path: bool, and_back: bool = False) -> None:
+        """Begin to stop: along the path if there is one, else every joint on its own.
+
+        Args:
+            along_path: Whether to stay on the path.
+            and_back: Whether to go back on it afterwards, where the legs carry less there.
+        """
+        self._paused_at_s, self._braked_on = None, None
         if self.resting:
+            return
+        if self._going_back:
+            self._going_back = False
+            self._start(self._stop_at_once(None))
             return
         if along_path and self.braking:
             return
         profile = None
         sampler, self._sampler, self._playing_out = self._sampler, None, False
+        if and_back and sampler is not None:
+            self._braked_on = sampler, self._elapsed_s
         if along_path and sampler is not None:
             profile = StopProfile.along_path(
                 self._model, self._stance, sampler, self._elapsed_s, self._period_s
@@ -188,8 +202,9 @@ class BodyTrack:
 
     def halt(self) -> None:
         """Rest right here: the robot was told so already."""
-        self._sampler = self._profile = self._next = None
-        self._playing_out, self._paused_at_s = False, None
+        self._sampler = self._profile = self._next = self._braked_on = None
+        self._playing_out = self._going_back = False
+        self._paused_at_s = None
         self.now = self._at_rest(standing_at(self._model, self.now.q, self._stance))
         self._last_v = self.now.v
 
@@ -228,13 +243,22 @@ class BodyTrack:
         if self._profile is not None:
             self._row += 1
             if self._row >= len(self._profile):
-                self._profile = None
+                self._profile, self._going_back = None, False
                 self.now = self._at_rest(self.now.q)
+                self._go_back()
         elif self._sampler is not None:
             self._periods += 1
             self._elapsed_s = self._periods * self._period_s
             if self._elapsed_s >= self._sampler.duration_s:
                 self._sampler, self._playing_out = None, False
+
+    def _go_back(self) -> None:
+        """After the brake, if that was asked for."""
+        braked_on, self._braked_on = self._braked_on, None
+        back = None if braked_on is None else way_back(*braked_on, self.now, self._period_s)
+        if back is not None:
+            self._start(back)
+            self._going_back = True
 
     def _played(self, sampler: TrajectorySampler, period: int) -> MotionSample:
         """Instant of the trajectory after so many periods."""

@@ -104,6 +104,8 @@ class ControlLoop:
         self._forgiven = 0
         health = HealthMonitor(model, period_s)
         self._safeguards = Safeguards(health, self._streamer, self._record, clock, sink)
+        groups = model.description.groups
+        self._legs = frozenset((*groups["left_leg"], *groups["right_leg"]))
         self.model = model
         self.motion = self._streamer
         self.walking = self._walker
@@ -340,10 +342,11 @@ class ControlLoop:
         self._walker.stop(str(contact), MotionStatus.REFUSED)
 
     def _look_after_health(self) -> None:
-        reason = self._safeguards.look(self.sensing.state(), self._gate.last, self._walker.active)
-        if reason is not None:
+        finding = self._safeguards.look(self.sensing.state(), self._gate.last, self._walker.active)
+        if finding is not None:
+            reason = str(finding)
             self._record.stop(1, reason)
-            self._streamer.stop(reason, along_path=True)
+            self._streamer.stop(reason, along_path=True, and_back=finding.weakens(self._legs))
             self._walker.stop(reason)
 
     def _give_up(self, reason: str) -> None:

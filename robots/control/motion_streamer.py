@@ -249,13 +249,20 @@ class MotionStreamer:
                 (checked, waiting), self._waiting = self._waiting, None
                 self._play(checked, waiting)
 
-    def stop(self, reason: str, along_path: bool, status: MotionStatus = MotionStatus.CANCELED) -> None:
+    def stop(
+        self,
+        reason: str,
+        along_path: bool,
+        status: MotionStatus = MotionStatus.CANCELED,
+        and_back: bool = False,
+    ) -> None:
         """Take everything over: end all motions and bring the body to rest; grips that press go on.
 
         Args:
             reason: Told to those whose motions end.
             along_path: Brake along the path (stop category 1), else every joint at once (2).
             status: How the motions end.
+            and_back: Then go back on the path, where the legs carry less there.
         """
         ended = [track.handle for track in self._guarded.running]
         self._pause_wanted = False
@@ -266,7 +273,7 @@ class MotionStreamer:
         if self._body_handle is not None:
             ended.append(self._body_handle)
         self._body_handle = self._waiting = None
-        self._track.brake(along_path)
+        self._track.brake(along_path, and_back)
         if not self._track.resting:
             self._authority.release(self._body_owner)
             self._body_owner = STOP

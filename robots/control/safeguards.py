@@ -6,7 +6,7 @@ from robots.clock import Clock
 from robots.control.control_record import ControlRecord
 from robots.control.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset
 from robots.control.events import ControlSink, EmergencyReset, EmergencyStopped, ResetRefused
-from robots.control.health.finding import Response
+from robots.control.health.finding import Finding, Response
 from robots.control.health.health_monitor import HealthMonitor
 from robots.control.motion_streamer import MotionStreamer
 from robots.interface import JointSetpoint
@@ -97,7 +97,7 @@ class Safeguards:
         self._sink(EmergencyReset(self._clock.now_s(), request.person))
         return None
 
-    def look(self, state: SensedState, setpoint: JointSetpoint, walking: bool) -> str | None:
+    def look(self, state: SensedState, setpoint: JointSetpoint, walking: bool) -> Finding | None:
         """Judge the robot's health once a control period.
 
         Args:
@@ -106,7 +106,7 @@ class Safeguards:
             walking: Whether its feet move.
 
         Returns:
-            Why it is to be stopped, when something new is wrong with it; else None.
+            What it is to be stopped for, when something new is wrong with it; else None.
         """
         streamer = self._streamer
         standing = streamer.standing and not walking
@@ -115,7 +115,7 @@ class Safeguards:
             return None
         self._record.health(new, over)
         self._close_or_open()
-        return next((str(finding) for finding in new if finding.response is Response.STOP), None)
+        return next((finding for finding in new if finding.response is Response.STOP), None)
 
     def lose_power(self, reason: str) -> None:
         """Refuse motions for good."""

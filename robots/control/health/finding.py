@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import dataclass
 from enum import Enum
 
@@ -76,6 +77,10 @@ class Finding:
     def key(self) -> tuple[Ailment, str]:
         """Equal for findings of the same thing."""
         return self.ailment, self.part
+
+    def weakens(self, joints: Container[str]) -> bool:
+        """Whether it is a motor of some joints that gives too little effort, or none."""
+        return self.ailment in (Ailment.OFFLINE, Ailment.WEAK) and self.part in joints
 
     def __str__(self) -> str:
         unit = _UNITS.get(self.ailment, "")

@@ -1,0 +1,61 @@
+"""The way back along a path that has just been braked on, to where the legs carry less.
+
+A knee that gives a tenth of its effort sinks slowly where it is bent most, and the robot falls seconds after
+it came to rest. Where it came from, less was asked of it, and the way there was checked already.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
+from robots.control.stop_profile import StopProfile
+
+_BACK_S = 0.5
+"""So much of the path is gone back on, in its own time."""
+_RATE = 0.6
+"""Most of the path's own speed."""
+_PEAK = 1.875
+"""Of a quintic from rest to rest: its greatest speed over the mean."""
+_RISES_M = 0.005
+"""The pelvis rises by so much at least, or it is not worth it."""
+_STRAYED_RAD = 2e-3
+"""Who rests farther than this beside the path is not on it any more."""
+_BRAKED_WITHIN_S = 0.5
+
+
+def way_back(
+    sampler: TrajectorySampler, t_s: float, at_rest: MotionSample, period_s: float
+) -> StopProfile | None:
+    """Go back along a path.
+
+    Args:
+        sampler: The path.
+        t_s: Its time when the brake began.
+        at_rest: Where the brake ended.
+        period_s: Control period.
+
+    Returns:
+        None when that would not raise the pelvis, or the robot rests beside the path.
+    """
+    ends_s = min(t_s + _BRAKED_WITHIN_S, sampler.duration_s)
+    times: NDArray[np.float64] = np.arange(t_s, ends_s, period_s, dtype=np.float64)
+    if not len(times):
+        return None
+    beside = np.abs(sampler.many(times).q[:, 7:] - at_rest.q[7:]).max(axis=1)
+    nearest = int(np.argmin(beside))
+    begin_s = float(times[nearest])
+    back_s = min(begin_s, _BACK_S)
+    rises_m = sampler.at(begin_s - back_s).q[2] - at_rest.q[2]
+    if beside[nearest] > _STRAYED_RAD or rises_m < _RISES_M:
+        return None
+    duration_s = back_s * _PEAK / _RATE
+    u = np.minimum(1.0, np.arange(1, round(duration_s / period_s) + 2) * period_s / duration_s)
+    share = u**3 * (10.0 - 15.0 * u + 6.0 * u**2)
+    rate = 30.0 * u**2 * (1.0 - u) ** 2 / duration_s
+    slope = 60.0 * u * (1.0 - 3.0 * u + 2.0 * u**2) / duration_s**2
+    rows = sampler.many(begin_s - back_s * share, -back_s * rate, -back_s * slope)
+    # where it rests is a hair beside the path: that is kept on all the way
+    rows.q[:, 7:] += at_rest.q[7:] - sampler.at(begin_s).q[7:]
+    return StopProfile(rows)
