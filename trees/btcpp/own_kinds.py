@@ -17,6 +17,7 @@ from trees.clean_up import CleanUp
 from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
 from trees.if_beside import IfBeside
+from trees.if_nothing_is_known import IfNothingIsKnown
 from trees.if_shifted import IfShifted
 from trees.only_after import OnlyAfter
 from trees.retry import Retry
@@ -136,6 +137,13 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
         "Decorator",
         lambda parts: IfShifted(parts.children[0]),
         ports=(Port("shifted", "input", "bool", description="whether it has shifted in the hand"),),
+        children=(1, 1),
+        transparent=True,
+    ),
+    IfNothingIsKnown: NodeKind(
+        "IfNothingIsKnown",
+        "Decorator",
+        lambda parts: IfNothingIsKnown(parts.children[0], parts.toolbox),
         children=(1, 1),
         transparent=True,
     ),

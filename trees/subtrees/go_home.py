@@ -6,12 +6,27 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.best_effort import BestEffort
+from trees.if_nothing_is_known import IfNothingIsKnown
 from trees.leaves.go_home import GoHome
 from trees.leaves.lift_clear import LiftClear
+from trees.leaves.look_at_hands import LookAtHands
+from trees.leaves.survey import Survey
 from trees.toolbox import Toolbox
 
 
 def go_home(toolbox: Toolbox) -> Behaviour:
-    """Bring the whole body home; hands keep what they hold."""
-    children = [BestEffort(LiftClear("lift it clear", toolbox)), GoHome("move home", toolbox)]
+    """Bring the whole body home; hands keep what they hold.
+
+    Who took over a robot that another one left over a table looks first where its hands are.
+    """
+    looks: list[Behaviour] = [
+        LookAtHands("look at the hands", toolbox),
+        Survey("see what is about them", toolbox, {"sightings_now": "sightings"}),
+    ]
+    look = Sequence("look", memory=True, children=looks)
+    children = [
+        IfNothingIsKnown(BestEffort(look), toolbox),
+        BestEffort(LiftClear("lift it clear", toolbox)),
+        GoHome("move home", toolbox),
+    ]
     return Sequence("go home", memory=True, children=children)
