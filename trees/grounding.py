@@ -10,11 +10,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from trees.articles import with_article
 from trees.believed_thing import BelievedThing, Surroundings, split_words
 from trees.choice_words import from_the_left, told_apart
 from trees.doubts import NoneFitsError, UntellableError
 from trees.ranking import least, ordered, sized, there_are
-from trees.report_words import with_article
 from trees.scene_update import kind_of
 from trees.spatial_relation import between_m, lies, lies_from_robot
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation

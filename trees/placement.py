@@ -15,6 +15,7 @@ from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import support_of
+from trees.articles import with_article
 from trees.believed_thing import Surroundings, split_words, surroundings
 from trees.destination import furniture_named
 from trees.failures import Failure
@@ -23,7 +24,7 @@ from trees.held import HeldObject
 from trees.origin import Origin
 from trees.places_by_people import person_compared_with, spots_by_person
 from trees.questions import OTHER, which_is_meant
-from trees.report_words import kinds_in, with_article
+from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.sight_of_tops import SightOfTops
 from trees.tasks import WHERE_IT_WAS, Destination, ObjectDescription, Relation

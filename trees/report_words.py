@@ -24,12 +24,6 @@ def plural(words: str, count: int) -> str:
     return f"{number} {_many(words)}"
 
 
-def with_article(words: object) -> str:
-    """A thing as one of its kind: "a red cup", "an orange cup"."""
-    noun = str(words)
-    return f"{'an' if noun.lower().startswith(tuple('aeiou')) else 'a'} {noun}"
-
-
 def numbered(words: str, count: Count) -> str:
     """Words with how many are meant: "the red cup", "two red cups", "all red cups"."""
     if count == 1:

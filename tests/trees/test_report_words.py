@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.shapes import Cylinder
 from trees.believed_thing import BelievedThing
-from trees.report_words import direction, kinds_in, whereabouts, with_article
+from trees.report_words import direction, kinds_in, whereabouts
 
 
 @pytest.mark.parametrize(
@@ -31,8 +31,3 @@ def test_what_a_thing_stands_on_is_called_without_its_number():
 def test_the_legs_of_a_table_are_not_told_as_more_tables():
     assert kinds_in(["table 3", "red cup", "table", "table 2"]) == "red cup, table"
     assert kinds_in([]) == "nothing"
-
-
-@pytest.mark.parametrize(("words", "told"), [("orange cup", "an orange cup"), ("red cup", "a red cup")])
-def test_one_of_a_kind_has_its_article(words, told):
-    assert with_article(words) == told

@@ -9,6 +9,7 @@ from py_trees.common import Status
 
 from kinematics.scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
+from trees.articles import with_article
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handles import INSIDE_KINDS, MEANT_BY, PART_KINDS, HandleTarget, handles_in
@@ -18,7 +19,6 @@ from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.meant_part import meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.report_words import with_article
 from trees.scene_update import kind_of, updated_scene
 from trees.sight import in_view
 from trees.tasks import CloseTask, ObjectDescription, OpenTask

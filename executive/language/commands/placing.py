@@ -24,7 +24,7 @@ from executive.language.phrases import (
     draft,
 )
 from executive.language.words.lattice import Word
-from trees.report_words import with_article
+from trees.articles import with_article
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
 """Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""

@@ -8,7 +8,7 @@ from executive.language.noun_phrases.arranging import Arranged, trouble
 from executive.language.phrase_parts import Parts
 from executive.language.phrases import Item, Nominal
 from executive.language.words.lattice import Word
-from trees.report_words import with_article
+from trees.articles import with_article
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
 IT = Nominal("any", reference="it", determined=True)

@@ -13,7 +13,7 @@ from typing import Any
 
 from executive.language.phrases import Trouble
 from executive.meaning import Command
-from trees.report_words import with_article
+from trees.articles import with_article
 from trees.tasks import HandOverTask, ObjectDescription, ObjectOf, PlaceTask, PutInTask
 
 
