@@ -43,6 +43,12 @@ _AT_LAST = frozenset({"NEGATION", "CONTRAST", "CONDITION", "LOOP", "PRAISE", "AS
 _DETERMINES = frozenset(
     {"DET", "OWNER", "OWNING", "AMOUNT", "COLOR", "SIZE", "MATERIAL", "ORDINAL", "QUALITY"}
 )
+_DONE_TO = frozenset(
+    {"DET", "OWNER", "OWNING", "NAME", "PERSON", "HIM", "IT", "THEM", "THIS", "ME", "US", "ALL", "BOTH"}
+)
+"""Word classes that what something is done to begins with."""
+
+_NO_SKILL, _NO_SKILL_OF_A_NOUN = "NO_SKILL", "NO_SKILL_OR_NOUN"
 _SOMEBODY = frozenset({"NAME", "PERSON", "HIM"})
 _LEADS_TO_DOING = frozenset({"to", "should", "will", "must", "can", "may", "shall", "would", "has", "have"})
 
@@ -80,26 +86,30 @@ class Explainer:
         """Why there is no parse."""
         plain, position = lattice.plain, chart.furthest
         unknown = lattice.unknown()
-        if unknown is not None:
+        no_skill = self._no_skill(lattice, chart)
+        if unknown is not None and (no_skill is None or unknown < no_skill.start):
             refusal, corrected = self._unknown(lattice, unknown)
             known = unknown <= position and not _is_conditional(lattice, unknown)
             if corrected or known or self._refused(lattice, chart) is None:
                 return refusal
         verbless = lattice.pieces and not chart.has_beginning_of("command")
-        no_skill = self._no_skill(lattice, chart)
         if verbless and no_skill is None and self._refused(lattice, chart) is None:
             denied = self._anywhere(lattice)
             if denied is not None:
                 return Refusal(denied[1], denied[0], None)
-            shown = printable(lattice.pieces[0].text)
+            shown = printable(lattice.pieces[lattice.first_said].text)
             message = f"a command begins with what to do, not with {shown!r}"
             return Refusal(message, shown, self.nearest_example(plain))
         ended = position >= len(lattice.pieces) or lattice.ends[position]
         found = self._somebody_else(lattice, chart)
+        if no_skill is not None and _is_done(lattice, no_skill) and lattice.may_begin(no_skill.start):
+            found = found or self._refused(lattice, chart, only=_DECIDING | _NEVER_USED)
+            found = found or (printable(no_skill.said), self._said_of(no_skill))
         found = found or (None if ended else self._refused(lattice, chart))
         found = found or self._refused(lattice, chart, only=_DECIDING)
         found = found or (self._refused(lattice, chart, only=_AT_LAST) if ended else None)
-        found = found or no_skill
+        if found is None and no_skill is not None:
+            found = printable(no_skill.said), self._said_of(no_skill)
         if found is None or self._is_link(found):
             found = reason_at(lattice, position) or found
         found = found or (self._refused(lattice, chart, only=_ONLY_PRAISED) if ended else None)
@@ -108,10 +118,10 @@ class Explainer:
         if found is not None:
             word, message = found
             return Refusal(message, word, None)
-        shown = printable(lattice.pieces[position].text)
         denied = self._anywhere(lattice) if position == 0 else None
         if denied is not None:
             return Refusal(denied[1], denied[0], None)
+        shown = printable(lattice.pieces[position or lattice.first_said].text)
         if position == 0 and chart.expected >= _VERBS:
             message = f"a command begins with what to do, not with {shown!r}"
         else:
@@ -177,24 +187,24 @@ class Explainer:
 
         With ``only`` they are of one of these classes.
         """
-        last = min(chart.furthest, len(lattice.pieces) - 1)
+        broken = max(chart.furthest, lattice.first_said)
+        last = min(broken, len(lattice.pieces) - 1)
         phrases = [
             word
             for position in range(last + 1)
             for word in sorted(lattice.phrase(position), key=lambda one: -one.end)
+            if word.word_class != _NO_SKILL_OF_A_NOUN
         ]
         if any(word.word_class == "QUALITY" and word.start == last for word in phrases):
             other = "NO_SKILL" if self._is_adjective(lattice, last) else "QUALITY"
             phrases = [one for one in phrases if (one.word_class, one.start) != (other, last)]
         harmful = [word for word in phrases if word.word_class in (only or ("HARM",))]
-        here = [
-            word for word in phrases if word.start <= chart.furthest < word.end and word.word_class != _LINK
-        ]
+        here = [word for word in phrases if word.start <= broken < word.end and word.word_class != _LINK]
         here.sort(
             key=lambda word: (word.start - word.end, word.word_class != _likely_at(lattice, word.start))
         )
-        before = [word for word in phrases if word.start < chart.furthest and word.word_class in _NEVER_USED]
-        rest = [word for word in phrases if word.start == chart.furthest]
+        before = [word for word in phrases if word.start < broken and word.word_class in _NEVER_USED]
+        rest = [word for word in phrases if word.start == broken]
         own = [word for word in phrases if word.start == 0 and word.word_class == "SAID_OF_ONESELF"]
         for word in (*harmful, *here, *before, *own, *rest):
             if only is None or word.word_class in only:
@@ -242,21 +252,35 @@ class Explainer:
                     return said, self._vocabulary.refusal_of(word.word_class, word.meaning, said) or ""
         return None
 
-    def _no_skill(self, lattice: Lattice, chart: Chart) -> tuple[str, str] | None:
+    def _no_skill(self, lattice: Lattice, chart: Chart) -> Word | None:
         """What a clause begins with that is no skill and can be read as nothing else: "clean the cup"."""
-        for start in range(min(chart.furthest, len(lattice.pieces))):
-            begins = start == 0 or lattice.pieces[start - 1].text in _BEFORE_A_CLAUSE
-            if not begins or chart.begins_command(lattice.phrase(start)):
-                continue
-            for word in lattice.phrase(start):
-                message = self._vocabulary.refusal_of(word.word_class, word.meaning, printable(word.said))
-                if word.word_class == "NO_SKILL" and message is not None:
-                    return printable(word.said), message
+        for start in range(min(max(chart.furthest, lattice.first_said) + 1, len(lattice.pieces))):
+            begins = lattice.may_begin(start) or lattice.pieces[start - 1].text in _BEFORE_A_CLAUSE
+            words = lattice.phrase(start) if begins else ()
+            done = next((word for word in words if _is_done(lattice, word)), None)
+            if done is None and not chart.begins_command(words):
+                done = next((word for word in words if word.word_class == _NO_SKILL), None)
+            if done is not None:
+                return done
         return None
+
+    def _said_of(self, word: Word) -> str:
+        """What a refused word is refused with."""
+        return self._vocabulary.refusal_of(word.word_class, word.meaning, printable(word.said)) or ""
 
     def nearest_example(self, text: str) -> str | None:
         """A valid wording of what a text says to do."""
         return nearest_example(text, self._vocabulary)
+
+
+def _is_done(lattice: Lattice, word: Word) -> bool:
+    """Whether a word is no skill that may be a thing too, or to walk: what it is done to follows then."""
+    if word.word_class != _NO_SKILL_OF_A_NOUN:
+        return False
+    is_more = any(
+        one.end >= word.end and one.word_class != word.word_class for one in lattice.phrase(word.start)
+    )
+    return not is_more or lattice.begins_with(word.end, _DONE_TO)
 
 
 def _likely_at(lattice: Lattice, position: int) -> str:

@@ -49,6 +49,8 @@ _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINE
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
 _HELPS_BODY = "HELPS_BODY"
+_ONLY_REFUSED = "NO_SKILL_OR_NOUN"
+"""Word class of what is known as a verb only, at the beginning of a clause."""
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
@@ -255,7 +257,7 @@ class Lattice:
         )
         body = max((word.end for word in found if word.word_class == _HELPS_BODY), default=0)
         for word in found:
-            for index in range(start, word.end):
+            for index in range(start, word.end) if word.word_class != _ONLY_REFUSED else ():
                 self._covered[index] = True
             if word.end < body and word.word_class == "OPENING":
                 continue  # "help me get up" asks for a hand, and "get" for nothing
@@ -313,6 +315,18 @@ class Lattice:
     def classes(self, position: int) -> dict[str, list[Word]]:
         """The words that begin at a place, by word class."""
         return self._words[position]
+
+    @property
+    def first_said(self) -> int:
+        """Where what is said begins, behind courtesies; 0 where there is nothing else."""
+        size = len(self.pieces)
+        if self._nothing_said[size]:
+            return 0
+        return next(one for one in reversed(range(size)) if self._nothing_said[one])
+
+    def may_begin(self, position: int) -> bool:
+        """Whether only courtesies stand before a place."""
+        return self._nothing_said[position]
 
     def phrase(self, position: int) -> Sequence[Word]:
         """The words that begin exactly at a place."""

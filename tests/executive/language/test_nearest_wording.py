@@ -94,6 +94,13 @@ def test_what_is_offered_means_something_and_not_the_opposite():
         ("tell the students to be quiet", "telling somebody to do something"),
         ("please don't wake the baby", "cannot be honoured"),
         ("open the window a little", "how to do it ('a little')"),
+        ("Please vacuum the office.", "housework ('vacuum') is no skill"),
+        ("Drive the forklift to the shelf.", "driving or riding ('drive') is no skill"),
+        ("Tie Noah's shoes.", "that use of the hands ('tie') is no skill"),
+        ("Sterilize the endoscope.", "housework ('sterilize') is no skill"),
+        ("Okay robot, please mow the lawn", "gardening ('mow') is no skill"),
+        ("please kick the dog", "'kick' could harm"),
+        ("hello robot", "not with 'hello'"),
     ],
 )
 def test_a_refusal_says_what_it_is_about(said, told):
