@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from executive.meaning import Parsed
+from executive.meaning import Parsed, Question
 from trees.grounding import Ambiguous, Found, Grounding
 from trees.ranking import ORDER_WORDS, SIZE_WORDS
 from trees.tasks import ObjectDescription, ObjectOf, PickTask
@@ -227,7 +227,7 @@ def _one_word(plain: str) -> ObjectDescription | None:
 def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = None) -> Parsed:
     """Put the question of a sentence that is not clear in itself; the answer takes its place.
 
-    An answer is one of the choices, which are sentences, or a sentence of its own.
+    An answer is one of the choices, which are sentences, a sentence of its own, or what was missing in it.
 
     Args:
         parsed: What has a question.
@@ -256,9 +256,21 @@ def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = 
                 known = None if meanings is None else meanings.get(choice)
                 answered = parse(choice) if known is None else known
             case Unclear(message):
-                tried, answered = message, parse(text)
+                tried, answered = message, _answered(text, question)
         if meanings is not None and answered not in meanings.values():
             continue
         if answered.commands or (answered.question is not None and answered.question != question):
             parsed = answered
     return parsed
+
+
+def _answered(text: str, question: Question) -> Parsed:
+    """What an answer means that is no choice: by itself, or as what the sentence lacks."""
+    from executive.command_parser import parse
+
+    alone = parse(text)
+    if alone.commands or question.completes is None or len(text) > MAX_ANSWER:
+        return alone
+    before, behind = question.completes
+    whole = parse(f"{before}{text.strip().rstrip('.!?')}{behind}")
+    return whole if whole.commands or whole.question is not None else alone

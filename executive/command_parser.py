@@ -12,6 +12,7 @@ from typing import Any
 
 from executive.config import cache_directory, config_files
 from executive.language.asking.alternatives import alternatives
+from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
@@ -218,6 +219,10 @@ class CommandParser:
             commands = None if listed is None else self._only_commands(listed)
             if commands is not None:
                 return Parsed(text, commands=commands, manners=lattice.manners())
+            if not self._explainer.lacks_skill(lattice, chart):
+                missing = what_is_missing(lattice, chart, self._is_valid)
+                if missing is not None:
+                    return Parsed(text, question=missing)
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
         if _asks_about_doing(lattice, self._verbs):
             return Parsed(text, question=Question("is that asked about, or shall it be done?"))

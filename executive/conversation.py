@@ -53,8 +53,12 @@ class Conversation:
 
 
 def _asks(parsed: Parsed) -> bool:
-    """Whether it is not clear what is meant; where choices are told, what was said before is none of them."""
-    return parsed.question is not None and not parsed.question.choices
+    """Whether it is not clear what is meant; where choices are told, what was said before is none of them.
+
+    Where words are missing, none that were said before are taken for them.
+    """
+    question = parsed.question
+    return question is not None and not question.choices and question.completes is None
 
 
 def _says_one(parsed: Parsed) -> bool:

@@ -25,10 +25,18 @@ Command = Task | StopCommand
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """What must be known before anything moves."""
+    """What must be known before anything moves.
+
+    Attributes:
+        text: What is asked.
+        choices: What may be answered, each a sentence; empty when any sentence may answer.
+        completes: What stands before and behind an answer that is a part of the sentence; None where it is
+            none, so that something that was said before may answer too.
+    """
 
     text: str
     choices: tuple[str, ...] = ()
+    completes: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True, slots=True)

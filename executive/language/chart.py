@@ -48,14 +48,14 @@ class Chart:
         self.unfit = False
         """Whether a command reaches the end of the sentence and its parts do not go together."""
 
-    def meanings(self, rule: str = "start") -> list[Any]:
-        """Every meaning of the whole sentence, troubles among them.
+    def meanings(self, rule: str = "start", start: int = 0) -> list[Any]:
+        """Every meaning of the whole sentence, or of all from a place on, troubles among them.
 
         Raises:
             TooTangledError: The sentence has too many readings.
         """
         found: dict[Any, None] = {}
-        for end, values in self._spans(rule, 0).items():
+        for end, values in self._spans(rule, start).items():
             if self._lattice.ends[end]:
                 found.update(dict.fromkeys(values))
         return list(found)

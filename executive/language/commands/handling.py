@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any
 
@@ -32,6 +32,7 @@ from executive.language.noun_phrases.handled_thing import (
     thing,
     with_it,
 )
+from executive.language.noun_phrases.lists import spoken
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import (
     Bundle,
@@ -274,12 +275,19 @@ def _give(parts: Parts) -> Clause:
             raise unfit()
         person = one.goal.of if one.goal is not None else one.person
         if person is None:
+            if all(each_one.object.is_person for each_one in each):
+                raise trouble(f"what shall be given to {_whom(each)}?", asks=True)
             if not over and not one.back:
                 raise trouble("to whom?", asks=True)
             person = WHOEVER_IS_THERE
         only_for(one, person)
         bundles.append(given(one, person))
     return clause(parts, bundles)
+
+
+def _whom(each: Iterable[Arranged]) -> str:
+    """People, as they are called in a question to who speaks."""
+    return " and ".join("you" if one.object.sort == "me" else spoken(one.object) for one in each)
 
 
 def given(one: Arranged, person: Nominal) -> Bundle:

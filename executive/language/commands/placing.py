@@ -215,6 +215,16 @@ def _put_where(parts: Parts) -> Clause:
     raise trouble(f"on the {of.kind or 'other'}, in it or next to it?", asks=True)
 
 
+def _put_with_others(parts: Parts) -> Clause:
+    """Put it with the others: of which nothing tells what they are."""
+    others = words(parts, "WITH_OTHERS")[0].said.rpartition(" the ")[2]
+    items = next(part for part in parts if isinstance(part, Items))
+    reference = next((one.of.reference for one in items.each if one.of.reference), None)
+    if reference is None:
+        raise trouble(f"what does 'the {others}' stand for?", asks=True)
+    raise trouble(f"what do {reference!r} and 'the {others}' stand for?", asks=True)
+
+
 def _drop(parts: Parts) -> Clause:
     each = arranged(parts)
     for one in each:
@@ -321,6 +331,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put": _put,
     "put_it": _put_it,
     "put_where": _put_where,
+    "put_with_others": _put_with_others,
     "drop_off": _drop_off,
     "put_into": _put_into,
     "move_thing": _move_thing,

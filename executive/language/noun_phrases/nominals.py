@@ -96,6 +96,15 @@ def _part_of(parts: Parts) -> Nominal | Trouble | None:
     return described(named, parts)
 
 
+def _untold(parts: Parts) -> Trouble | None:
+    """The selected object: what was selected is not said."""
+    (word,) = words(parts, "UNTOLD")
+    noun = nominal_of(parts)
+    if noun is None:
+        return None
+    return Trouble(f"which {noun.said or 'object'} is meant by {word.said!r}?", asks=True)
+
+
 def _one(parts: Parts) -> Nominal | Trouble | None:
     if len(parts) == 1 and isinstance(parts[0], Word):
         return None
@@ -224,6 +233,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "door_of": _door_of,
         "part_of": _part_of,
         "one": _one,
+        "untold": _untold,
         "owned": _owned,
         "rank": _rank,
         "simple": _simple,

@@ -252,6 +252,10 @@ class Explainer:
                     return said, self._vocabulary.refusal_of(word.word_class, word.meaning, said) or ""
         return None
 
+    def lacks_skill(self, lattice: Lattice, chart: Chart) -> bool:
+        """Whether a clause begins with what is no skill and can be read as nothing else."""
+        return self._no_skill(lattice, chart) is not None
+
     def _no_skill(self, lattice: Lattice, chart: Chart) -> Word | None:
         """What a clause begins with that is no skill and can be read as nothing else: "clean the cup"."""
         for start in range(min(max(chart.furthest, lattice.first_said) + 1, len(lattice.pieces))):

@@ -298,9 +298,15 @@ def may_be_the_same(one, other):
 
 
 def is_looked_into(*each):
-    """Whether something is opened, and so perhaps looked into where the others count, find or describe."""
-    actions = {task["action"] for tasks in each for task in tasks}
-    return "open" in actions and not actions.isdisjoint({"count", "find", "describe"})
+    """Whether something is opened, and so perhaps looked into where the others count, find or describe.
+
+    "The top shelf" may be inside it too.
+    """
+    tasks = [task for some in each for task in some]
+    actions = {task["action"] for task in tasks}
+    places = [task.get(slot) for task in tasks for slot in ("from", "on", "to")]
+    shelves = any(isinstance(place, dict) and place.get("kind") == "shelf" for place in places)
+    return "open" in actions and (shelves or not actions.isdisjoint({"count", "find", "describe"}))
 
 
 def drawn(rng):
