@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.dynamics import StandingDynamics
 from kinematics.lead_in import lead_in
 from kinematics.resuming import rest_of
 from kinematics.robot_model import RobotModel
@@ -48,7 +49,7 @@ class BodyTrack:
         self._trajectory: Trajectory | None = None
         self._paused_at_s: float | None = None
         self._passed = 0.0
-        self._braked_on: tuple[TrajectorySampler, float] | None = None
+        self._braked_on: tuple[TrajectorySampler, float, int] | None = None
         self._going_back = False
         self.now = self._at_rest(q)
         self._last_v = self.now.v
@@ -125,12 +126,12 @@ class BodyTrack:
         self._begin(lead_in(rest, self.now.q, self._model.acceleration))
         return True
 
-    def brake(self, along_path: bool, and_back: bool = False) -> None:
+    def brake(self, along_path: bool, easing: str | None = None) -> None:
         """Begin to stop: along the path if there is one, else every joint on its own.
 
         Args:
             along_path: Whether to stay on the path.
-            and_back: Whether to go back on it afterwards, where the legs carry less there.
+            easing: A joint for which to go back on it afterwards, to where that carries less.
         """
         self._paused_at_s, self._braked_on = None, None
         if self.resting:
@@ -143,8 +144,8 @@ class BodyTrack:
             return
         profile = None
         sampler, self._sampler, self._playing_out = self._sampler, None, False
-        if and_back and sampler is not None:
-            self._braked_on = sampler, self._elapsed_s
+        if easing is not None and sampler is not None:
+            self._braked_on = sampler, self._elapsed_s, self._model.joint_index(easing)
         if along_path and sampler is not None:
             profile = StopProfile.along_path(
                 self._model, self._stance, sampler, self._elapsed_s, self._period_s
@@ -255,7 +256,11 @@ class BodyTrack:
     def _go_back(self) -> None:
         """After the brake, if that was asked for."""
         braked_on, self._braked_on = self._braked_on, None
-        back = None if braked_on is None else way_back(*braked_on, self.now, self._period_s)
+        if braked_on is None:
+            return
+        sampler, t_s, joint = braked_on
+        dynamics = StandingDynamics(self._model, self._stance)
+        back = way_back(sampler, t_s, self.now, joint, dynamics, self._period_s)
         if back is not None:
             self._start(back)
             self._going_back = True

@@ -346,7 +346,8 @@ class ControlLoop:
         if finding is not None:
             reason = str(finding)
             self._record.stop(1, reason)
-            self._streamer.stop(reason, along_path=True, and_back=finding.weakens(self._legs))
+            easing = finding.part if finding.weakens(self._legs) else None
+            self._streamer.stop(reason, along_path=True, easing=easing)
             self._walker.stop(reason)
 
     def _give_up(self, reason: str) -> None:

@@ -254,7 +254,7 @@ class MotionStreamer:
         reason: str,
         along_path: bool,
         status: MotionStatus = MotionStatus.CANCELED,
-        and_back: bool = False,
+        easing: str | None = None,
     ) -> None:
         """Take everything over: end all motions and bring the body to rest; grips that press go on.
 
@@ -262,7 +262,7 @@ class MotionStreamer:
             reason: Told to those whose motions end.
             along_path: Brake along the path (stop category 1), else every joint at once (2).
             status: How the motions end.
-            and_back: Then go back on the path, where the legs carry less there.
+            easing: A joint for which to go back on the path then, to where that carries less.
         """
         ended = [track.handle for track in self._guarded.running]
         self._pause_wanted = False
@@ -273,7 +273,7 @@ class MotionStreamer:
         if self._body_handle is not None:
             ended.append(self._body_handle)
         self._body_handle = self._waiting = None
-        self._track.brake(along_path, and_back)
+        self._track.brake(along_path, easing)
         if not self._track.resting:
             self._authority.release(self._body_owner)
             self._body_owner = STOP

@@ -13,6 +13,7 @@ from robots.control.health.finding import Ailment, Finding
 
 PERIOD_S = 0.002
 LOW_M = 0.12
+KNEE = "leg_left_4_joint"
 
 
 def deep(talos, down=True):
@@ -57,7 +58,7 @@ def lowest_m(track):
 @pytest.mark.requirement("F7", "S4")
 def test_the_pelvis_rises_again_within_the_limits_and_with_the_feet_in_place(talos, lowering):
     stance, track = lowering
-    track.brake(along_path=True, and_back=True)
+    track.brake(along_path=True, easing=KNEE)
     rows = followed(track)
 
     heights = np.array([row.q[2] for row in rows])
@@ -79,7 +80,7 @@ def test_who_was_not_told_to_go_back_stays(lowering):
 
 def test_nobody_goes_back_to_where_the_legs_carried_more(talos):
     _, track = begun(talos, *deep(talos, down=False))
-    track.brake(along_path=True, and_back=True)
+    track.brake(along_path=True, easing=KNEE)
     before_m = track.now.q[2]
 
     assert lowest_m(track) >= before_m
@@ -89,7 +90,7 @@ def test_nobody_goes_back_to_where_the_legs_carried_more(talos):
 @pytest.mark.parametrize("category_1", [True, False])
 def test_a_stop_on_the_way_back_stops(lowering, category_1):
     _, track = lowering
-    track.brake(along_path=True, and_back=True)
+    track.brake(along_path=True, easing=KNEE)
     followed(track, until=lambda track: track.now.v[2] > 0.01)
     assert not track.resting
 
@@ -102,7 +103,7 @@ def test_a_stop_on_the_way_back_stops(lowering, category_1):
 @pytest.mark.requirement("S2")
 def test_a_stop_while_it_brakes_leaves_no_way_back(lowering):
     _, track = lowering
-    track.brake(along_path=True, and_back=True)
+    track.brake(along_path=True, easing=KNEE)
     followed(track, seconds=0.05)
 
     track.brake(along_path=True)
@@ -113,11 +114,11 @@ def test_a_stop_while_it_brakes_leaves_no_way_back(lowering):
 @pytest.mark.parametrize(
     ("ailment", "part", "weakens"),
     [
-        (Ailment.WEAK, "leg_left_4_joint", True),
-        (Ailment.OFFLINE, "leg_left_4_joint", True),
-        (Ailment.STUCK, "leg_left_4_joint", False),
+        (Ailment.WEAK, KNEE, True),
+        (Ailment.OFFLINE, KNEE, True),
+        (Ailment.STUCK, KNEE, False),
         (Ailment.WEAK, "arm_left_4_joint", False),
     ],
 )
 def test_only_a_weak_leg_is_a_reason(ailment, part, weakens):
-    assert Finding(ailment, part, 1.0, 0.5).weakens({"leg_left_4_joint"}) is weakens
+    assert Finding(ailment, part, 1.0, 0.5).weakens({KNEE}) is weakens
