@@ -15,8 +15,8 @@ from robots.control.stop_profile import StopProfile
 
 _BACK_S = tuple(0.1 * k for k in range(1, 8))
 """So much of the path may be gone back on, in its own time."""
-_RATE = 1.0
-"""Most of the path's own speed: what fell took more than a second to lose its balance."""
+_RATE = 0.6
+"""Most of the path's own speed: faster, and its jerk would leave the limits."""
 _PEAK = 1.875
 """Of a quintic from rest to rest: its greatest speed over the mean."""
 _EASED = 0.95
