@@ -1,8 +1,8 @@
-"""English forms of words: plurals, -ing, past participles."""
+"""English forms of words: plurals, -ing, past participles, and verbs without such an ending."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 _VOWELS = "aeiou"
 _PLURAL_LINES = """
@@ -73,3 +73,15 @@ def participle(phrase: str, irregular: Mapping[str, str]) -> str:
     else:
         form = first + "ed"
     return " ".join([form, *rest])
+
+
+def plain_forms(past: str) -> Iterator[str]:
+    """The verbs of which a form with -ed may be: "placed" of "place", "stopped" of "stop"."""
+    if not past.endswith("ed"):
+        return
+    yield past[:-1]
+    yield past[:-2]
+    if past[-3:-2] == past[-4:-3]:
+        yield past[:-3]
+    if past.endswith("ied"):
+        yield past[:-3] + "y"

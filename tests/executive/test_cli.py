@@ -386,11 +386,11 @@ def test_surrogates_from_a_broken_terminal_are_refused_without_a_traceback(tmp_p
 def test_a_check_is_written_for_continuous_integration_too(executive, tmp_path):
     report = tmp_path / "check.xml"
 
-    refused = executive("check", "pick up the purple elephant", "--junit", str(report), "--plain")
+    refused = executive("check", "pick up the purple unicorn", "--junit", str(report), "--plain")
 
     assert refused.exit_code == 2
     (case,) = ElementTree.parse(report).getroot().iter("testcase")
-    assert "elephant" in case.find("failure").get("message")
+    assert "unicorn" in case.find("failure").get("message")
 
 
 @pytest.mark.requirement("L8")

@@ -20,6 +20,7 @@ from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Item, Meaning, Nominal, draft
 
 _THERE = Nominal("any", reference="there")
+_OPENED_AND_CLOSED = frozenset({"open", "close"})
 STILL = "still"
 """Value of ``done`` where a task that was ordered before counts only if none since undid it."""
 
@@ -97,6 +98,19 @@ def _done_to_it(parts: Parts) -> Clause:
     """Once found: of what the task before is about."""
     once, did = words(parts, "ONCE", "DONE_TO_IT")
     return _done(did.meaning, {"passive": True}, once.said)
+
+
+def _been_done(parts: Parts) -> Clause:
+    """Once the fridge has been opened: by whom is not said, so that it is asked unless it was ordered."""
+    once, been, did = words(parts, "ONCE", "BEEN", "DONE_TO_IT")
+    of = next((part for part in parts if isinstance(part, Nominal)), IT)
+    opens = did.meaning in _OPENED_AND_CLOSED
+    is_state = did.said == "open" or (been.meaning == "is" and did.said != "opened")
+    fits = of.reference == "it" or of.sort in (("container", "door") if opens else ("thing",))
+    if is_state or not fits or not of.is_single or did.meaning == "place":
+        raise unfit()
+    ((one,),) = _done(did.meaning, {"object": of, "by_anyone": did.said}, once.said).bundles
+    return Clause(((one.replacing("done", STILL),),), "base")
 
 
 def _has_it(parts: Parts) -> Clause:
@@ -196,6 +210,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
             "once_at": _once_at,
             "it_is": _it_is,
             "done_to_it": _done_to_it,
+            "been_done": _been_done,
             "has_it": _has_it,
             "carrying": _carrying,
             "walk_with": _walk_with,

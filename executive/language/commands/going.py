@@ -53,12 +53,13 @@ def target(item: Item) -> Nominal:
     """Where an item says to go, point or look: a place or person with what tells it from others."""
     (one,) = arranged((item,), has_source=False)
     nominal = one.object
+    pointed_out = one.goal is not None and one.goal.of.reference == "here" and not nominal.is_person
+    if nominal.reference == "this" or pointed_out:
+        raise trouble("which one is meant?", asks=True)  # "look at the cup here": where the speaker points
     if one.is_handled:
         raise unfit()
     if nominal.sort == "you":
         raise unfit()
-    if nominal.reference == "this":
-        raise trouble("which one is meant?", asks=True)
     if nominal.count != 1 or (nominal.plural and not nominal.reference):
         raise trouble("several at once: name one", nominal.kind)
     if nominal.sort == "any" and nominal.kind is None and not nominal.reference and nominal.is_plain:

@@ -93,6 +93,8 @@ def _pick(parts: Parts) -> Clause:
     each = [one if one in carried else found_there(one) for one in arranged(parts)]
     fetches = any(word.said in _FETCHES for word in words(parts, "PICK"))
     for one in each:
+        if one.object.reference == "this" and one.goal is not None and one.goal.of.reference == "here":
+            raise trouble("which one is meant?", asks=True)  # "pick up this one here"
         if fetches and one.person is not None and one.person.sort == "me":
             raise unfit()  # "grab it for me" is to be brought, as "get it for me" is
         if one.back or (one.goal is not None and (taken or not _goes_onto(one.goal))):
@@ -324,6 +326,16 @@ def _let_have(parts: Parts) -> Clause:
     return clause((), [given(one, person) for one in each])
 
 
+def _wants_robot(parts: Parts) -> Clause:
+    """I need you in the workshop: what for is not said, and going there would be the least of it."""
+    where = next((part for part in parts if isinstance(part, Where)), None)
+    if where is None:
+        raise trouble("shall this robot come to you?", asks=True, rivals=True)
+    if where.role not in ("either", "to") or (where.of.sort == "thing" and where.relation is None):
+        raise unfit()
+    raise trouble(f"shall this robot go to {spoken(where.of)}?", asks=True, rivals=True)
+
+
 def _want(parts: Parts) -> Clause:
     each = arranged(parts)
     for one in each:
@@ -338,9 +350,11 @@ def _wants_for(parts: Parts) -> Clause:
     somebody = next(part for part in parts if isinstance(part, Nominal))
     if not _is_somebody(somebody):
         raise unfit()
+    who = somebody.kind if somebody.sort == "name" else f"the {somebody.kind}"
+    if any(one.object.sort == "you" for one in arranged(parts)):
+        raise trouble(f"shall this robot go to {who}?", asks=True)
     with contextlib.suppress(TroubleError):
         _want(parts)
-    who = somebody.kind if somebody.sort == "name" else f"the {somebody.kind}"
     raise trouble(f"shall it be brought to {who}?", asks=True)
 
 
@@ -364,6 +378,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "can_i_have": _can_i_have,
     "let_have": _let_have,
     "want": _want,
+    "wants_robot": _wants_robot,
     "wants_for": _wants_for,
 }
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
+from executive.language.commands.going import MEANINGS as GOING
 from executive.language.commands.placing import MEANINGS as PLACING
 from executive.language.noun_phrases.arranging import guarded, unfit
 from executive.language.noun_phrases.lists import MEANINGS as LISTS
@@ -13,16 +14,16 @@ from executive.language.noun_phrases.lists import Joined
 from executive.language.noun_phrases.pairs import MEANINGS as PAIRS
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Item, Items, Meaning, Nominal, Pair, Where
+from executive.language.words.lattice import Word
 
 _LATER = Joined(commas=False, then=True)
 
 
-def _later_item(parts: Parts) -> Item:
+def _later(parts: Parts) -> Any:
     """What comes next; no full stop parts it from what is before it."""
     if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
         raise unfit()
-    item: Item = parts[-1]
-    return item
+    return parts[-1]
 
 
 def _items_of(parts: Parts) -> list[Item]:
@@ -33,6 +34,12 @@ def _first_items(parts: Parts) -> Any:
     """First the cup and then the plate: a list in which all are named in their order."""
     first, *others = _items_of(parts)
     return LISTS["items"]((first, *(one for other in others for one in (_LATER, other))))
+
+
+def _walk_first(parts: Parts) -> Any:
+    """Walk to the table first and after that to the shelf."""
+    first, *others = (part for part in parts if not isinstance(part, Word))
+    return GOING["walk"]((parts[0], first, *(one for other in others for one in (_LATER, other))))
 
 
 def _for_one(name: str) -> Callable[[Parts], Any]:
@@ -70,8 +77,10 @@ def _put_then(parts: Parts) -> Any:
 
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "later_item": _later_item,
+    "later_item": _later,
+    "later_toward": _later,
     "first_items": _first_items,
+    "walk_first": _walk_first,
     "bring_first": _for_one("bring_pairs"),
     "give_first": _for_one("give_pairs"),
     "put_then": _put_then,

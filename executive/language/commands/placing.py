@@ -52,6 +52,9 @@ _CARRIES = frozenset({"plate", "tray", "platter", "pallet", "saucer"})
 HOLDERS = _HOLDS | _CARRIES
 """Things that others are put into or onto."""
 
+_ADHESIVE = frozenset({"sticker", "label", "stamp", "poster", "tape", "magnet", "sticky note", "post-it"})
+"""Things that "to stick" makes hold where they are put."""
+
 _SHELVES = frozenset({"shelf", "bookshelf"})
 """Furniture that things are put into as well as onto."""
 
@@ -151,6 +154,21 @@ def _put_into(parts: Parts) -> Clause:
         parts,
         [(put_draft(thing(one, "throwing"), one.goal, one.source, one.hand),) for one in each if one.goal],
     )
+
+
+def _stick(parts: Parts) -> Clause:
+    """Put onto furniture or next to something, as people say who are in a hurry; into is ``put_into``."""
+    verb = words(parts, "STICK")[0].said
+    for one in arranged(parts, goes=True):
+        goal = one.goal
+        known = goal is not None and (goal.relation is not None or goal.of.reference == "there")
+        if one.back or known:
+            continue
+        if goal is None or goal.preposition != "on":
+            raise unfit()
+        if one.object.kind in _ADHESIVE or goal.of.sort != "furniture":
+            raise trouble(f"making things hold somewhere ({verb!r}) is no skill of this robot yet", verb)
+    return _put(parts)
 
 
 def _discard(parts: Parts) -> Clause:
@@ -334,6 +352,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put_with_others": _put_with_others,
     "drop_off": _drop_off,
     "put_into": _put_into,
+    "stick": _stick,
     "move_thing": _move_thing,
     "drop": _drop,
     "discard": _discard,

@@ -85,6 +85,12 @@ def _one_of(parts: Parts) -> Nominal | Trouble | None:
     return replace(nominal, plural=False, determined=True)
 
 
+def _of_them(parts: Parts) -> Trouble:
+    """One of them, two of these: which of them is not said, whatever they are."""
+    them = words(parts, "THEM")[-1].said
+    return Trouble(f"what does {them!r} stand for, and which of them is meant?", asks=True)
+
+
 def _out_of(parts: Parts) -> Nominal | Trouble | None:
     """The bigger of the two cups."""
     amounts = [part for part in parts if isinstance(part, float)]
@@ -135,6 +141,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "both": _both,
         "all": _all,
         "one_of": _one_of,
+        "of_them": _of_them,
         "out_of": _out_of,
         "some": _some,
         "everything": _everything,

@@ -15,6 +15,8 @@ from executive.language.words.lattice import Word
 _TELLS = ("color", "size", "material", "ordinal")
 _QUANTITIES = frozenset({"both", "all"})
 """What "them" may be of several things that were just named: "both of them", "all of them"."""
+_OF_WHAT_IS_HANDLED = frozenset({"small", "big", "smaller", "bigger", "smallest", "biggest"})
+"""Sizes by which things are told apart rather than the furniture that they are on."""
 
 
 def told_once_more(first: Item, second: Item) -> Item | None:
@@ -22,15 +24,27 @@ def told_once_more(first: Item, second: Item) -> Item | None:
 
     "The one" is told by what the first says and by more; what contradicts it ("the red cup, the blue
     one") may be another thing, and so may be what is said behind a place ("the cup from the shelf, the
-    blue one"). Of a rank it is not said among which things it is counted: "the biggest cup, the red one".
+    blue one"), but for its mere size ("the cup from the shelf, the small one"). Of a rank it is not said
+    among which things it is counted: "the biggest cup, the red one".
     """
-    if any(not isinstance(one, Hand) for one in first.details) or not _may_be_told(first.of):
+    places = [one for one in first.details if not isinstance(one, Hand)]
+    if not all(map(_is_where_it_is_taken, places)) or not _may_be_told(first.of):
         return None
     quantity = _quantity(first.of, second.of)
     told = _narrowed(first.of, second.of) if quantity is None else quantity
-    if told is None or second.too:
+    if told is None or second.too or (places and (second.details or not _tells_mere_size(first.of, told))):
         return None
     return Item(told, (*first.details, *second.details), first.too)
+
+
+def _is_where_it_is_taken(detail: Any) -> bool:
+    """Whether it is "from" furniture that no more is said of."""
+    plain = isinstance(detail, Where) and detail.of.is_place and detail.of.is_plain
+    return plain and detail.role == "from" and detail.relation is None and detail.of.sort != "room"
+
+
+def _tells_mere_size(of: Nominal, told: Nominal) -> bool:
+    return told.size in _OF_WHAT_IS_HANDLED and told == replace(of, size=told.size)
 
 
 def _may_be_told(of: Nominal) -> bool:

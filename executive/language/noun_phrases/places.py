@@ -167,8 +167,10 @@ def _back(_parts: Parts) -> str:
     return "back"
 
 
-def _somewhere(_parts: Parts) -> Trouble:
-    return Trouble("where shall it go?", asks=True)
+def _somewhere(parts: Parts) -> Trouble:
+    (said,) = words(parts, "SOMEWHERE")
+    told = f"which place is {said.said!r}?" if said.meaning == "there" else "where shall it go?"
+    return Trouble(told, asks=True)
 
 
 def _inside(_parts: Parts) -> Where:

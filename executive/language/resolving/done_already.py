@@ -15,7 +15,19 @@ from executive.language.resolving.genders import may_be
 from trees import tasks
 from trees.tasks import ObjectOf
 
-_SAID = ("done", "condition", "late", "fetched", "out", "holds", "passive", "lifts", "reaches", "stated")
+_SAID = (
+    "done",
+    "condition",
+    "late",
+    "fetched",
+    "out",
+    "holds",
+    "passive",
+    "lifts",
+    "reaches",
+    "stated",
+    "by_anyone",
+)
 """Slots that say how a task was ordered, not what it is."""
 
 _GOES = frozenset({"walk_to", "move", "go_home"})
@@ -203,6 +215,10 @@ class DoneAlready(Doubts):
             raise ask("shall it be carried along, or does it tell where to go?")
         if word == "there":
             raise ask("which place does 'there' stand for?")
+        if one.get("by_anyone"):
+            thing = one.get("object")
+            it = f"the {thing.kind}" if isinstance(thing, Nominal) and thing.kind else "it"
+            raise ask(f"shall {it} be {one.get('by_anyone')} first, or does somebody else do that?")
         if word is not None and not on_the_way:
             told = f"a condition ({word!r}) cannot be honoured; say what to do"
             raise UnresolvedError(Trouble(told, word))

@@ -47,7 +47,18 @@ _TAKES_SEVERAL = frozenset(
 
 _ASIDE = frozenset(
     {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in", "together"}
-    | {"done", "condition", "late", "lifts", "reaches", "reports", "one_of", "stated", "sets_speed"}
+    | {
+        "done",
+        "condition",
+        "late",
+        "lifts",
+        "reaches",
+        "reports",
+        "one_of",
+        "stated",
+        "sets_speed",
+        "by_anyone",
+    }
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 

@@ -37,7 +37,7 @@ _JOINS = frozenset({"SEP", "AND", "BEFORE", "AFTER", "AFTER_DOING"})
 _WEAK = frozenset({",", ":", "-"})
 """Marks after which what is said may still belong to what stands before them."""
 
-_PASSED = frozenset({"FILLER", "OPENING", "ADDRESSED"})
+_PASSED = frozenset({"FILLER", "OPENING", "WISH", "ADDRESSED"})
 _PLACING = frozenset({"where", "from", "with", "person", "number"})
 _UNITS = frozenset({"TIME", "LENGTH", "ANGLE", "LINEAR_SPEED", "ANGULAR_SPEED", "FOR", "BY"})
 _SMALL = frozenset({"DET", "HAND", "SIDE", "ONE", "ON", "AT", "TO", "WITH", "USE", "IN"})

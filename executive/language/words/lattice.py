@@ -16,6 +16,7 @@ from executive.language.words.hesitations import SET_OFF, is_set_off, says_nothi
 from executive.language.words.titles import titled_names
 from executive.language.words.tokens import Piece
 from executive.language.words.unlisted_names import IsMistyped, unlisted_names
+from executive.language.words.wished import WISH, in_base_form
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
@@ -29,7 +30,13 @@ TIME = "time"
 
 _MANNERS = frozenset({(FILLER, MANNER), ("OPENING", MANNER), ("BRIEFLY", "hurry")})
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
+_BEFORE_ALL = "before_all"
+"""Meaning of those words of order that name what is done later: "before doing anything else"."""
+
+_NARROWS = frozenset({"IN", "ON", "AT", "TO", "WITH", "FROM", "FOR", "NEXT_TO", "RELATION", "INTO"})
+"""Word classes with which that is said of some of it only: "before doing anything in the kitchen"."""
+
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", WISH, "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
     {
@@ -96,14 +103,18 @@ class Lattice:
         self.plain = plain
         self.pieces = pieces = without_beginnings(list(uncontracted(pieces, vocabulary)), vocabulary)
         size = len(pieces)
-        texts = [piece.text if not piece.quoted else "" for piece in pieces]
+        texts = _texts_of(pieces)
+        self._begins, self._ended = self._classes_at(texts, vocabulary)
+        if any(WISH in classes for classes in self._begins):
+            self.pieces = pieces = in_base_form(pieces, self._begins, self._ended, vocabulary)
+            texts = _texts_of(pieces)
+            self._begins, self._ended = self._classes_at(texts, vocabulary)
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._own: list[list[Word]] = [[] for _ in range(size + 1)]
         self._covered = [False] * size
         self.ends = [False] * size + [True]
         self._text_ends = [False] * size + [True]
         self._nothing_said = self._before_any_content(texts, vocabulary)
-        self._begins, self._ended = self._classes_at(texts, vocabulary)
         self._formed: dict[int, list[Word]] = {}
         for found in list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)):
             self._add_name(*found, texts)
@@ -164,7 +175,8 @@ class Lattice:
                 word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
             )
         if word.word_class in _AT_FIRST:
-            return self._nothing_said[word.start]
+            narrowed = word.meaning == _BEFORE_ALL and self.begins_with(word.end, _NARROWS)
+            return self._nothing_said[word.start] and not narrowed
         if word.word_class != "HESITATION":
             return False
         if word.meaning == SET_OFF and not is_set_off(word.start, word.end, self.pieces, self._ended):
@@ -250,7 +262,8 @@ class Lattice:
         fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
         compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
         idiom = max((word.end for word in found if self._is_idiom(word, texts, vocabulary)), default=0)
-        listed = self._follows_a_noun(start) and any(word.word_class in _REFUSED_VERBS for word in found)
+        begins = self._nothing_said[start] or self._follows_a_noun(start)
+        listed = begins and any(word.word_class in _REFUSED_VERBS for word in found)
         paired = start > 0 and any(
             start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
             for length, reading in vocabulary.matches(texts, start - 1)
@@ -399,3 +412,8 @@ class Lattice:
         while end > start + 1 and self.pieces[end - 1].is_mark:
             end -= 1
         return self.plain[self.pieces[start].start : self.pieces[end - 1].end] if end > start else ""
+
+
+def _texts_of(pieces: Sequence[Piece]) -> list[str]:
+    """What is looked up: nothing of a quotation."""
+    return [piece.text if not piece.quoted else "" for piece in pieces]

@@ -1,0 +1,82 @@
+"""What is wished for in the past tense: "I'd be grateful if you opened the fridge" orders to open it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from executive.language.words.tokens import Piece
+from executive.vocabulary import Vocabulary
+from executive.vocabulary.inflection import plain_forms
+
+WISH = "WISH"
+"""Word class of the courtesies behind which a verb may be past and mean what is to be done."""
+
+_PAST_TENSE = "PAST_TENSE"
+_GOES_ON = frozenset({"SEP", "AND"})
+_PASSED = frozenset({"FILLER", "AT_FIRST"})
+_REFUSED = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
+"""Word classes of verbs that are refused, which elsewhere may tell how a thing is: "baked beans"."""
+
+_DONE = ":ed"
+"""How the meanings of past participles end, which of most verbs are the past tense too."""
+
+Classes = Sequence[AbstractSet[str]]
+
+
+def in_base_form(
+    pieces: Sequence[Piece], begins: Classes, ends: Classes, vocabulary: Vocabulary
+) -> list[Piece]:
+    """The pieces with "hand" for "handed" behind a wish, and behind what joins more to it.
+
+    Args:
+        pieces: Of the sentence.
+        begins: Word classes that begin at each place.
+        ends: Word classes that end at each place.
+        vocabulary: What is known.
+    """
+    changed = list(pieces)
+    for start in _verbs(pieces, begins, ends):
+        others = _REFUSED if WISH in ends[start] else frozenset[str]()
+        plain = _base_of(pieces[start].text, vocabulary, others)
+        if plain is not None:
+            changed[start] = replace(pieces[start], text=plain)
+    return changed
+
+
+def _verbs(pieces: Sequence[Piece], begins: Classes, ends: Classes) -> Iterator[int]:
+    """Where a verb may stand that a wish goes on to: behind it, behind commas and "and", in one sentence."""
+    wished = awaits = False
+    for start, piece in enumerate(pieces):
+        if WISH in ends[start]:
+            wished = awaits = True
+        if piece.is_mark:
+            wished = wished and piece.text == ","
+            awaits = wished
+            continue
+        if not _GOES_ON.isdisjoint(begins[start]):
+            awaits = wished
+            continue
+        if wished and awaits and not piece.quoted:
+            yield start
+            awaits = not _PASSED.isdisjoint(begins[start])
+
+
+def _base_of(word: str, vocabulary: Vocabulary, others: AbstractSet[str]) -> str | None:
+    """The plain form of a verb in the past tense; None where the word is none that commands anything.
+
+    Args:
+        word: The verb.
+        vocabulary: What is known.
+        others: Word classes of which it may be besides those that command something.
+    """
+    read = [reading for length, reading in vocabulary.matches([word], 0) if length == 1]
+    listed = next((one.meaning for one in read if one.word_class == _PAST_TENSE), None)
+    if listed is not None:
+        return listed
+    done = others | {one.word_class for one in read if one.meaning.endswith(_DONE)}
+    for plain in plain_forms(word):
+        if any(one.word_class in done for _, one in vocabulary.matches([plain], 0)):
+            return plain
+    return None
