@@ -14,6 +14,7 @@ from executive.config import cache_directory, config_files
 from executive.language.asking.alternatives import alternatives
 from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
+from executive.language.commands.speech import UNQUOTED
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
 from executive.language.outcomes import Outcome, explains_best, outcomes_of
@@ -198,6 +199,8 @@ class CommandParser:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
+        if lattice.words_are_open:
+            return Parsed(text, question=Question(UNQUOTED))
         chart = self._chart(lattice)
         try:
             outcomes = outcomes_of(chart.meanings(), self._people_in, self._is_valid, remembers)

@@ -91,6 +91,7 @@ class Lattice:
         plain: The normalised text.
         pieces: Its pieces.
         ends: Places after which nothing but courtesies and marks follow.
+        words_are_open: Whether a verb may be one of the words to say, or said of what is done after them.
     """
 
     def __init__(
@@ -105,8 +106,10 @@ class Lattice:
         size = len(pieces)
         texts = _texts_of(pieces)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
+        self.words_are_open = False
         if any(WISH in classes for classes in self._begins):
-            self.pieces = pieces = in_base_form(pieces, self._begins, self._ended, vocabulary)
+            pieces, self.words_are_open = in_base_form(pieces, self._begins, self._ended, vocabulary)
+            self.pieces = pieces
             texts = _texts_of(pieces)
             self._begins, self._ended = self._classes_at(texts, vocabulary)
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]

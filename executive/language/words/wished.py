@@ -15,6 +15,7 @@ WISH = "WISH"
 
 _PAST_TENSE = "PAST_TENSE"
 _GOES_ON = frozenset({"SEP", "AND"})
+_SPEAKS = frozenset({"SAY", "TELL"})
 _PASSED = frozenset({"FILLER", "AT_FIRST"})
 _REFUSED = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
 """Word classes of verbs that are refused, which elsewhere may tell how a thing is: "baked beans"."""
@@ -27,8 +28,11 @@ Classes = Sequence[AbstractSet[str]]
 
 def in_base_form(
     pieces: Sequence[Piece], begins: Classes, ends: Classes, vocabulary: Vocabulary
-) -> list[Piece]:
+) -> tuple[list[Piece], bool]:
     """The pieces with "hand" for "handed" behind a wish, and behind what joins more to it.
+
+    What follows words to say stays as it is, for it may be one of them: "if you told Ben that Ana has come
+    and opened the door". Whether there is such a verb is told too.
 
     Args:
         pieces: Of the sentence.
@@ -37,12 +41,18 @@ def in_base_form(
         vocabulary: What is known.
     """
     changed = list(pieces)
+    speaks = open_words = False
     for start in _verbs(pieces, begins, ends):
         others = _REFUSED if WISH in ends[start] else frozenset[str]()
         plain = _base_of(pieces[start].text, vocabulary, others)
-        if plain is not None:
+        if plain is None:
+            continue
+        if speaks:
+            open_words = True
+        else:
             changed[start] = replace(pieces[start], text=plain)
-    return changed
+            speaks = _says_words(start, pieces, begins)
+    return changed, open_words
 
 
 def _verbs(pieces: Sequence[Piece], begins: Classes, ends: Classes) -> Iterator[int]:
@@ -61,6 +71,12 @@ def _verbs(pieces: Sequence[Piece], begins: Classes, ends: Classes) -> Iterator[
         if wished and awaits and not piece.quoted:
             yield start
             awaits = not _PASSED.isdisjoint(begins[start])
+
+
+def _says_words(start: int, pieces: Sequence[Piece], begins: Classes) -> bool:
+    """Whether a verb asks to say something that no quotation marks enclose."""
+    speaks = not _SPEAKS.isdisjoint(begins[start]) and "ME" not in begins[start + 1]
+    return speaks and not any(piece.quoted for piece in pieces[start:])
 
 
 def _base_of(word: str, vocabulary: Vocabulary, others: AbstractSet[str]) -> str | None:
