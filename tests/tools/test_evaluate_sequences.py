@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tools.evaluate.skills.sequences import LENGTH, sequence_trial
+from tools.evaluate.skills.sequences import LENGTH, one_by_one, sequence_trial
 
 TRIALS = [sequence_trial(np.random.default_rng(seed)) for seed in range(40)]
 GONE_AFTER = ("put_in", "hand_over")
@@ -35,3 +35,12 @@ def test_all_skills_come_up_and_none_twice():
     for trial in TRIALS:
         assert len({task.action for task in trial.tasks}) == LENGTH
     assert len({task.action for trial in TRIALS for task in trial.tasks}) == 8
+
+
+def test_what_was_given_away_may_move_with_the_hand_that_has_it():
+    for trial in TRIALS:
+        actions = [task.action for task in trial.tasks]
+        given_at = actions.index("hand_over") if "hand_over" in actions else LENGTH
+        for place, one in enumerate(one_by_one(trial)):
+            assert bool(one.given) is (place > given_at)
+            assert one.aim not in one.given

@@ -37,7 +37,7 @@ class PlaceJudge:
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._truth, self._trial = assembly.world.truth, trial
         self._gripped = assembly.model.description.grippers
-        self._others = Bystanders(self._truth, [trial.aim])
+        self._others = Bystanders(self._truth, [trial.aim, *trial.given])
         self._plan: Mapping[str, Figure] = {}
 
     def on_event(self, event: object) -> None:

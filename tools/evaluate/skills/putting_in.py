@@ -32,7 +32,7 @@ class PutInJudge:
         self._truth, self._trial = assembly.world.truth, trial
         self._container = next(item for item in trial.scene.objects if item.wall_m is not None)
         self._stood = self._truth.world_T_object(self._container.name)
-        self._others = Bystanders(self._truth, [trial.aim, self._container.name])
+        self._others = Bystanders(self._truth, [trial.aim, self._container.name, *trial.given])
 
     def on_event(self, event: object) -> None:
         """Nothing to learn from events."""

@@ -82,8 +82,7 @@ class SequenceJudge:
 
     def __init__(self, assembly: Assembly, trial: Trial, rng: np.random.Generator) -> None:
         self._assembly, self._rng = assembly, rng
-        aims = trial.aim.split(", ")
-        self._trials = [Trial(trial.scene, (task,), aim) for task, aim in zip(trial.tasks, aims, strict=True)]
+        self._trials = one_by_one(trial)
         self._judges: list[SkillJudge | None] = [
             self._make(one) if one.tasks[0].action in ("wave", "point_at", "look_at") else None
             for one in self._trials
@@ -135,6 +134,17 @@ class SequenceJudge:
 
     def _made(self) -> list[SkillJudge]:
         return [judge for judge in self._judges if judge is not None]
+
+
+def one_by_one(trial: Trial) -> list[Trial]:
+    """A trial for each of a sequence's tasks: what a person was given before moves with her hand."""
+    trials: list[Trial] = []
+    given: tuple[str, ...] = ()
+    for task, aim in zip(trial.tasks, trial.aim.split(", "), strict=True):
+        trials.append(Trial(trial.scene, (task,), aim, given=given))
+        if isinstance(task, HandOverTask):
+            given = (*given, aim)
+    return trials
 
 
 def sequence_trial(rng: np.random.Generator) -> Trial:

@@ -58,6 +58,7 @@ class Trial:
         aim: Name of the object, person or furniture that the last task is about.
         sentence: What is said instead; ``tasks`` then only tell the judge what is meant by it.
         first: Asked before the sentence.
+        given: Names of what people were given before; it moves with their hands.
     """
 
     scene: SceneDescription
@@ -65,6 +66,7 @@ class Trial:
     aim: str = ""
     sentence: str = ""
     first: tuple[Task, ...] = ()
+    given: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
