@@ -114,7 +114,7 @@ class CommandParser:
         self.vocabulary = vocabulary
         self._rules = rules
         self._verbs = rules["command"].first - rules["transport"].first
-        self._explainer = Explainer(vocabulary, self._is_valid)
+        self._explainer = Explainer(vocabulary, self._is_valid, self._is_asked)
         self._reader = Reader(self._only_commands, self._meanings_as, self._sort_of, rules["command"].first)
 
     def parse(self, text: str, remembers: bool = False) -> Parsed:
@@ -260,6 +260,18 @@ class CommandParser:
         except (MalformedTextError, TooTangledError):
             return False
         return sum(not isinstance(one, Trouble) for one in outcomes) == 1
+
+    def _is_asked(self, text: str) -> bool:
+        """Whether a sentence is understood but for something that is asked; it explains nothing."""
+        if self._only_asked(text) is not None:
+            return True
+        try:
+            lattice = self._lattice(text)
+            chart = self._chart(lattice)
+            chart.meanings()
+            return what_is_missing(lattice, chart, self._is_valid) is not None
+        except (MalformedTextError, TooTangledError):
+            return False
 
     def _only_commands(self, text: str) -> tuple[Command, ...] | None:
         """The commands of a sentence that means one thing; it explains nothing."""

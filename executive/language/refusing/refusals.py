@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from executive.language.chart import Chart
 from executive.language.refusing.examples import EXAMPLES, is_verb, nearest_example
+from executive.language.refusing.mistyped import Mender
 from executive.language.refusing.reasons import reason_at
 from executive.language.refusing.typos import Typos, is_slip
 from executive.language.words.lattice import Lattice, Word
@@ -55,6 +56,10 @@ _LEADS_TO_DOING = frozenset({"to", "should", "will", "must", "can", "may", "shal
 _SHORT = 4
 """Letters of a name in which another letter makes another name."""
 
+_TINY = 2
+_SMALL_WORDS = frozenset({"DET", "AND", "TO", "IN", "ON", "AT", "OF", "IT", "ME", "FOR", "FROM"})
+"""Letters of a word, and word classes of what it may be meant to be then: "th" is "the"."""
+
 _DECIDING = frozenset({"HARM", "THROW", "HELPS_BODY", "ASKS_WHO", "PART_OF"})
 """Word classes that explain a refusal better than the place that broke the parse, when nothing else does."""
 
@@ -78,9 +83,12 @@ def printable(word: str) -> str:
 class Explainer:
     """Finds the words that caused a refusal."""
 
-    def __init__(self, vocabulary: Vocabulary, is_valid: Callable[[str], bool]) -> None:
+    def __init__(
+        self, vocabulary: Vocabulary, is_valid: Callable[[str], bool], is_asked: Callable[[str], bool]
+    ) -> None:
         self._vocabulary, self._is_valid = vocabulary, is_valid
         self._typos = Typos(vocabulary)
+        self._mender = Mender(self._typos, self._may_be_meant, is_valid, is_asked)
 
     def explain(self, lattice: Lattice, chart: Chart) -> Refusal:
         """Why there is no parse."""
@@ -148,11 +156,13 @@ class Explainer:
 
     def _unknown(self, lattice: Lattice, position: int) -> tuple[Refusal, bool]:
         """Refuse an unknown word; tell also whether a known one in its place makes a valid sentence."""
-        piece = lattice.pieces[position]
-        shown = printable(piece.text)
+        shown = printable(lattice.pieces[position].text)
         message = f"the word {shown!r} is not known"
-        for candidate, corrected in self._corrections(lattice.plain, piece):
-            return Refusal(f"{message}; did you mean {candidate!r}?", shown, corrected), True
+        mended = self._mender.mended(lattice.plain, lattice.pieces, lattice.unknown_pieces())
+        if mended is not None:
+            nearest = mended.sentence if mended.is_valid else self.nearest_example(mended.sentence)
+            if nearest is not None:
+                return Refusal(f"{message}; did you mean {mended.word!r}?", shown, nearest), mended.is_valid
         return Refusal(message, shown, self.nearest_example(lattice.plain)), False
 
     def is_mistyped(self, plain: str, piece: Piece) -> bool:
@@ -167,18 +177,25 @@ class Explainer:
     def _corrections(self, plain: str, piece: Piece) -> Iterator[tuple[str, str]]:
         """Known words that make a valid sentence in the place of an unknown one, with that sentence."""
         for candidate in self._typos.corrections(piece.text):
-            is_name = len(candidate) <= _SHORT and self._is_somebody(candidate)
-            if is_name and not is_slip(piece.text, candidate):
-                continue  # "omi" is not "oma"
             corrected = plain[: piece.start] + candidate + plain[piece.end :]
-            if self._is_valid(corrected):
+            if self._may_be_meant(piece.text, candidate) and self._is_valid(corrected):
                 yield candidate, corrected
 
+    def _may_be_meant(self, text: str, candidate: str) -> bool:
+        """Whether a known word may be meant by an unknown one: "omi" is not "oma"."""
+        if len(text) <= _TINY:
+            return not _SMALL_WORDS.isdisjoint(self._classes(candidate))
+        is_name = len(candidate) <= _SHORT and self._is_somebody(candidate)
+        return not is_name or is_slip(text, candidate)
+
     def _is_only_a_name(self, word: str) -> bool:
-        return all(one.word_class in ("NAME", "OWNER") for _, one in self._vocabulary.matches([word], 0))
+        return self._classes(word) <= {"NAME", "OWNER"}
 
     def _is_somebody(self, word: str) -> bool:
-        return any(reading.word_class in _SOMEBODY for _, reading in self._vocabulary.matches([word], 0))
+        return not _SOMEBODY.isdisjoint(self._classes(word))
+
+    def _classes(self, word: str) -> set[str]:
+        return {reading.word_class for _, reading in self._vocabulary.matches([word], 0)}
 
     def _refused(
         self, lattice: Lattice, chart: Chart, only: frozenset[str] | None = None

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Mapping
+import string
+from collections.abc import Iterable, Sequence
 
 from executive.vocabulary import Vocabulary
 
@@ -14,41 +15,132 @@ _TRIED = 8
 _SHORT = 4
 """Letters of a word in which one wrong letter already makes another word: "bath", "bat"."""
 
+_TINY = 2
+_LONG = 6
+"""Letters from which a word may differ by two: "refridgerater"."""
+
+_ALIKE = 0.8
+"""More than that it has in common then: "thickest" is not "thinnest"."""
+
+_LETTERS = f"{string.ascii_lowercase}_"
+"""What a known word may be made of; "move_forward" is one."""
+
 
 class Typos:
     """Finds known words that differ by a letter or two."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self._vocabulary = vocabulary
-        self._left: dict[int, dict[str, list[str]]] = {}
+        self._beginning: dict[str, list[str]] = {}
 
-    def corrections(self, word: str) -> Iterator[str]:
-        """Known words that differ by a letter or two, nearest first; short ones by one, and begin alike."""
-        if not 2 < len(word) <= _LONGEST or not word.isalpha():
-            return
-        near = [self._deletions(length) for length in range(len(word) - 1, len(word) + 2)]
-        found = {one for key in _without_one(word) for left in near for one in left.get(key, ())}
-        letters = sorted(word)
-        ranked = sorted(
-            (one for one in found if _is_likely(word, one)),
-            key=lambda one: (
-                -difflib.SequenceMatcher(None, word, one).ratio(),
-                sorted(one) != letters,  # two letters that changed places
-                one,
-            ),
+    def corrections(self, word: str) -> list[str]:
+        """Known words that differ by a letter, or in its place, nearest first; short ones begin alike.
+
+        What is known as a part of a phrase has two letters in the wrong order at most ("form"), or lacks one
+        where it is short: "blu".
+        """
+        known = self._vocabulary.single_words
+        if not _TINY < len(word) <= _LONGEST or not word.isalpha():
+            return []
+        if word in known:
+            lacking = _one_more(word) if len(word) < _SHORT else set()
+            return _ranked(word, (one for one in _swapped(word) | lacking if one in known))
+        return _ranked(word, (one for one in _one_edit_away(word) if one in known and _is_likely(word, one)))
+
+    def near(self, word: str) -> list[str]:
+        """The same, or, for a long word without any, known words that differ by two letters."""
+        found = self.corrections(word) if len(word) > _TINY else self._small(word)
+        unknown = word.isalpha() and word not in self._vocabulary.single_words
+        if found or not _LONG <= len(word) <= _LONGEST or not unknown:
+            return found
+        letters = set(word)
+        alike = (
+            one
+            for one in self._beginning_like(word)
+            if abs(len(one) - len(word)) <= 1 and len(letters ^ set(one)) <= 2 * 2
         )
-        yield from ranked[:_TRIED]
+        return _ranked(
+            word, (one for one in alike if _is_within_two(word, one) and _ratio(word, one) > _ALIKE)
+        )
 
-    def _deletions(self, length: int) -> Mapping[str, list[str]]:
-        """Known words of a length by what is left of them without one letter."""
-        left = self._left.get(length)
-        if left is None:
-            left = self._left[length] = {}
-            for word in self._vocabulary.single_words:
-                if len(word) == length:
-                    for key in _without_one(word):
-                        left.setdefault(key, []).append(word)
-        return left
+    def _small(self, word: str) -> list[str]:
+        """Known words of which one letter is missing in a word of two, or that has them the wrong way."""
+        if len(word) != _TINY or not word.isalpha():
+            return []
+        known = self._vocabulary.single_words
+        return _ranked(word, (one for one in {word[::-1]} | _one_more(word) if one in known))
+
+    def _beginning_like(self, word: str) -> Sequence[str]:
+        """Known words with the same first letter."""
+        if not self._beginning:
+            for one in self._vocabulary.single_words:
+                if len(one) >= _LONG - 1:
+                    self._beginning.setdefault(one[0], []).append(one)
+        return self._beginning.get(word[0], ())
+
+
+def _ratio(word: str, known: str) -> float:
+    """How much two words have in common, up to 1."""
+    return difflib.SequenceMatcher(None, word, known).ratio()
+
+
+def _ranked(word: str, found: Iterable[str]) -> list[str]:
+    """Known words, nearest first: letters that changed places, or one that is missing of two, come first."""
+    letters = sorted(word)
+    return sorted(
+        found,
+        key=lambda one: (
+            sorted(one) != letters,
+            not _is_doubled(one, word),
+            -_ratio(word, one),
+            one,
+        ),
+    )[:_TRIED]
+
+
+def _one_more(word: str) -> set[str]:
+    """What a word is with one more letter behind its first."""
+    places = range(1, len(word) + 1)
+    return {f"{word[:place]}{letter}{word[place:]}" for place in places for letter in _LETTERS}
+
+
+def _swapped(word: str) -> set[str]:
+    """What a word is with two neighbours in each other's place."""
+    pairs = (
+        (word[:index], word[index], word[index + 1], word[index + 2 :]) for index in range(len(word) - 1)
+    )
+    return {f"{left}{after}{before}{right}" for left, before, after, right in pairs} - {word}
+
+
+def _one_edit_away(word: str) -> set[str]:
+    """What a word is with one letter less, more or otherwise, or with one or two in another place."""
+    cuts = [(word[:index], word[index:]) for index in range(len(word) + 1)]
+    less = {left + right[1:] for left, right in cuts if right}
+    more = {f"{left}{letter}{right}" for left, right in cuts for letter in _LETTERS}
+    wrong = {f"{left}{letter}{right[1:]}" for left, right in cuts if right for letter in _LETTERS}
+    moved = {
+        rest[:index] + right[0] + rest[index:]
+        for left, right in cuts
+        if right
+        for rest in [left + right[1:]]
+        for index in range(len(rest) + 1)
+    }
+    return (less | more | wrong | moved) - {word}
+
+
+def _is_within_two(word: str, known: str) -> bool:
+    """Whether two words differ by two letters at most; two neighbours that changed places are one."""
+    rows = [list(range(len(known) + 1))]
+    for index, letter in enumerate(word, 1):
+        last, row = rows[-1], [index]
+        for place, other in enumerate(known, 1):
+            cost = min(last[place] + 1, row[-1] + 1, last[place - 1] + (letter != other))
+            swapped = index > 1 and place > 1 and (letter, other) == (known[place - 2], word[index - 2])
+            row.append(min(cost, rows[-2][place - 2] + 1) if swapped else cost)
+        if min(row) > 2:
+            return False
+        rows.append(row)
+    return rows[-1][-1] <= 2
 
 
 def is_slip(word: str, known: str) -> bool:
@@ -73,18 +165,19 @@ def _is_likely(word: str, known: str) -> bool:
     swapped = sorted(word) == sorted(known)
     if min(len(word), len(known)) > _SHORT or swapped:
         return True
-    doubled = len(word) == len(known) + 1 and any(
-        word[index] == word[index + 1] and word[:index] + word[index + 1 :] == known
-        for index in range(len(word) - 1)
-    )
     missing = len(known) == len(word) + 1 and word[0] == known[0]
     wrong = len(known) == len(word) and word[0] == known[0] and _differing(word, known) == 1
-    return doubled or missing or wrong
+    more = len(word) == len(known) + 1 > _SHORT and (word[0], word[-1]) == (known[0], known[-1])
+    return _is_doubled(word, known) or missing or wrong or more
+
+
+def _is_doubled(longer: str, shorter: str) -> bool:
+    """Whether one letter of a word stands twice in another."""
+    return len(longer) == len(shorter) + 1 and any(
+        longer[index] == longer[index + 1] and longer[:index] + longer[index + 1 :] == shorter
+        for index in range(len(longer) - 1)
+    )
 
 
 def _differing(one: str, other: str) -> int:
     return sum(first != second for first, second in zip(one, other, strict=True))
-
-
-def _without_one(word: str) -> set[str]:
-    return {word, *(word[:index] + word[index + 1 :] for index in range(len(word)))}

@@ -372,6 +372,10 @@ class Lattice:
         """The first piece that belongs to no phrase."""
         return next((index for index, covered in enumerate(self._covered) if not covered), None)
 
+    def unknown_pieces(self) -> list[Piece]:
+        """All pieces that belong to no phrase."""
+        return [piece for piece, covered in zip(self.pieces, self._covered, strict=True) if not covered]
+
     def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
         """What may be words to say: from a place up to each separator, and to the end.
 
