@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics import poses
@@ -20,12 +18,12 @@ from trees.glimpse_of import glimpse_of
 from trees.grounding import Ambiguous, Found, Missing, compares, ground
 from trees.handles import without_moved_parts
 from trees.in_hand import not_in_hand
+from trees.in_plain_sight import in_plain_sight
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View, estimates_of
 from trees.ports import optional, ports
 from trees.questions import which_is_meant
 from trees.scene_update import kind_of, updated_scene, words_for
-from trees.sight import behind_a_hand, in_view
 from trees.steps import Target
 from trees.tasks import ObjectDescription, ObjectOf
 from trees.toolbox import Toolbox
@@ -81,16 +79,18 @@ class Detect(LookLeaf):
         """Update the world model, then choose."""
         world, policy = self.toolbox.world, self.toolbox.policy
         estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
+        glimpse = glimpse_of(self.toolbox, views[-1])
+        camera, others = self.toolbox.model.description.camera, tuple(world.scene.objects.values())
         update = updated_scene(
             without_moved_parts(world.scene, estimates),
             estimates,
             policy,
-            lambda item: self._unseen(views[-1], item.world_T_object[:3, 3]),
+            lambda item: not in_plain_sight(item, glimpse, camera, others, policy.hidden_by_hand_m),
             may_have_moved=self.part == "alone",
         )
         world.update(update.scene)
         world.note_sightings(update.seen)
-        world.note_glimpse(glimpse_of(self.toolbox, views[-1]))
+        world.note_glimpse(glimpse)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         chosen = self._choose(update.seen)
         if isinstance(chosen, Failure):
@@ -99,14 +99,6 @@ class Detect(LookLeaf):
         x, y, z = chosen.odom_T_object[:3, 3]
         self.feedback_message = f"{chosen.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
-
-    def _unseen(self, view: View, point: NDArray[np.float64]) -> bool:
-        model = self.toolbox.model
-        if not in_view(model.description.camera, view.odom_T_camera, point):
-            return True
-        q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
-        eye = view.odom_T_camera[:3, 3]
-        return behind_a_hand(model, q, eye, point, self.toolbox.policy.hidden_by_hand_m)
 
     def _choose(self, seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
         task, world, policy = self.get_input("task"), self.toolbox.world, self.toolbox.policy

@@ -7,6 +7,7 @@ from trees.failures import FailureKind
 from trees.leaves.detect import Detect
 from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
+from trees.sight import in_view
 from trees.tasks import ObjectDescription, PickTask
 
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
@@ -135,3 +136,45 @@ def test_what_a_hand_holds_does_not_become_an_obstacle(stage):
     stage.run(looked, task=RED_CUP)
 
     assert "red cup" not in stage.told.scene.objects
+
+
+def cut_off(stage, name, toward):
+    """Turn the head until a cup's middle is in the picture, and its edge is not."""
+    model, item = stage.toolbox.model, stage.told.scene.objects[name]
+    middle = item.world_T_object[:3, 3]
+    for pan in np.arange(0.0, 1.0, 0.02):
+        stage.run(LookAt("look", stage.toolbox, Gaze("aside", 0.75, pan_rad=float(toward * pan))))
+        eye = model.frame_pose(stage.fake.motion.reference(), model.description.camera.frame)
+        edge = middle - (0.0, toward * 0.03, 0.0)
+        if in_view(model.description.camera, eye, middle) and not in_view(
+            model.description.camera, eye, edge
+        ):
+            return
+    raise AssertionError("it never was at the edge")
+
+
+@pytest.mark.requirement("L6")
+@pytest.mark.parametrize("part", ["side", "last"])
+def test_a_twin_that_the_pictures_edge_cuts_off_is_not_forgotten(stage_with, part):
+    stage = stage_with(table(), cup("a", place_m=(0.5, -0.15)), cup("b", place_m=(0.5, 0.15)))
+    stage.run(looking_down(stage), task=RED_CUP)
+    left, right = sorted(("red cup", "red cup 2"), key=stage.place_y, reverse=True)
+    cut_off(stage, right, toward=1.0)
+    stage.fake.world.hidden.add("a")
+    stage.fake.step()
+
+    stage.run(Detect("detect", stage.toolbox, part=part), task=RED_CUP)
+
+    assert {left, right} <= set(stage.told.scene.objects)
+
+
+def test_what_would_be_seen_and_is_not_is_forgotten(stage_with):
+    stage = stage_with(table(), cup("a", place_m=(0.5, -0.15)), cup("b", place_m=(0.5, 0.15)))
+    stage.run(looking_down(stage), task=RED_CUP)
+    right = min(("red cup", "red cup 2"), key=stage.place_y)
+    stage.fake.world.hidden.add("a")
+    stage.fake.step()
+
+    stage.run(Detect("detect", stage.toolbox), task=RED_CUP)
+
+    assert right not in stage.told.scene.objects
