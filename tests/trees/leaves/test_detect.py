@@ -146,7 +146,7 @@ def cut_off(stage, name, toward):
         for aim in (-0.5, toward * float(pan)):  # a small turn alone would be left out
             stage.run(LookAt("look", stage.toolbox, Gaze("aside", 0.75, pan_rad=aim)))
         eye = model.frame_pose(stage.fake.motion.reference(), model.description.camera.frame)
-        edge = middle - (0.0, toward * 0.03, 0.0)
+        edge = middle - (0.0, toward * 0.015, 0.0)
         if in_view(model.description.camera, eye, middle) and not in_view(
             model.description.camera, eye, edge
         ):
