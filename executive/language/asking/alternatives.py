@@ -229,8 +229,11 @@ class _Alternatives:
         changed, only_before, only_behind = differing
         if len(changed) == 1 and not only_before and not only_behind:
             return True
-        whole = first.place == self._size
-        return whole and changed == {"object"} and bool(only_before) and not only_behind
+        if first.place != self._size or only_behind:
+            return False
+        if not only_before:  # "the cup to Ana or the bowl to Tom"
+            return len(first.text.split()) == len(last.text.split()) and bool(changed)
+        return changed == {"object"}
 
     def _does(self, place: int) -> bool:
         """Whether what begins at a place may be a command."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import importlib.resources
 import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -22,6 +22,10 @@ from executive.meaning import Question
 MAX_WORDS = 30
 """Words of a sentence whose end is looked for."""
 
+MAX_CLAUSES = 3
+"""Clauses at whose end something may be missing, besides the last."""
+
+_JOINS = frozenset({"SEP"})
 _LONGEST = 5
 """Words of the last phrase."""
 
@@ -89,13 +93,24 @@ def what_is_missing(lattice: Lattice, chart: Chart, is_valid: IsValid) -> Questi
     named = _only_named(lattice, chart)
     if named is not None:
         return named
-    end = _end(lattice, 0)
-    if end == 0 or chart.furthest < end:
-        return None
-    before, behind = lattice.plain[: pieces[end - 1].end], lattice.plain[pieces[end - 1].end :]
-    gaps = (gap for gap in _gaps() if _may_be(gap, lattice, end))
-    asked = (_asked(gap, before, behind, is_valid) for gap in gaps)
-    return next((one for one in asked if one is not None), None)
+    return next((one for one in _questions(lattice, chart, is_valid) if one is not None), None)
+
+
+def _questions(lattice: Lattice, chart: Chart, is_valid: IsValid) -> Iterator[Question | None]:
+    """The question for each gap that there may be, at the end of the sentence and of clauses before it.
+
+    Before another clause only a goal and a unit are asked for: "find and open the fridge" lacks neither.
+    """
+    pieces, plain = lattice.pieces, lattice.plain
+    last = _end(lattice, 0)
+    joins = [one for one in range(1, last) if lattice.begins_with(one, _JOINS) or pieces[one].is_mark]
+    for end in (last, *joins[:MAX_CLAUSES]):
+        if not 0 < end <= chart.furthest:
+            continue
+        before, behind = plain[: pieces[end - 1].end], plain[pieces[end - 1].end :]
+        for gap in _gaps():
+            if (end == last or gap.no_goal or gap.each) and _may_be(gap, lattice, end):
+                yield _asked(gap, before, behind, is_valid)
 
 
 def _end(lattice: Lattice, start: int) -> int:
@@ -112,7 +127,7 @@ def _asked(gap: _Gap, before: str, behind: str, is_valid: IsValid) -> Question |
     fitting = [words for words in gap.tried if is_valid(f"{before} {words}{behind}")]
     if not fitting:
         return None
-    choices = tuple(f"{before} {words}" for words in fitting)
+    choices = tuple(f"{before} {words}{behind}".rstrip(" .!?") for words in fitting)
     return Question(f"{before} {gap.asks}: {' or '.join(fitting)}?", choices, completes)
 
 
