@@ -37,6 +37,7 @@ _SOMEBODY = frozenset({"NAME", "PERSON", "PEOPLE", "OWNER", "OWNING", "ANIMAL", 
 _NOUNS = _THINGS | _SOMEBODY
 _RECEIVERS = frozenset({"NAME", "PERSON", "ME", "HIM", "US"})
 _PLACING = frozenset({"ON", "ONTO", "IN", "INTO", "AT", "NEXT_TO", "RELATION", "FROM", "TO", "NEAREST_TO"})
+_PEOPLE = frozenset({"PEOPLE"})
 _ARTICLES = frozenset({"DET", "OWNER", "OWNING", "ALL", "BOTH", "EVERY", "ANOTHER"})
 _TELLS_APART = frozenset({"COLOR", "SIZE", "MATERIAL", "ORDINAL", "LEFT_RIGHT", "NEAREST", "COMPARED"})
 _NUMBERS = frozenset({"AMOUNT", "TENS", "COUPLE"})
@@ -59,6 +60,7 @@ _MORE_VERBS = frozenset(
 )
 _HANDLES = frozenset({"PICK", "PICK_UP", "FETCH", "BRING", "CARRY", "GIVE", "RETURN"})
 _GOALS = frozenset({"TO", "INTO", "ONTO"})
+_WAVE = frozenset({"WAVE"})
 _HOLDS = frozenset({"PUT", "PUT_IN", "PUT_DOWN", "MOVE_THING", "DROP", "PICK", "PICK_UP"})
 _STANDS_FOR = frozenset({"ONE", "ONES"})
 _OPEN_OR_CLOSED = frozenset({"OPENED", "CLOSED"})
@@ -71,13 +73,10 @@ _LEFT_RIGHT = frozenset({"LEFT_RIGHT"})
 
 @cache
 def _lists() -> dict[str, frozenset[str]]:
-    """All lists of ``free_reasons.toml``, read when a reason is first given."""
-    text = (
-        importlib.resources.files("executive.language.motives")
-        .joinpath("free_reasons.toml")
-        .read_text("utf-8")
-    )
-    return {name: frozenset(words) for name, words in tomllib.loads(text).items()}
+    """All lists of ``free_reasons.toml`` and ``remarks.toml``, read when a reason is first given."""
+    folder = importlib.resources.files("executive.language.motives")
+    texts = (folder.joinpath(f"{name}.toml").read_text("utf-8") for name in ("free_reasons", "remarks"))
+    return {name: frozenset(words) for text in texts for name, words in tomllib.loads(text).items()}
 
 
 def words_of(name: str) -> frozenset[str]:
@@ -145,27 +144,41 @@ class Reason:
 def is_harmless(reason: Reason) -> bool:
     """Whether a reason may be passed over."""
     return not (
-        _means_harm(reason)
-        or reason.texts[-1] in words_of("denying")
-        or _joins_more(reason)
-        or _orders(reason)
-        or _tells_which(reason)
-        or _tells_where(reason)
-        or _is_open_or_closed(reason)
-        or _tells_for_whom(reason)
-        or _is_leaned_on(reason)
+        is_more_than_a_reason(reason)
+        or _counts(reason)
+        or tells_apart(reason)
+        or tells_where(reason)
+        or tells_for_whom(reason)
+        or is_leaned_on(reason)
     )
 
 
-def _means_harm(reason: Reason) -> bool:
+def is_more_than_a_reason(reason: Reason) -> bool:
+    """Whether it orders, wishes, joins, denies or harms, or says what follows from "open" and "closed"."""
+    return (
+        means_harm(reason)
+        or reason.texts[-1] in words_of("denying")
+        or _joins_more(reason)
+        or _orders(reason)
+        or _wishes_something(reason)
+        or _is_open_or_closed(reason)
+    )
+
+
+def means_harm(reason: Reason) -> bool:
     """Whether it is said to be done for ill, or something dangerous is handled."""
     said = reason.said
     for idiom in words_of("idioms"):
         said = said.replace(f" {idiom} ", " ")
     if any(f" {word} " in said for word in words_of("ill_meant")):
         return True
-    kinds = (reading.meaning for index in range(len(reason.pieces)) for reading in _nouns_at(reason, index))
-    return any(map(is_hazard, kinds))
+    handles = any(
+        reason.is_about(index, _HANDLES | _HOLDS) and not reason.is_about(index, _HAND)
+        for index in reason.elsewhere
+    )
+    gestures = not handles and any(reason.is_about(index, _WAVE) for index in reason.elsewhere)
+    places = reason.elsewhere if gestures else range(len(reason.pieces))
+    return any(is_hazard(reading.meaning) for index in places for reading in _nouns_at(reason, index))
 
 
 def _nouns_at(reason: Reason, index: int) -> list[Reading]:
@@ -203,6 +216,7 @@ def _belongs_before(reason: Reason, index: int) -> bool:
     return (
         before in words_of("before_verbs")
         or before.endswith("ly")
+        or (index - 1 <= reason.start + 1 and reason.is_about(index - 1, _PEOPLE))
         or reason.is_about(index - 1, _ARTICLES | _TELLS_APART)
     )
 
@@ -240,30 +254,56 @@ def _tells_the_robot(reason: Reason) -> bool:
     return False
 
 
-def _tells_which(reason: Reason) -> bool:
-    """Whether it says which thing, how many or which hand is meant, which the command may leave open."""
-    elsewhere = {meaning for index in reason.elsewhere for meaning in _meanings(reason, index)}
+def _counts(reason: Reason) -> bool:
+    """Whether it says how many, which the command may leave open."""
+    return any(
+        reason.pieces[index].is_number
+        or (reason.is_about(index, _NUMBERS) and reason.pieces[index].text != "one")
+        for index in reason.places
+    )
+
+
+def tells_apart(reason: Reason, *, may_repeat: bool = False) -> bool:
+    """Whether it says which thing or which hand is meant, which the command may leave open.
+
+    Args:
+        reason: The clause.
+        may_repeat: Whether it may say again what the command says: "my red cup is gone, find the red cup".
+    """
+    elsewhere = {meaning for index in reason.elsewhere for meaning in meanings_at(reason, index)}
     for index in reason.places:
-        counted = reason.is_about(index, _NUMBERS) and reason.pieces[index].text != "one"
-        if counted or reason.pieces[index].is_number:
+        if not reason.is_about(index, _TELLS_APART):
+            continue
+        following = index + 1
+        alone = following == reason.end or not reason.is_about(following, _NOUNS | _TELLS_APART)
+        if alone and reason.pieces[index - 1].text == "the":
+            return True  # "because it is the biggest"
+        if following == reason.end:
+            continue
+        same = not elsewhere.isdisjoint(meanings_at(reason, following))
+        same = same and not (may_repeat and _said_again(reason, index))
+        if reason.is_about(following, _STANDS_FOR) or same:
             return True
-        if reason.is_about(index, _TELLS_APART):
-            following = index + 1
-            alone = following == reason.end or not reason.is_about(following, _NOUNS | _TELLS_APART)
-            if alone and reason.pieces[index - 1].text == "the":
-                return True  # "because it is the biggest"
-            if following == reason.end:
-                continue
-            same = not elsewhere.isdisjoint(_meanings(reason, following))
-            if reason.is_about(following, _STANDS_FOR) or same:
-                return True
-            if reason.is_about(following, _HAND) and not any(
-                reason.is_about(one, _LEFT_RIGHT) for one in reason.elsewhere
-            ):
-                return True
-        if _wishes(reason, index) and _is_wanted(reason, index + 1):
+        if reason.is_about(following, _HAND) and not any(
+            reason.is_about(one, _LEFT_RIGHT) for one in reason.elsewhere
+        ):
             return True
     return False
+
+
+def _said_again(reason: Reason, index: int) -> bool:
+    """Whether the command tells the thing apart by the same word and no other."""
+    said = [piece.text for piece in reason.pieces]
+    elsewhere = reason.elsewhere
+    return any(
+        said[one : one + 2] == said[index : index + 2] and one + 1 in elsewhere
+        for one in elsewhere
+        if not reason.is_about(one - 1, _TELLS_APART)
+    )
+
+
+def _wishes_something(reason: Reason) -> bool:
+    return any(_wishes(reason, index) and _is_wanted(reason, index + 1) for index in reason.places)
 
 
 def _wishes(reason: Reason, index: int) -> bool:
@@ -272,7 +312,8 @@ def _wishes(reason: Reason, index: int) -> bool:
     return reason.pieces[index].text in words_of("wants") and not compared
 
 
-def _meanings(reason: Reason, index: int) -> set[str]:
+def meanings_at(reason: Reason, index: int) -> set[str]:
+    """Canonical names of the things that may be named at a place."""
     return {reading.meaning for reading in _nouns_at(reason, index)}
 
 
@@ -284,17 +325,38 @@ def _is_wanted(reason: Reason, index: int) -> bool:
     return index < reason.end and reason.is_about(index, _THINGS | {"THING", "THINGS", "ONES"})
 
 
-def _tells_where(reason: Reason) -> bool:
+def tells_where(reason: Reason) -> bool:
     """Whether it says where the thing or person is or goes that the command is about: "it is on the desk"."""
-    shared = {meaning for index in reason.elsewhere for meaning in _meanings(reason, index)}
-    repeated = any(not shared.isdisjoint(_meanings(reason, index)) for index in reason.places)
+    shared = {meaning for index in reason.elsewhere for meaning in meanings_at(reason, index)}
+    repeated = any(not shared.isdisjoint(meanings_at(reason, index)) for index in reason.places)
     people = {reason.pieces[index].text for index in reason.elsewhere if reason.is_about(index, _SOMEBODY)}
     repeated = repeated or any(
         reason.is_about(index, _SOMEBODY) and reason.pieces[index].text in people for index in reason.places
     )
-    if not repeated and not reason.has("pronouns"):
+    if not repeated and not _says_it(reason, shared):
         return False
-    return any(_is_place(reason, index) for index in reason.places)
+    return any(is_place(reason, index) for index in reason.places)
+
+
+def _says_it(reason: Reason, shared: AbstractSet[str]) -> bool:
+    """Whether something stands for the thing; what "that high", "this morning" and "this pan" do not."""
+    return any(
+        reason.pieces[index].text in words_of("pronouns")
+        and not (
+            reason.pieces[index].text in words_of("so_much")
+            and index + 1 < reason.end
+            and _is_pointed_at(reason, index + 1, shared)
+        )
+        for index in reason.places
+    )
+
+
+def _is_pointed_at(reason: Reason, index: int, shared: AbstractSet[str]) -> bool:
+    """Whether what follows "this" is a degree, a time, or a thing that the command does not name."""
+    if reason.pieces[index].text in words_of("degrees"):
+        return True
+    meanings = meanings_at(reason, index)
+    return bool(meanings) and meanings.isdisjoint(shared)
 
 
 def _is_open_or_closed(reason: Reason) -> bool:
@@ -302,7 +364,8 @@ def _is_open_or_closed(reason: Reason) -> bool:
     return any(reason.is_about(index, _OPEN_OR_CLOSED) for index in reason.places)
 
 
-def _is_place(reason: Reason, index: int) -> bool:
+def is_place(reason: Reason, index: int) -> bool:
+    """Whether it is told at a place where something is, or for whom."""
     word = reason.pieces[index].text
     if word in words_of("somewhere"):
         return index > reason.start and reason.pieces[index - 1].text in words_of("be")
@@ -315,7 +378,7 @@ def _is_place(reason: Reason, index: int) -> bool:
     return named < reason.end and reason.is_about(named, _ARTICLES | _NOUNS | {"ME", "THIS", "HIM", "THEM"})
 
 
-def _tells_for_whom(reason: Reason) -> bool:
+def tells_for_whom(reason: Reason) -> bool:
     """Whether it names who gets the thing, which the command leaves out: "bring it because Ana needs it"."""
     if reason.has("pronouns") and any(reason.is_about(index, _OWNERS) for index in reason.places):
         return True
@@ -337,16 +400,16 @@ def _is_goal(reason: Reason, index: int) -> bool:
     return reason.is_about(index, _RECEIVERS) or (goes and reason.is_about(following, _ARTICLES | _NOUNS))
 
 
-def _leans(reason: Reason, index: int) -> bool:
+def leans(reason: Reason, index: int) -> bool:
     """Whether a word may stand for something that was named; the one of "one metre" may not."""
     following = index + 1
     counts = following < len(reason.pieces) and reason.is_about(following, _UNITS)
     return reason.pieces[index].text in words_of("references") and not counts
 
 
-def _is_leaned_on(reason: Reason) -> bool:
+def is_leaned_on(reason: Reason) -> bool:
     """Whether "it" or the like behind it may stand for what it names."""
-    if not any(_leans(reason, index) for index in range(reason.end, len(reason.pieces))):
+    if not any(leans(reason, index) for index in range(reason.end, len(reason.pieces))):
         return False
     known = reason.vocabulary.single_words
     return any(

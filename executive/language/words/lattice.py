@@ -356,6 +356,16 @@ class Lattice:
         """Whether a phrase of one of some classes begins at a place."""
         return not self._begins[position].isdisjoint(classes)
 
+    @property
+    def begun(self) -> Sequence[AbstractSet[str]]:
+        """For each place, of which classes a phrase begins there."""
+        return self._begins
+
+    @property
+    def nothing_said(self) -> Sequence[bool]:
+        """For each place, whether only courtesies stand before it."""
+        return self._nothing_said
+
     def manners(self) -> tuple[str, ...]:
         """Words that say how, and are passed over because it is always done like that."""
         found: dict[str, None] = {}

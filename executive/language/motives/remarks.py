@@ -1,0 +1,163 @@
+"""Statements of any words beside a command: "My knees are bad, so pick up the ball".
+
+A sentence that is refused as a whole may be a command and a remark, which says why and changes nothing of
+what is asked. What remains without it has to be a command by itself. That the remark is no more than that is
+judged before (``remark_guard.py``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+from typing import Protocol
+
+from executive.language.motives.reason_guard import Reason, words_of
+from executive.language.motives.remark_guard import is_mere_remark
+from executive.language.motives.told_by_remarks import Place, whom_it_names
+from executive.language.words.tokens import Piece
+from executive.vocabulary import Vocabulary
+
+_MOST_BEHIND = 2
+"""Remarks behind commands that are passed over in one sentence."""
+
+_FRONT_ENDS = frozenset({"", ",", ";", ".", ":", "!"})
+_PLACES = {".": Place.SENTENCE_BEFORE, "!": Place.SENTENCE_BEFORE, ":": Place.BEFORE_COLON}
+_BEHIND_BEGINS = frozenset({",", ";", ".", "!"})
+_JOINING = frozenset({"SEP"})
+
+
+class Read(Protocol):
+    """A sentence as the vocabulary reads it; a ``Lattice``."""
+
+    plain: str
+
+    @property
+    def pieces(self) -> Sequence[Piece]:
+        """Its words and marks."""
+
+    @property
+    def begun(self) -> Sequence[AbstractSet[str]]:
+        """Word classes that begin at each place."""
+
+    @property
+    def nothing_said(self) -> Sequence[bool]:
+        """For each place, whether only courtesies stand before it."""
+
+    def classes(self, position: int) -> Mapping[str, object]:
+        """The words that begin at a place or behind courtesies there, by word class."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """What remains of a sentence without its remarks.
+
+    Attributes:
+        text: Its words.
+        behind: Whether a remark behind a command is left out, which might be words to say.
+    """
+
+    text: str
+    behind: bool
+
+
+def without_remarks(read: Read, vocabulary: Vocabulary, commands: AbstractSet[str]) -> Iterator[Rest]:
+    """What may remain of a sentence without its remarks.
+
+    Args:
+        read: The sentence.
+        vocabulary: What is known.
+        commands: Word classes that a command begins with.
+    """
+    search = _Search(read, vocabulary, commands)
+    for front in (*search.before_a_command(), None):
+        begun = 0 if front is None else front.end
+        behind = list(search.behind_commands(begun))
+        if len(behind) <= _MOST_BEHIND and (front is not None or behind):
+            spans = [*([] if front is None else [front]), *behind]
+            yield Rest(_cut(read, spans), bool(behind))
+
+
+@dataclass(frozen=True, slots=True)
+class _Span:
+    """Pieces that are left out, and what is said instead of them."""
+
+    start: int
+    end: int
+    instead: str = ""
+
+
+def _cut(read: Read, spans: Sequence[_Span]) -> str:
+    kept, position = [], 0
+    for span in spans:
+        kept += [read.plain[position : _where(read, span.start)].rstrip(), span.instead]
+        position = _where(read, span.end)
+    kept.append(read.plain[position:])
+    return " ".join(part for part in kept if part.strip())
+
+
+def _where(read: Read, position: int) -> int:
+    return read.pieces[position].start if position < len(read.pieces) else len(read.plain)
+
+
+class _Search:
+    """Where remarks stand in a sentence."""
+
+    def __init__(self, read: Read, vocabulary: Vocabulary, commands: AbstractSet[str]) -> None:
+        self._read = read
+        self._pieces = read.pieces
+        self._vocabulary = vocabulary
+        self._commands = commands
+
+    def before_a_command(self) -> Iterator[_Span]:
+        """A remark in front, from its first word to that of the command."""
+        size = len(self._pieces)
+        start = max((index for index in range(size) if self._read.nothing_said[index]), default=0)
+        for end in range(start + 2, size - 1):
+            mark = self._pieces[end].text if self._pieces[end].is_mark else ""
+            begins = end + bool(mark)
+            leads = self._pieces[begins].text in words_of("leading" if mark else "leading_alone")
+            if mark in _FRONT_ENDS and (mark or leads):
+                place = Place.LED if leads else _PLACES.get(mark, Place.BEFORE)
+                yield from self._front(Reason(*self._of(start, end)), begins + leads, place)
+            if mark:
+                return
+
+    def _front(self, remark: Reason, begins: int, place: Place) -> Iterator[_Span]:
+        if self._begins_command(begins) and is_mere_remark(remark, place):
+            yield _Span(remark.start, begins, self._named_before(remark))
+
+    def _named_before(self, remark: Reason) -> str:
+        """What is left of a remark that names whom the command means by "him" or "her"."""
+        named = whom_it_names(remark)
+        if named is None:
+            return ""
+        piece = self._pieces[named]
+        return f"{self._read.plain[piece.start : piece.end]} {' '.join(words_of('naming'))}."
+
+    def _of(
+        self, start: int, end: int
+    ) -> tuple[Sequence[Piece], int, int, Sequence[AbstractSet[str]], Vocabulary]:
+        return self._pieces, start, end, self._read.begun, self._vocabulary
+
+    def _begins_command(self, position: int) -> bool:
+        return not self._commands.isdisjoint(self._read.classes(position))
+
+    def behind_commands(self, begun: int) -> Iterator[_Span]:
+        """Remarks behind a command, each from the mark before it to its end."""
+        size = len(self._pieces)
+        for mark in range(begun + 1, size - 2):
+            if self._pieces[mark].text not in _BEHIND_BEGINS or self._read.nothing_said[mark]:
+                continue
+            end = next((index for index in range(mark + 1, size) if self._pieces[index].is_mark), size)
+            if self._may_go_on(end) and is_mere_remark(Reason(*self._of(mark + 1, end)), Place.BEHIND):
+                yield _Span(mark, end)
+
+    def _may_go_on(self, end: int) -> bool:
+        """Whether the sentence ends there, or goes on with another command."""
+        behind = end + 1
+        if behind >= len(self._pieces):
+            return end >= len(self._pieces) or self._pieces[end].text != "?"
+        if self._pieces[end].text in (".", "!", ";"):
+            return True
+        return self._pieces[end].text == "," and not self._read.begun[behind].isdisjoint(_JOINING)
