@@ -15,6 +15,7 @@ from executive.language.motives.reason_guard import (
 )
 from executive.language.motives.told_by_remarks import (
     KNOWN,
+    MOVES,
     TELLS_APART,
     Place,
     counts,
@@ -30,13 +31,27 @@ _SUBJECT_NOUNS = frozenset(
     {"DET", "NAME", "OWNER", "OWNING", "PERSON", "PEOPLE", "KINDS", "SUBSTANCE", "ANIMAL", "ANIMALS"}
 )
 _HOW_IT_IS = TELLS_APART | {"QUALITY", "STATE", "DEGREE"}
+_PEOPLE = frozenset({"NAME", "PERSON", "PEOPLE"})
+_ASKS = frozenset({"OPENING"})
 _FOR_YOU = frozenset({"ON", "FOR"})
 _ELSEWHERE = frozenset(
     {"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "OWNER", "OWNING", "ROOM", "FURNITURE", "CONTAINER"}
 )
-_MOVES = frozenset({"MOVE", "TURN", "BACK_UP", "A_TURN", "BRIDGE"})
 _VERB_AT_MOST = 7
 """Among how many first words the verb of a statement is looked for."""
+
+
+def may_go_on_as(remark: Reason, begins: int) -> bool:
+    """Whether what follows at a place may belong to it: "I get up early, open the window, ..."."""
+    first = subject_of(remark)
+    following = remark.pieces[first].text, remark.pieces[first + 1].text
+    somebody = following[0] in words_of("about_me") | words_of("about_others")
+    if not somebody and not any(remark.is_about(one, _PEOPLE) for one in (first, first + 1)):
+        return False
+    if remark.pieces[begins].text in words_of("please") or not remark.begins[begins].isdisjoint(_ASKS):
+        return False
+    is_so = words_of("just_is") | words_of("i_am")
+    return is_so.isdisjoint(remark.texts[first - remark.start :][:3])
 
 
 def is_mere_remark(remark: Reason, place: Place) -> bool:
@@ -71,7 +86,8 @@ def _is_statement(remark: Reason) -> bool:
         return not remark.is_about(at + 1, _SUBJECT_NOUNS)
     if first in words_of("anything") and following in verbs():
         return True
-    if first not in words_of("determining") and not remark.is_about(at, _SUBJECT_NOUNS):
+    begins = words_of("determining") | (words_of("subjects") - words_of("you"))
+    if first not in begins and not remark.is_about(at, _SUBJECT_NOUNS):
         return False
     verb = next(
         (index for index, word in enumerate(texts[:_VERB_AT_MOST]) if index and word in verbs()), None
@@ -89,7 +105,8 @@ def _only_introduces(remark: Reason, place: Place) -> bool:
     """Whether it says that something is asked or thought: "I think", "I beg you", "the nurse said: ..."."""
     adjective = subject_of(remark) + 1
     texts = remark.texts[adjective - 1 - remark.start :]
-    if len(texts) < 3 or (texts[-1] in words_of("you") and not remark.is_about(remark.end - 2, _FOR_YOU)):
+    told = len(texts) + (texts[0] in words_of("contracted"))
+    if told < 3 or (texts[-1] in words_of("you") and not remark.is_about(remark.end - 2, _FOR_YOU)):
         return True
     if texts[-1] in words_of("thinking") or (place is Place.BEHIND and texts[-1] in words_of("absent")):
         return True
@@ -167,7 +184,7 @@ def _needs_it_for_something(remark: Reason) -> bool:
 def _needs_room(remark: Reason) -> bool:
     """Whether it is "I need the bench clear" or "I need room for ..." behind a motion."""
     texts = remark.texts
-    moves = any(remark.is_about(index, _MOVES) for index in remark.elsewhere)
+    moves = any(remark.is_about(index, MOVES) for index in remark.elsewhere)
     if not moves or any(remark.is_about(index, KNOWN) for index in remark.elsewhere):
         return False
     if len(texts) < 3 or texts[0] not in words_of("speaking") or texts[1] not in words_of("need_it"):

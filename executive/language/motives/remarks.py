@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from executive.language.motives.reason_guard import Reason, words_of
-from executive.language.motives.remark_guard import is_mere_remark
+from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as
 from executive.language.motives.told_by_remarks import Place, whom_it_names
 from executive.language.words.tokens import Piece
 from executive.vocabulary import Vocabulary
@@ -124,7 +124,8 @@ class _Search:
                 return
 
     def _front(self, remark: Reason, begins: int, place: Place) -> Iterator[_Span]:
-        if self._begins_command(begins) and is_mere_remark(remark, place):
+        chained = place is Place.BEFORE and may_go_on_as(remark, begins)
+        if self._begins_command(begins) and not chained and is_mere_remark(remark, place):
             yield _Span(remark.start, begins, self._named_before(remark))
 
     def _named_before(self, remark: Reason) -> str:

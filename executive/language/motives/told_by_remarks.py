@@ -40,7 +40,11 @@ _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _WHOLE_COUNTS = frozenset({"BOTH", "AMOUNT", "TENS"})
 _TIME = frozenset({"TIME"})
 _WAIT = frozenset({"WAIT"})
-_LASTING = frozenset({"MOVE", "TURN", "BACK_UP", "A_TURN", "BRIDGE", "WAIT"})
+MOVES = frozenset({"MOVE", "TURN", "BACK_UP", "A_TURN", "BRIDGE"})
+"""Word classes of motions that are told by how far or how long."""
+
+_LASTING = MOVES | _WAIT
+_ENDS = KNOWN | {"ME", "HIM", "HERE", "THERE", "HALF", "IT", "THEM", "COME", "GO_HOME", "ARTICLE"}
 _SPEAKS = frozenset({"SAY", "TELL", "TELL_ME", "ASK"})
 _LOOK_AT = frozenset({"LOOK_AT"})
 
@@ -80,7 +84,9 @@ def describes(remark: Reason, place: Place) -> bool:
     """Whether it says of the thing or person of the command what tells it from others."""
     if remark.has("one") or tells_apart(remark, may_repeat=True) or _is_about_the_same(remark):
         return True
-    if place is Place.BEHIND and (remark.has("not_behind") or _may_be_spoken(remark)):
+    if place is Place.BEHIND and (remark.has("not_behind") or remark.has("parts") or _may_be_spoken(remark)):
+        return True
+    if _leaves_open_how_far(remark):
         return True
     first = remark.pieces[subject_of(remark)].text
     about_it = first in words_of("about_it")
@@ -93,6 +99,13 @@ def describes(remark: Reason, place: Place) -> bool:
     thing = about_it and not remark.has("impersonal")
     loose = thing or first in words_of("about_others") or remark.has("wants")
     return any(_is_told_apart(remark, index, loose) for index in remark.places)
+
+
+def _leaves_open_how_far(remark: Reason) -> bool:
+    """Whether the command is a motion without a measure, which the remark may tell: "I've drawn a line"."""
+    others = remark.elsewhere
+    moves = any(remark.is_about(index, MOVES) for index in others)
+    return moves and not any(_is_number(remark, index) or remark.is_about(index, _ENDS) for index in others)
 
 
 def _handles(remark: Reason) -> bool:
@@ -147,10 +160,16 @@ def _is_told_apart(remark: Reason, index: int, loose: bool) -> bool:
 
 def counts(remark: Reason, place: Place) -> bool:
     """Whether it says how many or how much of what the command leaves open."""
-    if any(remark.is_about(index, _MEASURES) for index in remark.places):
+    if any(_is_measure(remark, index) for index in remark.places):
         return True
     numbers = [index for index in remark.places if _is_number(remark, index)]
     return any(not _is_beside_the_point(remark, index, place) for index in numbers)
+
+
+def _is_measure(remark: Reason, index: int) -> bool:
+    """Whether it is a unit; "my feet" are none."""
+    owned = index > remark.start and remark.pieces[index - 1].text in words_of("possessive")
+    return remark.is_about(index, _MEASURES) and not owned
 
 
 def _is_number(remark: Reason, index: int) -> bool:
@@ -177,7 +196,10 @@ def tells_where_or_for_whom(remark: Reason) -> bool:
     first = subject_of(remark)
     about = words_of("about_me") | words_of("about_others")
     known = any(remark.is_about(index, KNOWN) for index in range(first, min(first + 3, remark.end)))
-    if remark.pieces[first].text not in about and not known:
+    is_somebody = remark.pieces[first].text in about or remark.is_about(first, _NAME)
+    if is_somebody and remark.has("elsewhere"):
+        return True
+    if not is_somebody and not known:
         return False
     return remark.has("placed") and any(
         is_place(remark, index)
@@ -193,7 +215,7 @@ def names_more(remark: Reason, place: Place) -> bool:
     handled, subject = _handled(remark), subject_of(remark)
     with_people = any(remark.is_about(index, _SOMEBODY | _HIM) for index in remark.elsewhere)
     for index in remark.places:
-        if not remark.is_about(index, KNOWN) or index == whom_it_names(remark):
+        if not remark.is_about(index, KNOWN) or index == whom_it_names(remark) or _is_doing(remark, index):
             continue
         meanings = meanings_at(remark, index)
         if place is Place.BEFORE and meanings and handled.issuperset(meanings):
@@ -204,6 +226,12 @@ def names_more(remark: Reason, place: Place) -> bool:
         if place is Place.BEHIND or not is_person or with_people:
             return True
     return False
+
+
+def _is_doing(remark: Reason, index: int) -> bool:
+    """Whether it is a verb there: "I'm washing up"."""
+    is_form = index > remark.start and remark.pieces[index - 1].text in words_of("i_am")
+    return is_form and remark.pieces[index].text.endswith("ing")
 
 
 def _only_happens(remark: Reason, index: int, subject: int) -> bool:
