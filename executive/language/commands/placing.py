@@ -114,7 +114,7 @@ def _put(parts: Parts) -> Clause:
     bundles: list[Bundle] = []
     for one in each:
         nominal = thing(one, "putting down")
-        if one.is_for_another:
+        if one.is_for_another and not one.for_company:
             raise unfit()
         if one.goal is not None:
             bundles.append((put_draft(nominal, one.goal, one.source, one.hand),))

@@ -106,7 +106,9 @@ def _only_introduces(remark: Reason, place: Place) -> bool:
     adjective = subject_of(remark) + 1
     texts = remark.texts[adjective - 1 - remark.start :]
     told = len(texts) + (texts[0] in words_of("contracted"))
-    if told < 3 or (texts[-1] in words_of("you") and not remark.is_about(remark.end - 2, _FOR_YOU)):
+    if told < (2 if place is Place.LED else 3) or (
+        texts[-1] in words_of("you") and not remark.is_about(remark.end - 2, _FOR_YOU)
+    ):
         return True
     if texts[-1] in words_of("thinking") or (place is Place.BEHIND and texts[-1] in words_of("absent")):
         return True
@@ -114,7 +116,7 @@ def _only_introduces(remark: Reason, place: Place) -> bool:
         return True
     if place is Place.SENTENCE_BEFORE and texts[0] not in words_of("about_me") | words_of("my"):
         return True
-    told_apart = texts[0] in words_of("determining") - words_of("my") and texts[2] in verbs()
+    told_apart = texts[0] in words_of("determining") - words_of("my") and not verbs().isdisjoint(texts[2:3])
     return told_apart and remark.is_about(adjective, _HOW_IT_IS)
 
 

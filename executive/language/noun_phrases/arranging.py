@@ -58,6 +58,8 @@ class Arranged:
     hand: str | None = None
     person: Nominal | None = None
     back: bool = False
+    for_company: bool = False
+    """Whether it is for people of whom none is told from others: "on the table for our guests"."""
 
     @property
     def is_for_another(self) -> bool:
@@ -166,6 +168,7 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     result = replace(result, hand=_only([one.side for one in item.details if isinstance(one, Hand)]))
     people = [one.person for one in item.details if isinstance(one, Benefit)]
     result = replace(result, person=_only(people), back="back" in item.details)
+    result = replace(result, for_company=bool(item.details) and _is_for_company(item.details[-1]))
     if not has_source and not goes:
         wheres = [_is_there(where) for where in wheres]
     goals = [where for where in wheres if where.role == "to"]
@@ -186,6 +189,15 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
         else:
             goal = _told(goal, where)
     return replace(_at(result, before, has_source=has_source), goal=goal)
+
+
+def _is_for_company(detail: Any) -> bool:
+    """Whether it says last for whom, and those are people of whom none is told from others."""
+    if not isinstance(detail, Benefit):
+        return False
+    whom = detail.person
+    unspecific = whom.sort == "person" and whom.determined and not whom.counted
+    return unspecific and whom.plural and whom.relation is None and whom.is_plain
 
 
 def _doubt_whose_source(thing: Nominal, goal: Nominal, where: Where) -> None:
