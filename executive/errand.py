@@ -8,20 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
-from functools import partial
-from typing import Any
 
+from executive.answered_command import answered_command, of_one
 from executive.at_hand import Nearness, is_near
 from executive.attendant import Attendant
-from executive.clarification import (
-    MAX_TRIES,
-    Chosen,
-    OpenQuestion,
-    Unclear,
-    Withdrawn,
-    understood_answer,
-)
-from executive.events import InputTaken, QuestionAsked, TaskRefused
+from executive.clarification import OpenQuestion
+from executive.events import TaskRefused
 from executive.impossible import impossible
 from executive.meaning import Command, StopCommand
 from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, with_names
@@ -40,7 +32,6 @@ from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, exactly, ground
 from trees.held import HeldObject, held_object
 from trees.odometry import body_pose
-from trees.questions import OTHER
 from trees.regions import START
 from trees.tasks import (
     Destination,
@@ -114,7 +105,7 @@ class Errand:
         command = with_names(step.command, self._who)
         about = step.finds_for if step.said is None else step.said
         if about in self._found:
-            command = _of_one(command, self._found[about])
+            command = of_one(command, self._found[about])
         names: list[str] = []
         waiting = list(self._filled(command))
         while waiting:
@@ -126,7 +117,7 @@ class Errand:
                     self._who[step.finds_who] = START
                 return goes_on
             names += [] if result.acted_on is None else [result.acted_on]
-            waiting[:0] = [_of_one(command, name) for name in result.others]
+            waiting[:0] = [of_one(command, name) for name in result.others]
             if step.finds_for is not None and result.acted_on is not None:
                 self._found[step.finds_for] = result.acted_on
             if step.finds_who and (found := result.evidence.get("found")):
@@ -216,7 +207,9 @@ class Errand:
             result = replace(result, times=times, attempts=attempts)
             if result.outcome != "question" or result.failure is None:
                 return result
-            answered = yield from self._asked(command, result.failure)
+            answered = yield from answered_command(
+                self._session, command, result.failure, self._on_question, self._around
+            )
             if answered is None:
                 return result
             if isinstance(answered, Failure):
@@ -227,38 +220,6 @@ class Errand:
                 times = _sum(times, walked.times)
                 if walked.outcome != "done":
                     return replace(result, outcome=walked.outcome, failure=walked.failure)
-
-    def _asked(
-        self, command: Command, failure: Failure
-    ) -> Generator[OpenQuestion | None, str | None, Command | Failure | None]:
-        """The command with the choice that was made; why it was withdrawn; None when nobody answered."""
-        session, choices, names = self._session, failure.choices, failure.choice_names
-        question = failure.root.message
-        if len(names) == 1:  # which it is, nobody has to be asked
-            return _answered(command, failure.choice_slot, names[0])
-        session.tell(QuestionAsked(session.now_s, command.text, question, choices))
-        if self._on_question == "fail" or not names:
-            return None
-        if self._on_question == "first":
-            session.tell(InputTaken(session.now_s, "answer", choices[0]))
-            return _answered(command, failure.choice_slot, names[0])
-        tried = ""
-        for _ in range(MAX_TRIES):
-            text = yield OpenQuestion(question, choices, tried)
-            session.tell(InputTaken(session.now_s, "answer", text or ""))
-            if text is None:
-                return None
-            around = self._around().only(names)
-            people = [thing for thing in around.things if thing.is_person and thing.name in names]
-            meant = partial(ground, around=around, among=people or None)
-            match understood_answer(text, choices, meant, names):
-                case Chosen(index):
-                    return _answered(command, failure.choice_slot, names[index])
-                case Withdrawn():
-                    return Failure(FailureKind.CANCELED, "withdrawn by the answer")
-                case Unclear(message):
-                    tried = message
-        return None
 
     def _walk_there(self, command: Command, asked: Failure) -> WalkToTask | None:
         """The walk to the furniture in a room that something goes onto, if the robot is not before it."""
@@ -370,27 +331,6 @@ def _silent(
             result: TaskResult = end.value
             return result
         yield None
-
-
-def _of_one(command: Command, name: str) -> Command:
-    """The command for one named object."""
-    changes: dict[str, Any] = {"to" if isinstance(command, WalkToTask) else "object": exactly(name)}
-    if hasattr(command, "count"):
-        changes["count"] = 1
-    return replace(command, **changes)
-
-
-def _answered(command: Command, slot: str, name: str) -> Command:
-    """The command with the thing that was chosen in the slot that was asked about."""
-    if slot == "object" and hasattr(command, slot):
-        return _of_one(command, name)
-    meant: Any = exactly(name)
-    if slot == OTHER:
-        slot, to = "to", getattr(command, "to", None)
-        if isinstance(to, ObjectDescription) and to.relation is not None:
-            meant = replace(to, relation=replace(to.relation, to=meant))
-    changes: dict[str, Any] = {slot: meant}
-    return replace(command, **changes)
 
 
 def _sum(a: TaskTimes, b: TaskTimes) -> TaskTimes:
