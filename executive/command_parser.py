@@ -26,6 +26,7 @@ from executive.language.selection import Selection, description_of
 from executive.language.taken_back.contrasted_answers import contrasted_answer
 from executive.language.taken_back.contrasts import Reader, contrasted
 from executive.language.taken_back.corrections import corrected
+from executive.language.taken_back.meant_last import told_as_meant_first
 from executive.language.words.bare_lists import with_commas
 from executive.language.words.lattice import Lattice
 from executive.language.words.markup import without_marks, without_quotation_marks
@@ -49,6 +50,9 @@ __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
+
+_PRAISED = "praise"
+"""Meaning of those courtesies that may be said of what was done: "lovely, opening the fridge"."""
 
 _PRAISE = frozenset({"good", "great", "well", "nice", "excellent", "perfect", "fine", "thanks", "thank"})
 """Words of what is said to whoever has done something, as well as before a command."""
@@ -228,6 +232,10 @@ class CommandParser:
             commands = commands or contrasted(lattice, self._reader)
             if commands is not None:
                 return Parsed(text, commands=commands, manners=lattice.manners())
+            if (meant := told_as_meant_first(lattice)) is not None:
+                found = self._parsed(meant, remembers)
+                if found.commands:
+                    return replace(found, text=text)
             question = alternatives(
                 lattice, self._rules["command"].first, self._only_commands, self._only_asked
             )
@@ -382,11 +390,19 @@ def _asks_about_doing(lattice: Lattice, verbs: AbstractSet[str]) -> bool:
     said = [word for start in range(len(lattice.pieces)) for word in lattice.phrase(start)]
     states = any(word.word_class == "SHALL_GO" and lattice.ends_with(word.start, _THINGS) for word in said)
     states = states or any(word.word_class == "GETS" for word in said)
-    begins = {word.word_class for word in lattice.phrase(0)}
-    states = states or ("YOU_DO" in begins and begins.isdisjoint(_ASK))  # "you take sugar?"
+    begun = [at for at in range(len(lattice.pieces)) if _begins_apart(lattice, at)]
+    begins = {at: {word.word_class for word in lattice.phrase(at)} for at in begun}
+    states = states or any(
+        "YOU_DO" in one and one.isdisjoint(_ASK) for one in begins.values()
+    )  # "you take sugar?"
     classes = {word.word_class for word in said}
     states = states or ("FROM" in classes and classes.isdisjoint(verbs))
     return states or any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
+
+
+def _begins_apart(lattice: Lattice, position: int) -> bool:
+    """Whether nothing but courtesies stands before a place, and a mark ends them."""
+    return position == 0 or (lattice.may_begin(position) and lattice.pieces[position - 1].is_mark)
 
 
 def _praises(lattice: Lattice) -> bool:
@@ -394,7 +410,8 @@ def _praises(lattice: Lattice) -> bool:
     size = len(lattice.pieces)
     for start in range(size):
         for praise in lattice.phrase(start):
-            if praise.word_class not in ("OPENING", "FILLER") or _PRAISE.isdisjoint(praise.said.split()):
+            is_praise = praise.meaning == _PRAISED or not _PRAISE.isdisjoint(praise.said.split())
+            if praise.word_class not in ("OPENING", "FILLER") or not is_praise:
                 continue
             following = [*lattice.phrase(praise.end)] if praise.end < size else []
             for one in tuple(following):

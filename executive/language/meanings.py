@@ -8,6 +8,7 @@ from types import MappingProxyType
 from executive.language.clauses import (
     arrivals,
     before_command,
+    headings,
     sentences,
     stated_goals,
     statements,
@@ -62,6 +63,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **given_reasons.MEANINGS,
         **going.MEANINGS,
         **handling.MEANINGS,
+        **headings.MEANINGS,
         **lists.MEANINGS,
         **nominals.MEANINGS,
         **one_after_another.MEANINGS,

@@ -303,6 +303,7 @@ class Clause:
         terse: Whether it stands only where a clause begins, because its first words could belong to what is
             said before it: "forward 2 m", "the cup, take it".
         number: Which one of a numbered list it is.
+        spelled: Whether that is a mere number in words: "one, go home. Two, wave".
         question: Whether it begins as a question does, and so may be meant for "which is ..." where nothing
             stands before it: "bring me the cup what is on the table".
         topic: Whether it begins with its thing, which after "and" or a comma may be one more of what
@@ -323,6 +324,7 @@ class Clause:
     said_before: tuple[Nominal, ...] = ()
     terse: bool = False
     number: int | None = None
+    spelled: bool = False
     question: bool = False
     topic: bool = False
     you: str = ""

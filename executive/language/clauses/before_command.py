@@ -32,20 +32,46 @@ def _nothing(_parts: Parts) -> Any:
 
 
 @dataclass(frozen=True, slots=True)
-class _Numbered:
-    """Which one of a numbered list a command is."""
+class Numbered:
+    """Which one of a numbered list a command is.
+
+    Attributes:
+        number: Of it.
+        spelled: Whether it is a mere number in words, which alone may be how many: "two: wave".
+    """
 
     number: int
+    spelled: bool = False
 
 
-def _list_number(parts: Parts) -> _Numbered | None:
-    is_mark = parts[-1].word_class == "BULLET" or parts[-1].meaning in (".", ")", ":", "paren")
-    return _step_number(parts) if is_mark else None
+_MARKS = ",.:!"
+_ENDS_A_NUMBER = (".", ")", ":", "paren", "slash")
 
 
-def _step_number(parts: Parts) -> _Numbered | None:
+def _list_number(parts: Parts) -> Numbered | None:
+    is_mark = parts[-1].word_class == "BULLET" or parts[-1].meaning in _ENDS_A_NUMBER
+    return step_number(parts) if is_mark else None
+
+
+def step_number(parts: Parts) -> Numbered | None:
+    """The number of a step, in digits, in words or as a letter."""
     (said,) = words(parts, "NUM", "AMOUNT", "LETTER")
-    return _Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
+    return Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
+
+
+def _spelled_number(parts: Parts) -> Numbered | None:
+    said, mark = parts
+    fits = mark.meaning in (":", ",", ".") and said.said != "single"
+    return Numbered(int(said.meaning), spelled=True) if fits else None
+
+
+def _roman_number(parts: Parts) -> Numbered:
+    return Numbered(int(parts[-1].meaning))
+
+
+def _set_off(parts: Parts) -> Any:
+    """A courtesy before "you", which a mark parts from it: "great, you open the fridge"."""
+    return NOTHING if parts[-1].word_class == "PAUSE" or parts[0].said[-1] in _MARKS else None
 
 
 def _clause(parts: Parts) -> Clause | None:
@@ -53,7 +79,7 @@ def _clause(parts: Parts) -> Clause | None:
     command: Clause = parts[-1]
     if any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")):
         return None  # "the cup. With your left hand. Wave"
-    if sum(isinstance(part, _Numbered) for part in parts) > 1:
+    if sum(isinstance(part, Numbered) for part in parts) > 1:
         return None  # "turn left 90. 2. Wave"
     for part in parts[:-1]:
         if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
@@ -66,8 +92,8 @@ def _clause(parts: Parts) -> Clause | None:
             if isinstance(part, Where)
             else None
         )
-        if isinstance(part, _Numbered):
-            command = replace(command, number=part.number)
+        if isinstance(part, Numbered):
+            command = replace(command, number=part.number, spelled=part.spelled)
         if isinstance(part, Where) and part.role == "is":
             if not _is_taken_or_seen(command):
                 return None  # "in the kitchen, put the cup on the table"
@@ -110,7 +136,7 @@ def _there_first(parts: Parts) -> Clause | None:
         return None
     if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
         return None
-    arrived = _clause((*(part for part in parts[:-1] if isinstance(part, _Numbered)), command))
+    arrived = _clause((*(part for part in parts[:-1] if isinstance(part, Numbered)), command))
     if arrived is None:
         return None
     there = Nominal("any", reference="there")
@@ -151,12 +177,12 @@ def _hand_moves(parts: Parts) -> Clause | Trouble | None:
     return replace(put, terse=True) if isinstance(put, Clause) else put
 
 
-_STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
+STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
-def _ordinal_step(parts: Parts) -> _Numbered | None:
+def _ordinal_step(parts: Parts) -> Numbered | None:
     said = parts[0].meaning
-    return _Numbered(_STEPS.index(said) + 1) if said in _STEPS else None
+    return Numbered(STEPS.index(said) + 1) if said in STEPS else None
 
 
 _TAKES = {
@@ -183,7 +209,10 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "nothing": _nothing,
         "list_number": _list_number,
-        "step_number": _step_number,
+        "step_number": step_number,
+        "spelled_number": _spelled_number,
+        "roman_number": _roman_number,
+        "set_off": _set_off,
         "ordinal_step": _ordinal_step,
         "clause": _clause,
         "you_do": _you_do,

@@ -141,6 +141,8 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     counted = [one for one in numbers if one is not None]
     if any(after <= before for before, after in itertools.pairwise(counted)):
         return UNCLEAR_ORDER  # "2. open the drawer 1. go to the kitchen"
+    if counted and counted[0] > 1 and clauses[0].spelled:
+        return None  # "two: wave"
     if counted and (numbers[0] is None or counted[-1] - counted[0] != len(counted) - 1):
         return None  # "turn left 90. Move forward": no number of a list
     unseparated = sum(one.separator is Separator.NOTHING for one in said[1:])

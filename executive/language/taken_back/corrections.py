@@ -225,11 +225,19 @@ class _Repair:
             if self._separates(end - 1):
                 return
             alone = bool(shared & {*SAID_ALONE, "person"}) and end == start + 1
+            alone = alone and not self._goes_on_with(end, shared)
             same_clause = not any(map(self._separates, range(end, last)))
             before_more = same_clause and bool(self._beginnings(end) & {"where", "from", "with"})
             measure = "number" in shared and same_clause and end - start == self._end - self._marker.span.end
             if end == last or alone or before_more or measure:
                 yield Span(start, end)
+
+    def _goes_on_with(self, end: int, shared: set[str]) -> bool:
+        """Whether a list goes on there with more of the same: either of "Ana and Ben, I mean Maria"."""
+        after = end
+        while after < self._marker.span.start and self._separates(after):
+            after += 1
+        return end < after < self._marker.span.start and bool(self._beginnings(after) & shared)
 
     def _lengths(self, old: Span) -> Iterator[Span]:
         """How far what is said anew may reach: to the end, to a mark, or as many words as it replaces."""

@@ -46,7 +46,7 @@ _COMPLETE = frozenset(
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
-_MAY_BE_CONDITIONS = ("if you ", "when you ")
+_MAY_BE_CONDITIONS = ("if you ", "when you ", "whenever you ")
 """How courtesies begin that with a verb behind them are conditions."""
 _BEHIND_A_COURTESY = frozenset(
     {"SEP", "AND", "DET", "AMOUNT", "MANY", FILLER, "TO", "FROM", "IN", "ON", "INTO", "WITH"}
@@ -61,6 +61,10 @@ _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
+_NO_TERMINALS = frozenset({"KIN_TITLE", "KIN_TITLE_ALONE"})
+_BEFORE_A_COLON = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_END"})
+"""Word classes of headings, which stand nowhere else: "exercise" is no skill, "exercise 3: ..." a heading."""
+
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
@@ -105,6 +109,7 @@ class Lattice:
         self.pieces = pieces = without_beginnings(list(uncontracted(pieces, vocabulary)), vocabulary)
         size = len(pieces)
         texts = _texts_of(pieces)
+        self._last_colon = max((at for at, piece in enumerate(pieces) if piece.text == ":"), default=-1)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
         self.words_are_open = False
         if any(WISH in classes for classes in self._begins):
@@ -252,7 +257,8 @@ class Lattice:
                 " ".join(texts[start : start + length]),
             )
             for length, reading in vocabulary.matches(texts, start)
-            if reading.word_class not in ("KIN_TITLE", "KIN_TITLE_ALONE")
+            if reading.word_class not in _NO_TERMINALS
+            and (start < self._last_colon or reading.word_class not in _BEFORE_A_COLON)
         ]
         found += self._formed.get(start, ())
         if piece.quoted:
