@@ -12,8 +12,11 @@ from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Meaning
 from executive.language.words.lattice import Word
 
-_TAKE, _ALONE, _VERB = "take", "alone", "verb"
-"""Meanings: of what stands only behind another heading, with nothing beside it, and with something."""
+_TAKE, _ALONE, _VERB, _PLAN = "take", "alone", "verb", "plan"
+"""Meanings: what stands only behind another heading, with nothing beside it, with something; plans."""
+
+_OTHER = "other"
+"""Meaning of words with which a plan may take the place of the one before it: "another plan: ..."."""
 
 _PARTS_HEADINGS = frozenset({",", "-", "."})
 
@@ -31,6 +34,8 @@ def _caption_part(parts: Parts) -> _Heading | None:
     counted = words(parts, "NUM", "AMOUNT", "LETTER")
     ordinals = words(parts, "ORDINAL")
     if (noun.meaning == _ALONE and len(parts) > 1) or (noun.meaning == _VERB and len(parts) == 1):
+        return None
+    if noun.meaning == _PLAN and any(one.meaning == _OTHER for one in words(parts, "CAPTION_WORD")):
         return None
     if len(ordinals) + len(counted) > 1 or any(
         one.meaning not in (*STEPS, "last", "top") for one in ordinals

@@ -7,8 +7,8 @@ from collections.abc import Set as AbstractSet
 
 from executive.language.words.tokens import Piece
 
-ROBOT = "robot"
-"""Meaning of words that may be the second half of a thing: "the kitchen robot"."""
+_ROBOTS = frozenset({"robot", "machine"})
+"""Meanings of words that may be the second half of a thing: "the kitchen robot", "the toy tin man"."""
 
 BESIDE = "beside"
 """Meaning of words that may name somebody: "bring it my friend"."""
@@ -39,7 +39,7 @@ def is_whole(before: AbstractSet[str], meaning: str) -> bool:
         before: Word classes that end there.
         meaning: Of the word of address.
     """
-    whole = _WHOLE if meaning == ROBOT else _WHOLE | _NOUNS
+    whole = _WHOLE if meaning in _ROBOTS else _WHOLE | _NOUNS
     return not before.isdisjoint(whole) and before.isdisjoint(_DESCRIBING)
 
 

@@ -62,7 +62,7 @@ _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _SEPARATORS = frozenset({"PAUSE", "SEP"})
 _NO_TERMINALS = frozenset({"KIN_TITLE", "KIN_TITLE_ALONE"})
-_BEFORE_A_COLON = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_END"})
+_BEFORE_A_COLON = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_LABEL", "CAPTION_END"})
 """Word classes of headings, which stand nowhere else: "exercise" is no skill, "exercise 3: ..." a heading."""
 
 _SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
