@@ -44,6 +44,8 @@ _ON_A_FLOOR = ("move forward", "move backward", "turn left", "turn right", _HOME
 _DISTURBANCES = ("none", "none", "none", "cancel", "stop 1", "stop 2", "pause", "gyro", "battery", "encoder")
 _LATEST_S = 12.0
 _PAUSED_S = 1.5
+_UNTIL_WELL_S = 3.0
+"""A bias is averaged over a second, and is over a second after it was last seen; resting takes the rest."""
 _BIASED_RAD_S = 0.03
 _SLIPPED_RAD = 0.05
 _LOW = 0.1
@@ -102,7 +104,7 @@ class _World:
         faults.bias_gyro((0.0, 0.0, 0.0))
         faults.set_battery(1.0)
         faults.offset_encoder(_SLIPS, -float(self.assembly.world.robot.encoder_offset[self._slipping]))
-        self.assembly.session.hold(2.0)
+        self.assembly.session.hold(_UNTIL_WELL_S)
         self.assembly.session.reset("the soak")
 
     @property
