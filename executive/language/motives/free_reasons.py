@@ -16,6 +16,7 @@ from executive.language.motives.reason_guard import (
     is_harmless,
     words_of,
 )
+from executive.language.motives.set_remarks import plainer
 from executive.language.words.tokens import Piece
 from executive.vocabulary import Vocabulary
 
@@ -23,7 +24,7 @@ FREE_REASON = "FREE_REASON"
 """Terminal of the grammar for a conjunction and its clause."""
 
 _CONJUNCTION = "GIVES_REASON"
-_SAME = frozenset({_CONJUNCTION, "BECAUSE", "CONDITION", "LINK", "OPENING", "DEGREE"})
+_SAME = frozenset({_CONJUNCTION, "BECAUSE", "CONDITION", "LINK", "OPENING", "DEGREE", "ONCE"})
 """Word classes of a conjunction that is no part of a longer phrase."""
 
 _AS_IT_IS = "UNTOUCHED"
@@ -46,6 +47,9 @@ _SUBJECTS = frozenset(
     }
     | {"ROOM", "FURNITURE", "CONTAINER", "DOOR", "EVERYBODY"}
 )
+_NOT_POINTED_AT = frozenset({"DET", "NAME", "OWNER", "OWNING", "EVERYBODY"})
+"""Word classes of a subject that "that" does not point at: "now that the rain is over"."""
+
 _SOMEBODY = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "EVERYBODY"})
 _WAITS = frozenset({"WAIT"})
 _TAKES_BACK = "CORRECTION"
@@ -83,7 +87,7 @@ def free_reasons(
         first = nothing_said[start] or pieces[start - 1].text in _SENTENCE_ENDS
         if first and (sorts[0] == "purpose" or end + 1 >= len(pieces) or pieces[end].text != ","):
             continue
-        reason = Reason(pieces, start + length, end, begins, vocabulary)
+        reason = plainer(Reason(pieces, start + length, end, begins, vocabulary))
         if _is_clause(reason, sorts[0]) and is_harmless(reason):
             yield start, end
 
@@ -96,7 +100,9 @@ def _ends(pieces: Sequence[Piece], index: int, begins: Sequence[AbstractSet[str]
 def _is_clause(reason: Reason, sort: str) -> bool:
     """Whether it says something of somebody or something, in the way that its conjunction asks for."""
     texts = reason.texts
-    known = texts[:1] and (texts[0] in words_of("subjects") or reason.is_about(reason.start, _SUBJECTS))
+    known = texts[:1] and (
+        texts[0] in words_of("subjects") or reason.is_about(reason.start, _SUBJECTS) or _is_doing(texts)
+    )
     if len(texts) < 2 or not (known or texts[0] == "you"):
         return False
     if sort == "purpose":
@@ -105,10 +111,19 @@ def _is_clause(reason: Reason, sort: str) -> bool:
         return not reason.has("finite") and not reason.names_somebody
     if sort == "because":
         return True
-    if sort == "since":
+    if sort == "now" and not (
+        texts[0] in words_of("subjects") or reason.is_about(reason.start, _NOT_POINTED_AT)
+    ):
+        return False  # "now that box has to be opened"
+    if sort in ("since", "now"):
         waits = any(reason.is_about(index, _WAITS) for index in reason.elsewhere)
         return reason.has("finite") and not waits
     return _lasts(texts)
+
+
+def _is_doing(texts: Sequence[str]) -> bool:
+    """Whether it is about doing something: "bending is hard for me"."""
+    return texts[0].endswith("ing") and not words_of("finite").isdisjoint(texts[1:4])
 
 
 def _is_purpose(reason: Reason) -> bool:
@@ -139,7 +154,8 @@ def _lasts(texts: Sequence[str]) -> bool:
     """Whether "as" gives a reason: of what lasts, not of what goes on meanwhile, nor how it is."""
     if texts[0] == "you":
         return False
-    at = next((index for index, word in enumerate(texts[:4]) if word in words_of("lasting")), None)
+    said = words_of("lasting") | words_of("happened")
+    at = next((index for index, word in enumerate(texts[:4]) if word in said), None)
     if at is None or at + 1 >= len(texts):
         return False
     following = texts[at + 1]

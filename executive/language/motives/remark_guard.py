@@ -13,6 +13,7 @@ from executive.language.motives.reason_guard import (
     means_harm,
     words_of,
 )
+from executive.language.motives.set_remarks import is_set_remark, plainer
 from executive.language.motives.told_by_remarks import (
     KNOWN,
     MOVES,
@@ -20,7 +21,9 @@ from executive.language.motives.told_by_remarks import (
     Place,
     counts,
     describes,
+    is_of_whom_is_named,
     may_be_meant,
+    may_be_spoken,
     names_more,
     subject_of,
     tells_where_or_for_whom,
@@ -56,6 +59,22 @@ def may_go_on_as(remark: Reason, begins: int) -> bool:
 
 def is_mere_remark(remark: Reason, place: Place) -> bool:
     """Whether a remark may be passed over."""
+    if says_nothing(remark, place):
+        return True
+    return _is_mere(plainer(remark), place)
+
+
+def says_nothing(remark: Reason, place: Place) -> bool:
+    """Whether it is a phrase that is always the same, and nothing that is to be said."""
+    if place is Place.BEHIND:
+        set_phrase = is_of_whom_is_named(remark) and is_set_remark(remark, "of_somebody")
+    else:
+        set_phrase = is_set_remark(remark, "before")
+    set_phrase = set_phrase or is_set_remark(remark, "whole")
+    return set_phrase and not means_harm(remark) and not (place is Place.BEHIND and may_be_spoken(remark))
+
+
+def _is_mere(remark: Reason, place: Place) -> bool:
     if place is Place.BEHIND and (_needs_it_for_something(remark) or _needs_room(remark)):
         return not means_harm(remark)
     return (
@@ -112,12 +131,19 @@ def _only_introduces(remark: Reason, place: Place) -> bool:
         return True
     if texts[-1] in words_of("thinking") or (place is Place.BEHIND and texts[-1] in words_of("absent")):
         return True
-    if place is Place.BEFORE_COLON and (texts[-1] in verbs() or texts[0] not in words_of("speaking")):
+    if place is Place.BEFORE_COLON and not _says_how_i_am(texts):
         return True
     if place is Place.SENTENCE_BEFORE and texts[0] not in words_of("about_me") | words_of("my"):
         return True
     told_apart = texts[0] in words_of("determining") - words_of("my") and not verbs().isdisjoint(texts[2:3])
     return told_apart and remark.is_about(adjective, _HOW_IT_IS)
+
+
+def _says_how_i_am(texts: list[str]) -> bool:
+    """Whether what stands before a colon is of the speaker, and no words of others follow it."""
+    if texts[0] in words_of("speaking"):
+        return texts[-1] not in verbs()
+    return texts[0] in words_of("i_am") and texts[1] in words_of("so_very")
 
 
 def _limits(remark: Reason) -> bool:

@@ -12,8 +12,9 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import Protocol
 
+from executive.language.motives.free_reasons import free_reasons
 from executive.language.motives.reason_guard import Reason, words_of
-from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as
+from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as, says_nothing
 from executive.language.motives.told_by_remarks import Place, whom_it_names
 from executive.language.words.tokens import Piece
 from executive.vocabulary import Vocabulary
@@ -21,9 +22,19 @@ from executive.vocabulary import Vocabulary
 _MOST_BEHIND = 2
 """Remarks behind commands that are passed over in one sentence."""
 
-_FRONT_ENDS = frozenset({"", ",", ";", ".", ":", "!"})
-_PLACES = {".": Place.SENTENCE_BEFORE, "!": Place.SENTENCE_BEFORE, ":": Place.BEFORE_COLON}
-_BEHIND_BEGINS = frozenset({",", ";", ".", "!"})
+_MOST_BEFORE = 4
+"""Remarks before a command; all but one of them in words that are always the same."""
+
+_DASH = "-"
+_FRONT_ENDS = frozenset({"", ",", ";", ".", ":", "!", _DASH})
+_PLACES = {
+    ".": Place.SENTENCE_BEFORE,
+    "!": Place.SENTENCE_BEFORE,
+    "?": Place.SENTENCE_BEFORE,
+    ":": Place.BEFORE_COLON,
+}
+_BEHIND_BEGINS = frozenset({",", ";", ".", "!", _DASH})
+_CLOSING = {"(": ")", _DASH: _DASH}
 _JOINING = frozenset({"SEP"})
 
 
@@ -74,7 +85,7 @@ def without_remarks(read: Read, vocabulary: Vocabulary, commands: AbstractSet[st
         begun = 0 if front is None else front.end
         behind = list(search.behind_commands(begun))
         if len(behind) <= _MOST_BEHIND and (front is not None or behind):
-            spans = [*([] if front is None else [front]), *behind]
+            spans = [*([] if front is None else [front]), *sorted(behind, key=lambda span: span.start)]
             yield Rest(_cut(read, spans), bool(behind))
 
 
@@ -110,23 +121,49 @@ class _Search:
         self._commands = commands
 
     def before_a_command(self) -> Iterator[_Span]:
-        """A remark in front, from its first word to that of the command."""
+        """Remarks in front, from their first word to that of the command."""
         size = len(self._pieces)
-        start = max((index for index in range(size) if self._read.nothing_said[index]), default=0)
-        for end in range(start + 2, size - 1):
-            mark = self._pieces[end].text if self._pieces[end].is_mark else ""
+        first = max((index for index in range(size) if self._read.nothing_said[index]), default=0)
+        yield from self._from(first, first, _MOST_BEFORE, may_be_free=True)
+
+    def _from(self, first: int, start: int, most: int, *, may_be_free: bool) -> Iterator[_Span]:
+        """Remarks from a place on, one of which may be of any words."""
+        for end in range(start + 1, len(self._pieces) - 1):
+            mark = self._mark_at(end)
             begins = end + bool(mark)
-            leads = self._pieces[begins].text in words_of("leading" if mark else "leading_alone")
-            if mark in _FRONT_ENDS and (mark or leads):
+            word = self._pieces[begins].text
+            leads = word in words_of("leading" if mark else "leading_alone")
+            turns = bool(mark) and word in words_of("turning")
+            if mark or leads:
                 place = Place.LED if leads else _PLACES.get(mark, Place.BEFORE)
-                yield from self._front(Reason(*self._of(start, end)), begins + leads, place)
-            if mark:
+                remark = Reason(*self._of(start, end))
+                following = begins + (leads or turns)
+                idle = bool(mark) and says_nothing(remark, place)
+                free = not idle and may_be_free and end > start + 1 and mark in _FRONT_ENDS
+                if idle or free:
+                    yield from self._front(first, remark, following, place)
+                if most > 1 and mark and (idle or (free and self._is_one_of_several(remark, place))):
+                    may_be = may_be_free and idle
+                    yield from self._from(first, following, most - 1, may_be_free=may_be)
+            if mark and end > start + 1:
                 return
 
-    def _front(self, remark: Reason, begins: int, place: Place) -> Iterator[_Span]:
+    def _mark_at(self, index: int) -> str:
+        if index >= len(self._pieces):
+            return ""
+        piece = self._pieces[index]
+        return piece.text if piece.is_mark or piece.text == _DASH else ""
+
+    def _is_one_of_several(self, remark: Reason, place: Place) -> bool:
+        """Whether another remark may follow it, which is always the same."""
+        return whom_it_names(remark) is None and is_mere_remark(remark, place)
+
+    def _front(self, first: int, remark: Reason, begins: int, place: Place) -> Iterator[_Span]:
+        if not self._begins_command(begins) or not is_mere_remark(remark, place):
+            return
         chained = place is Place.BEFORE and may_go_on_as(remark, begins)
-        if self._begins_command(begins) and not chained and is_mere_remark(remark, place):
-            yield _Span(remark.start, begins, self._named_before(remark))
+        if not chained or says_nothing(remark, place):
+            yield _Span(first, begins, self._named_before(remark))
 
     def _named_before(self, remark: Reason) -> str:
         """What is left of a remark that names whom the command means by "him" or "her"."""
@@ -145,14 +182,35 @@ class _Search:
         return not self._commands.isdisjoint(self._read.classes(position))
 
     def behind_commands(self, begun: int) -> Iterator[_Span]:
-        """Remarks behind a command, each from the mark before it to its end."""
+        """Remarks behind a command or within it, each with the marks around it."""
+        within = list(self._asides(begun))
+        yield from within
         size = len(self._pieces)
-        for mark in range(begun + 1, size - 2):
+        for mark in range(begun + 1, size - 1):
             if self._pieces[mark].text not in _BEHIND_BEGINS or self._read.nothing_said[mark]:
                 continue
-            end = next((index for index in range(mark + 1, size) if self._pieces[index].is_mark), size)
+            if any(one.start <= mark < one.end for one in within):
+                continue
+            end = next((index for index in range(mark + 1, size) if self._mark_at(index)), size)
             if self._may_go_on(end) and is_mere_remark(Reason(*self._of(mark + 1, end)), Place.BEHIND):
                 yield _Span(mark, end)
+
+    def _asides(self, begun: int) -> Iterator[_Span]:
+        """Remarks in brackets or between two dashes, and reasons between two commas."""
+        reasons = free_reasons(self._pieces, self._read.begun, self._read.nothing_said, self._vocabulary)
+        for start, end in reasons:
+            if begun < start - 1 and [self._mark_at(start - 1), self._mark_at(end)] == [",", ","]:
+                yield _Span(start - 1, end + 1)
+        texts = [piece.text for piece in self._pieces]
+        position = begun + 1
+        while position < len(texts):
+            closing = _CLOSING.get(texts[position], "")
+            if closing in texts[position + 1 :] and closing:
+                end = texts.index(closing, position + 1)
+                if is_mere_remark(Reason(*self._of(position + 1, end)), Place.BEHIND):
+                    yield _Span(position, end + 1)
+                    position = end
+            position += 1
 
     def _may_go_on(self, end: int) -> bool:
         """Whether the sentence ends there, or goes on with another command."""

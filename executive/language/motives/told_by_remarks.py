@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import enum
 import itertools
+from collections.abc import Set as AbstractSet
 
 from executive.language.motives.reason_guard import (
     Reason,
@@ -19,6 +20,7 @@ from executive.language.motives.reason_guard import (
     tells_where,
     words_of,
 )
+from executive.language.resolving.genders import may_be_called
 
 TELLS_APART = frozenset({"COLOR", "MATERIAL", "ORDINAL", "LEFT_RIGHT", "NEAREST", "SIZE", "COMPARED"})
 KNOWN = frozenset(
@@ -34,6 +36,7 @@ _SOMEBODY = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS"})
 _PLACES = frozenset({"FURNITURE", "CONTAINER", "ROOM", "KIND", "DOOR"})
 _SUBSTANCE = frozenset({"SUBSTANCE"})
 _HIM = frozenset({"HIM"})
+_OWNERS = frozenset({"OWNER", "OWNING"})
 _NAME = frozenset({"NAME"})
 _MEASURES = frozenset({"LENGTH", "ANGLE"})
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
@@ -84,7 +87,7 @@ def describes(remark: Reason, place: Place) -> bool:
     """Whether it says of the thing or person of the command what tells it from others."""
     if remark.has("one") or tells_apart(remark, may_repeat=True) or _is_about_the_same(remark):
         return True
-    if place is Place.BEHIND and (remark.has("not_behind") or remark.has("parts") or _may_be_spoken(remark)):
+    if place is Place.BEHIND and (remark.has("not_behind") or remark.has("parts") or may_be_spoken(remark)):
         return True
     if _leaves_open_how_far(remark):
         return True
@@ -120,10 +123,25 @@ def _is_known_who(remark: Reason, first: str) -> bool:
         return False
     if first.startswith("they"):
         return not any(remark.is_about(index, _SEVERAL) for index in others)
-    return any(remark.is_about(index, _NAME) for index in others)
+    names = {remark.pieces[index].text for index in others if remark.is_about(index, _NAME)}
+    return bool(names) and _may_be_said_of(remark, names)
 
 
-def _may_be_spoken(remark: Reason) -> bool:
+def is_of_whom_is_named(remark: Reason) -> bool:
+    """Whether the command names one person by name, and whose or for whom it is."""
+    others = remark.elsewhere
+    named = {remark.pieces[index].text for index in others if remark.is_about(index, _NAME)}
+    unnamed = any(remark.is_about(index, _NOT_NAMED | _HIM) for index in others)
+    return len(named) == 1 and not unnamed and _may_be_said_of(remark, named)
+
+
+def _may_be_said_of(remark: Reason, names: AbstractSet[str]) -> bool:
+    """Whether "he" or "she" in a remark may be somebody of some names."""
+    said = [pronoun for pronoun, sort in (("him", "masculine"), ("her", "feminine")) if remark.has(sort)]
+    return all(any(may_be_called(pronoun, name) for name in names) for pronoun in said)
+
+
+def may_be_spoken(remark: Reason) -> bool:
     """Whether it stands behind words to say without quotation marks, and may be some of them."""
     before = range(remark.start)
     speaks = any(remark.is_about(index, _SPEAKS) and not remark.is_about(index, _LOOK_AT) for index in before)
@@ -253,9 +271,21 @@ def whom_it_names(remark: Reason) -> int | None:
     if len(named) != 1 or _is_new(remark):
         return None
     (index,) = named
-    others = [one for one in remark.places if remark.is_about(one, _NOT_NAMED) and one != index - 1]
+    said_of_them = remark.end - 1 if _is_my(remark, index + 1) else index - 1
+    others = [
+        one
+        for one in remark.places
+        if remark.is_about(one, _NOT_NAMED) and one not in (index - 1, said_of_them)
+    ]
     speaks = index + 1 < remark.end and remark.pieces[index + 1].text in verbs()
     return index if speaks and not others else None
+
+
+def _is_my(remark: Reason, index: int) -> bool:
+    """Whether what follows says who somebody is to the speaker: "is my best friend"."""
+    texts = remark.texts[index - remark.start :]
+    is_mine = len(texts) > 2 and texts[0] in words_of("just_is") and texts[1] in words_of("my")
+    return is_mine and not any(remark.is_about(one, _OWNERS) for one in range(index + 2, remark.end))
 
 
 def _is_new(remark: Reason) -> bool:

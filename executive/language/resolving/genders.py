@@ -30,6 +30,11 @@ _HE, _SHE = frozenset(_MEN.split()), frozenset(_WOMEN.split())
 
 def may_be(pronoun: str, person: Nominal) -> bool:
     """Whether a pronoun, as it was said, may stand for somebody; of whom nothing is known it may."""
-    known = (person.kind or "").lower().split()
+    return may_be_called(pronoun, person.kind or "")
+
+
+def may_be_called(pronoun: str, name: str) -> bool:
+    """Whether a pronoun, as it was said, may stand for somebody of a name."""
+    known = name.lower().split()
     he, she = not _HE.isdisjoint(known), not _SHE.isdisjoint(known)
     return not ((pronoun == "him" and she and not he) or (pronoun == "her" and he and not she))
