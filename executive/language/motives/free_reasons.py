@@ -123,7 +123,8 @@ def _is_clause(reason: Reason, sort: str) -> bool:
 
 def _is_doing(texts: Sequence[str]) -> bool:
     """Whether it is about doing something: "bending is hard for me"."""
-    return texts[0].endswith("ing") and not words_of("finite").isdisjoint(texts[1:4])
+    said = words_of("finite") | words_of("verbs")
+    return texts[0].endswith("ing") and not said.isdisjoint(texts[1:4])
 
 
 def _is_purpose(reason: Reason) -> bool:

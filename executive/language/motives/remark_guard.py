@@ -67,7 +67,9 @@ def is_mere_remark(remark: Reason, place: Place) -> bool:
 def says_nothing(remark: Reason, place: Place) -> bool:
     """Whether it is a phrase that is always the same, and nothing that is to be said."""
     if place is Place.BEHIND:
-        set_phrase = is_of_whom_is_named(remark) and is_set_remark(remark, "of_somebody")
+        set_phrase = is_set_remark(remark, "behind") or (
+            is_of_whom_is_named(remark) and is_set_remark(remark, "of_somebody")
+        )
     else:
         set_phrase = is_set_remark(remark, "before")
     set_phrase = set_phrase or is_set_remark(remark, "whole")
@@ -143,6 +145,8 @@ def _says_how_i_am(texts: list[str]) -> bool:
     """Whether what stands before a colon is of the speaker, and no words of others follow it."""
     if texts[0] in words_of("speaking"):
         return texts[-1] not in verbs()
+    if texts[0] in words_of("my"):
+        return texts[-1] in words_of("ailing")
     return texts[0] in words_of("i_am") and texts[1] in words_of("so_very")
 
 

@@ -15,6 +15,7 @@ from typing import Protocol
 from executive.language.motives.free_reasons import free_reasons
 from executive.language.motives.reason_guard import Reason, words_of
 from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as, says_nothing
+from executive.language.motives.set_remarks import plainer
 from executive.language.motives.told_by_remarks import Place, whom_it_names
 from executive.language.words.tokens import Piece
 from executive.vocabulary import Vocabulary
@@ -125,6 +126,8 @@ class _Search:
         size = len(self._pieces)
         first = max((index for index in range(size) if self._read.nothing_said[index]), default=0)
         yield from self._from(first, first, _MOST_BEFORE, may_be_free=True)
+        if first:
+            yield from self._from(0, 0, _MOST_BEFORE, may_be_free=False)
 
     def _from(self, first: int, start: int, most: int, *, may_be_free: bool) -> Iterator[_Span]:
         """Remarks from a place on, one of which may be of any words."""
@@ -156,21 +159,24 @@ class _Search:
 
     def _is_one_of_several(self, remark: Reason, place: Place) -> bool:
         """Whether another remark may follow it, which is always the same."""
-        return whom_it_names(remark) is None and is_mere_remark(remark, place)
+        return whom_it_names(plainer(remark)) is None and is_mere_remark(remark, place)
 
     def _front(self, first: int, remark: Reason, begins: int, place: Place) -> Iterator[_Span]:
         if not self._begins_command(begins) or not is_mere_remark(remark, place):
             return
-        chained = place is Place.BEFORE and may_go_on_as(remark, begins)
+        begins_later = begins - remark.end
+        plain = plainer(remark)
+        chained = place is Place.BEFORE and may_go_on_as(plain, plain.end + begins_later)
         if not chained or says_nothing(remark, place):
             yield _Span(first, begins, self._named_before(remark))
 
     def _named_before(self, remark: Reason) -> str:
         """What is left of a remark that names whom the command means by "him" or "her"."""
-        named = whom_it_names(remark)
+        plain = plainer(remark)
+        named = whom_it_names(plain)
         if named is None:
             return ""
-        piece = self._pieces[named]
+        piece = plain.pieces[named]
         return f"{self._read.plain[piece.start : piece.end]} {' '.join(words_of('naming'))}."
 
     def _of(

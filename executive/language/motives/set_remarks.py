@@ -11,7 +11,6 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
-from itertools import product
 
 from executive.language.motives.reason_guard import Reason
 from executive.vocabulary.written import expand
@@ -31,32 +30,44 @@ def _data() -> Mapping[str, Mapping[str, list[str]]]:
 
 
 @cache
-def _set_remarks(name: str) -> frozenset[str]:
-    """Every phrase of one sort, written out: one choice of each column after the other."""
-    return frozenset(
-        " ".join(part for part in parts if part)
+def _set_remarks(name: str) -> list[list[list[list[str]]]]:
+    """Every row of one sort: for each column the phrases that may stand there, as words."""
+    return [
+        [[one.split() for each in column.split(" / ") for one in expand(each)] for column in columns]
         for columns in _data()[name].values()
-        for parts in product(
-            *([one for each in column.split(" / ") for one in expand(each)] for column in columns)
-        )
-    )
+    ]
 
 
 @cache
 def _plainly() -> Mapping[str, list[tuple[list[str], list[str]]]]:
-    """What stands for idioms, by their first words."""
+    """What stands for idioms, by their first words; the longest first."""
     found: dict[str, list[tuple[list[str], list[str]]]] = {}
     for plain, phrases in _data()["plainly"].items():
         for phrase in phrases:
             for one in expand(phrase):
                 said = one.split()
                 found.setdefault(said[0], []).append((said, plain.split()))
+    for idioms in found.values():
+        idioms.sort(key=lambda idiom: -len(idiom[0]))
     return found
 
 
 def is_set_remark(remark: Reason, name: str) -> bool:
     """Whether a remark is one of a sort of phrases, word for word."""
-    return " ".join(remark.texts) in _set_remarks(name)
+    texts = remark.texts
+    return any(_is_row(texts, columns) for columns in _set_remarks(name))
+
+
+def _is_row(texts: list[str], columns: list[list[list[str]]]) -> bool:
+    reached = {0}
+    for column in columns:
+        reached = {
+            start + len(words)
+            for start in reached
+            for words in column
+            if texts[start : start + len(words)] == words
+        }
+    return len(texts) in reached
 
 
 def plainer(remark: Reason) -> Reason:
