@@ -25,6 +25,7 @@ from executive.language.noun_phrases.handled_thing import (
     IT,
     PREVIOUS,
     TRASH,
+    WHO_IS_MET,
     WHOEVER_IS_THERE,
     count_of,
     has_clear_place,
@@ -270,7 +271,7 @@ _PASSES = frozenset({"pass", "passing"})
 def _give(parts: Parts) -> Clause:
     each = arranged(parts)
     over = bool(words(parts, "OVER")) or any("over" in part.said for part in parts if isinstance(part, Word))
-    over = over or any(word.said in _PASSES for word in words(parts, "GIVE"))
+    passes = any(word.said in _PASSES for word in words(parts, "GIVE"))
     bundles = []
     for one in each:
         if one.goal is not None and one.goal.relation is not None:
@@ -279,9 +280,9 @@ def _give(parts: Parts) -> Clause:
         if person is None:
             if all(each_one.object.is_person for each_one in each):
                 raise trouble(f"what shall be given to {_whom(each)}?", asks=True)
-            if not over and not one.back:
+            if not (over or passes or one.back):
                 raise trouble("to whom?", asks=True)
-            person = WHOEVER_IS_THERE
+            person = WHOEVER_IS_THERE if passes or one.back else WHO_IS_MET
         only_for(one, person)
         bundles.append(given(one, person))
     return clause(parts, bundles)

@@ -16,7 +16,10 @@ ASKER = Nominal("me", "me", reference="asker", determined=True)
 """Who asks for a thing, when nobody is said to get it."""
 
 WHOEVER_IS_THERE = replace(ASKER, name="there")
-"""The same, unless somebody was gone to just before: "go to Ana and hand over the cup"."""
+"""The same, unless somebody was gone to just before: "go to Ana and pass the cup"."""
+
+WHO_IS_MET = replace(ASKER, name="met")
+"""Who was gone to just before; where that is nobody, it is asked: "hand over the cup"."""
 
 BACK = Nominal("any", reference="there", name="back")
 """The place that a thing was taken from."""

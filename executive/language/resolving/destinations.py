@@ -207,9 +207,11 @@ class Destinations(Antecedents):
         if value.reference == "him" or (value.sort == "person" and value.whose):
             return self._person(value)
         if value.reference == "asker":
-            met = self._met() if value.name == "there" else None
+            met = self._met() if value.name in ("there", "met") else None
             if met is not None:
                 return self._destination(met)
+            if value.name == "met" and not self._people and not self._came_to_asker():
+                raise ask("to whom?")
             if self._people:
                 raise ask("to whom?", ["me", *(f"{person.kind}" for person in dict.fromkeys(self._people))])
             return value.kind
@@ -246,6 +248,11 @@ class Destinations(Antecedents):
         if (into and not holders) or (not into and not in_hand.isdisjoint(holders)):
             raise ask("which one is meant?")
         return holders[0] if len({one.kind for one in holders}) == 1 else None
+
+    def _came_to_asker(self) -> bool:
+        """Whether the robot has gone to who speaks just before."""
+        came = bool(self._commands) and self._commands[-1].action == "walk_to" and bool(self._walks)
+        return came and self._walks[-1].sort == "me"
 
     def _met(self) -> Nominal | None:
         """Whom the robot has gone to just before, when nobody else was named since.
