@@ -16,6 +16,7 @@ from executive.language.motives.free_reasons import free_reasons
 from executive.language.motives.reason_guard import Reason, words_of
 from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as, says_nothing
 from executive.language.motives.set_remarks import plainer
+from executive.language.motives.small_talk import is_small_talk
 from executive.language.motives.told_by_remarks import Place, whom_it_names
 from executive.language.words.tokens import Piece
 from executive.vocabulary import Vocabulary
@@ -36,6 +37,7 @@ _PLACES = {
 }
 _BEHIND_BEGINS = frozenset({",", ";", ".", "!", _DASH})
 _CLOSING = {"(": ")", _DASH: _DASH}
+_TALK_ENDS = frozenset({".", "!"})
 _JOINING = frozenset({"SEP"})
 
 
@@ -128,6 +130,22 @@ class _Search:
         yield from self._from(first, first, _MOST_BEFORE, may_be_free=True)
         if first:
             yield from self._from(0, 0, _MOST_BEFORE, may_be_free=False)
+        talked = self._end_of_small_talk()
+        if talked:
+            if self._begins_command(talked):
+                yield _Span(0, talked)
+            yield from self._from(0, talked, _MOST_BEFORE, may_be_free=True)
+
+    def _end_of_small_talk(self) -> int:
+        """Where sentences in front end that are mere fragments; courtesies may stand among them."""
+        start, talked = 0, False
+        for mark, piece in enumerate(self._pieces[:-1]):
+            if piece.text in _TALK_ENDS and mark > start:
+                fragment = is_small_talk(Reason(*self._of(start, mark)))
+                if not fragment and not self._read.nothing_said[mark]:
+                    break
+                start, talked = mark + 1, talked or fragment
+        return start if talked else 0
 
     def _from(self, first: int, start: int, most: int, *, may_be_free: bool) -> Iterator[_Span]:
         """Remarks from a place on, one of which may be of any words."""
