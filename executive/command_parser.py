@@ -29,7 +29,11 @@ from executive.language.taken_back.corrections import corrected
 from executive.language.taken_back.meant_last import told_as_meant_first
 from executive.language.words.bare_lists import with_commas
 from executive.language.words.lattice import Lattice
-from executive.language.words.markup import without_marks, without_quotation_marks
+from executive.language.words.markup import (
+    with_nonsense_between_marks,
+    without_marks,
+    without_quotation_marks,
+)
 from executive.language.words.records import sentences_of_records
 from executive.language.words.spoken_marks import with_spoken_marks, without_last_mark
 from executive.language.words.tokens import (
@@ -154,7 +158,10 @@ class CommandParser:
             return None  # "say `id`": they belong to the words
         if plain is not None:
             found = self.parse(plain, remembers)
-            return replace(found, text=text) if found.refusal is None else None
+            others = (self.parse(other, remembers) for other in with_nonsense_between_marks(text))
+            if found.refusal is not None or any(other.commands and _alike(found, other) for other in others):
+                return None
+            return replace(found, text=text)
         plain = without_quotation_marks(text) if parsed.refusal is not None else None
         if plain is None:
             return None

@@ -132,3 +132,24 @@ def test_hostile_text_costs_at_most_a_few_times_what_the_longest_sentences_cost(
     hostile = sorted(spent_s(salad) for salad in salads)
 
     assert hostile[int(0.99 * len(hostile))] < 60 * usual[len(usual) // 2]
+
+
+@pytest.mark.requirement("L5")
+@pytest.mark.parametrize("markup", ["<script>", "`id`", "$(reboot)", "%s%n", "../../etc/passwd", "{{7*7}}"])
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "It is a {} lovely day, so open the window.",
+        "Bring me the cup because my {} throat is dry.",
+        "Hand me the red cup (my {} throat is dry).",
+        "Hand me the red cup, I've got glue on my {} fingers.",
+    ],
+)
+def test_what_is_passed_over_holds_nothing_that_nobody_says(sentence, markup):
+    assert not parse(sentence.format(markup)).commands
+    assert parse(sentence.format("").replace("  ", " ")).commands
+
+
+@pytest.mark.parametrize("sentence", ["walk to <kitchen>", "pick up the `red cup` from <table>", "`wave`"])
+def test_marks_around_what_is_meant_are_taken_away(sentence):
+    assert parse(sentence).commands

@@ -8,6 +8,7 @@ command does; such a reason is not passed over, and the sentence is refused as b
 from __future__ import annotations
 
 import importlib.resources
+import re
 import tomllib
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
@@ -18,6 +19,9 @@ from executive.language.refusing.examples import is_verb
 from executive.language.resolving.hazards import is_hazard
 from executive.language.words.tokens import Piece
 from executive.vocabulary import Reading, Vocabulary
+
+_SPOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*['’]?|[,.;:!?()–—-]")
+"""A word, or a mark that people write."""
 
 _THINGS = frozenset(
     {
@@ -156,13 +160,19 @@ def is_harmless(reason: Reason) -> bool:
 def is_more_than_a_reason(reason: Reason) -> bool:
     """Whether it orders, wishes, joins, denies or harms, or says what follows from "open" and "closed"."""
     return (
-        means_harm(reason)
+        has_signs(reason)
+        or means_harm(reason)
         or reason.texts[-1] in words_of("denying")
         or _joins_more(reason)
         or _orders(reason)
         or _wishes_something(reason)
         or _is_open_or_closed(reason)
     )
+
+
+def has_signs(reason: Reason) -> bool:
+    """Whether it holds what nobody says: markup, paths, commands of a shell."""
+    return not all(_SPOKEN.fullmatch(text) for text in reason.texts)
 
 
 def means_harm(reason: Reason) -> bool:

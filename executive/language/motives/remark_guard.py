@@ -9,6 +9,7 @@ from __future__ import annotations
 from executive.language.motives.reason_guard import (
     Reason,
     does_something,
+    has_signs,
     is_more_than_a_reason,
     means_harm,
     words_of,
@@ -59,6 +60,8 @@ def may_go_on_as(remark: Reason, begins: int) -> bool:
 
 def is_mere_remark(remark: Reason, place: Place) -> bool:
     """Whether a remark may be passed over."""
+    if has_signs(remark):
+        return False
     if says_nothing(remark, place):
         return True
     return _is_mere(plainer(remark), place)
