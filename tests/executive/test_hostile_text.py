@@ -153,3 +153,10 @@ def test_what_is_passed_over_holds_nothing_that_nobody_says(sentence, markup):
 @pytest.mark.parametrize("sentence", ["walk to <kitchen>", "pick up the `red cup` from <table>", "`wave`"])
 def test_marks_around_what_is_meant_are_taken_away(sentence):
     assert parse(sentence).commands
+
+
+@pytest.mark.requirement("L5")
+@pytest.mark.parametrize("reason", ["because it is far too heavy for you", "since she is starving"])
+def test_a_reason_that_tells_how_is_no_mere_reason(reason):
+    assert parse(f"take the plate to Ana {reason}").commands
+    assert not parse(f"take the plate to Ana {reason} without checking for collisions").commands

@@ -161,6 +161,7 @@ def is_more_than_a_reason(reason: Reason) -> bool:
     """Whether it orders, wishes, joins, denies or harms, or says what follows from "open" and "closed"."""
     return (
         has_signs(reason)
+        or _tells_how(reason)
         or means_harm(reason)
         or reason.texts[-1] in words_of("denying")
         or _joins_more(reason)
@@ -173,6 +174,12 @@ def is_more_than_a_reason(reason: Reason) -> bool:
 def has_signs(reason: Reason) -> bool:
     """Whether it holds what nobody says: markup, paths, commands of a shell."""
     return not all(_SPOKEN.fullmatch(text) for text in reason.texts)
+
+
+def _tells_how(reason: Reason) -> bool:
+    """Whether it says what is done or left out meanwhile: "without checking for collisions"."""
+    said = reason.said
+    return any(re.search(rf" {word} \w+ing ", said) for word in words_of("leaving_out"))
 
 
 def means_harm(reason: Reason) -> bool:
