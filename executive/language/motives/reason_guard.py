@@ -162,6 +162,7 @@ def is_more_than_a_reason(reason: Reason) -> bool:
     return (
         has_signs(reason)
         or _tells_how(reason)
+        or any(f" {words} " in reason.said for words in words_of("in_danger"))
         or means_harm(reason)
         or reason.texts[-1] in words_of("denying")
         or _joins_more(reason)
