@@ -34,12 +34,12 @@ from executive.language.words.markup import (
     without_marks,
     without_quotation_marks,
 )
+from executive.language.words.piece import Piece
 from executive.language.words.records import sentences_of_records
 from executive.language.words.spoken_marks import with_spoken_marks, without_last_mark
 from executive.language.words.tokens import (
     MAX_LENGTH,
     MalformedTextError,
-    Piece,
     lines_as_sentences,
     normalise,
     pieces_of,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from executive.language.words.lattice import Lattice, Word
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 
 MAX_SPAN = 10
 """Words of one alternative, so that no text takes long."""

@@ -17,7 +17,7 @@ from executive.language.motives.reason_guard import (
     words_of,
 )
 from executive.language.motives.set_remarks import plainer
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 
 FREE_REASON = "FREE_REASON"

@@ -17,7 +17,7 @@ from functools import cache
 
 from executive.language.refusing.examples import is_verb
 from executive.language.resolving.hazards import is_hazard
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Reading, Vocabulary
 
 _SPOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*['’]?|[,.;:!?()–—-]")

@@ -18,7 +18,7 @@ from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as
 from executive.language.motives.set_remarks import plainer
 from executive.language.motives.small_talk import is_small_talk
 from executive.language.motives.told_by_remarks import Place, whom_it_names
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 
 _MOST_BEHIND = 2

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from executive.language.refusing.typos import Typos, is_slip
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 
 MAX_UNKNOWN = 8
 """Unknown words, each counted once."""

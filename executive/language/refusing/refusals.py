@@ -11,7 +11,7 @@ from executive.language.refusing.mistyped import Mender
 from executive.language.refusing.reasons import reason_at
 from executive.language.refusing.typos import Typos, is_slip
 from executive.language.words.lattice import Lattice, Word
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
 

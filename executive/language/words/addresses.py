@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 
 _ROBOTS = frozenset({"robot", "machine"})
 """Meanings of words that may be the second half of a thing: "the kitchen robot", "the toy tin man"."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 
 _LONGEST = 3

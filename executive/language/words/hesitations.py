@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 
 _PEOPLE = frozenset({"ME", "US", "NAME", "PERSON", "PEOPLE", "HIM"})
 _NAMES_A_THING = frozenset({"DET", "AMOUNT", "ANOTHER", "MANY", "COUPLE", "COLOR", "KIND", "SUBSTANCE", "IT"})

@@ -13,8 +13,8 @@ from executive.language.words.begun_twice import without_beginnings
 from executive.language.words.colons import BEFORE_A_COLON
 from executive.language.words.contracted import uncontracted
 from executive.language.words.hesitations import SET_OFF, is_set_off, says_nothing
+from executive.language.words.piece import Piece
 from executive.language.words.titles import titled_names
-from executive.language.words.tokens import Piece
 from executive.language.words.unlisted_names import IsMistyped, unlisted_names
 from executive.language.words.wished import WISH, in_base_form
 from executive.vocabulary import Vocabulary

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 
 _SMALL = frozenset(
     {"the", "a", "an", "my", "your", "to", "into", "from", "and", "on", "in", "at", "of", "with"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 
 _MINE = frozenset({"my", "our"})

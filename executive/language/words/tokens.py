@@ -9,8 +9,8 @@ import difflib
 import re
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from executive.language.words.piece import Piece
 from executive.language.words.stutter import without_stutter
 from executive.vocabulary.written import BRIDGE_WORDS, split_words
 
@@ -53,35 +53,6 @@ WRITTEN_OUT = {
     "cant": "can't",
 }
 """Words as they are typed in haste."""
-
-_MARKS = frozenset(".,;:!?")
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """One word, number, mark or quotation.
-
-    Attributes:
-        text: As it was said, lower-case.
-        start: Where it begins in the normalised text.
-        end: Where it ends.
-        quoted: Whether it is a quotation, without its marks.
-    """
-
-    text: str
-    start: int
-    end: int
-    quoted: bool = False
-
-    @property
-    def is_mark(self) -> bool:
-        """Whether it is a punctuation mark."""
-        return self.text in _MARKS
-
-    @property
-    def is_number(self) -> bool:
-        """Whether it is written in digits."""
-        return self.text[0].isdecimal() and self.text[-1].isdecimal()
 
 
 class MalformedTextError(Exception):

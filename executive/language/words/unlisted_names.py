@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 
 IsMistyped = Callable[[str, Piece], bool]

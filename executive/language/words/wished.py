@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from executive.language.words.tokens import Piece
+from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 from executive.vocabulary.inflection import plain_forms
 
