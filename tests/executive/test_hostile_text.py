@@ -150,6 +150,10 @@ def test_what_is_passed_over_holds_nothing_that_nobody_says(sentence, markup):
     assert parse(sentence.format("").replace("  ", " ")).commands
 
 
+def test_a_form_of_address_said_over_and_over_names_nothing():
+    assert not parse("honey " * 12).commands
+
+
 @pytest.mark.parametrize("sentence", ["walk to <kitchen>", "pick up the `red cup` from <table>", "`wave`"])
 def test_marks_around_what_is_meant_are_taken_away(sentence):
     assert parse(sentence).commands

@@ -191,6 +191,8 @@ def _only_named(lattice: Lattice, chart: Chart) -> Question | None:
         if said is None or _may_be_done(lattice, start) or not all(map(_is_named, said.each)):
             continue
         words = lattice.text(start, _end(lattice, start))
+        if not words:  # "honey", said to the robot
+            continue
         called = _called(said.each, words, lattice.begins_with(start, _NAMES))
         return Question(f"what shall be done with {called}?", completes=(f"{words}: ", ""))
     return None
