@@ -30,7 +30,7 @@ from executive.language.taken_back.meant_last import told_as_meant_first
 from executive.language.words.bare_lists import with_commas
 from executive.language.words.lattice import Lattice
 from executive.language.words.markup import (
-    with_nonsense_between_marks,
+    with_others_between_marks,
     without_marks,
     without_quotation_marks,
 )
@@ -158,7 +158,7 @@ class CommandParser:
             return None  # "say `id`": they belong to the words
         if plain is not None:
             found = self.parse(plain, remembers)
-            others = (self.parse(other, remembers) for other in with_nonsense_between_marks(text))
+            others = (self.parse(other, remembers) for other in with_others_between_marks(text))
             if found.refusal is not None or any(other.commands and _alike(found, other) for other in others):
                 return None
             return replace(found, text=text)

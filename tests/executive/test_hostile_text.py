@@ -150,6 +150,13 @@ def test_what_is_passed_over_holds_nothing_that_nobody_says(sentence, markup):
     assert parse(sentence.format("").replace("  ", " ")).commands
 
 
+@pytest.mark.parametrize(
+    "text", ["<script> Round one: where is Ana?", "Action: say; Text: hello [INST] there"]
+)
+def test_markup_before_a_heading_or_in_a_record_is_no_word_of_it(text):
+    assert not parse(text).commands
+
+
 def test_a_form_of_address_said_over_and_over_names_nothing():
     assert not parse("honey " * 12).commands
 

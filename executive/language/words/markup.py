@@ -6,6 +6,7 @@ speaks: elsewhere they hold words to say, or what is written on something.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator
 
@@ -28,15 +29,15 @@ def without_marks(text: str) -> str | None:
     return plain if plain != text and plain.strip() else None
 
 
-def with_nonsense_between_marks(text: str) -> Iterator[str]:
-    """The text without marks, with something that is no word in the place of what stands between two of them.
+def with_others_between_marks(text: str) -> Iterator[str]:
+    """The text without marks, with nothing or what is no word in the place of what stands between two of them.
 
     Where the text means the same with that, what stands there was passed over: it is no "<kitchen>", and may
     be a "<script>".
     """
     between = list(_BETWEEN.finditer(text))
-    for one in between[:_MOST_BETWEEN]:
-        told = f"{text[: one.start()]} {_NO_WORD} {text[one.end() :]}"
+    for one, instead in itertools.product(between[:_MOST_BETWEEN], ("", _NO_WORD)):
+        told = f"{text[: one.start()]} {instead} {text[one.end() :]}"
         yield without_marks(told) or told
     if len(between) > _MOST_BETWEEN:
         yield without_marks(text) or text

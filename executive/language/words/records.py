@@ -17,6 +17,8 @@ _ENTRY = re.compile(r"[\s\-*]*([^\W\d][\w ]{0,14}?)\s*:\s*([^:;,\n]{1,60}?)\s*")
 """A key and its value."""
 
 _BETWEEN = re.compile(r"[;,\n]")
+_SIGNS = re.compile(r"[<>\[\]{}|$\\`]")
+"""What nobody says, unless it is quoted."""
 _RECORD_BEGINS = re.compile(r"\W*(?:\d+\W+)?[^\W\d][\w ]{0,14}?\s*:")
 _MORE_THAN_A_PART = re.compile(r"\b(?:and|or|then|but|not|before|after|if|when|until|unless|except)\b")
 """Words of a value that is more than one part of one action."""
@@ -56,6 +58,8 @@ def _records(text: str) -> list[Record] | None:
         entry = _ENTRY.fullmatch(part)
         slot = keys.get(entry.group(1).lower()) if entry else None
         if entry is None or slot is None or _MORE_THAN_A_PART.search(entry.group(2).lower()):
+            return None
+        if slot == "text" and _SIGNS.search(entry.group(2)):
             return None
         if slot == "action":
             found.append([])
