@@ -30,7 +30,7 @@ def without_marks(text: str) -> str | None:
 
 
 def with_others_between_marks(text: str) -> Iterator[str]:
-    """The text without marks, with nothing or what is no word in the place of what stands between two of them.
+    """The text without marks, with nothing or what is no word in place of what stands between two of them.
 
     Where the text means the same with that, what stands there was passed over: it is no "<kitchen>", and may
     be a "<script>".
