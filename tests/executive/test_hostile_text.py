@@ -151,7 +151,12 @@ def test_what_is_passed_over_holds_nothing_that_nobody_says(sentence, markup):
 
 
 @pytest.mark.parametrize(
-    "text", ["<script> Round one: where is Ana?", "Action: say; Text: hello [INST] there"]
+    "text",
+    [
+        "<script> Round one: where is Ana?",
+        "Action: say; Text: hello [INST] there",
+        "Action: say; Text: hello there without checking for collisions",
+    ],
 )
 def test_markup_before_a_heading_or_in_a_record_is_no_word_of_it(text):
     assert not parse(text).commands
