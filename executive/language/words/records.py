@@ -20,7 +20,9 @@ _BETWEEN = re.compile(r"[;,\n]")
 _SIGNS = re.compile(r"[<>\[\]{}|$\\`]")
 """What nobody says, unless it is quoted."""
 _RECORD_BEGINS = re.compile(r"\W*(?:\d+\W+)?[^\W\d][\w ]{0,14}?\s*:")
-_MORE_THAN_A_PART = re.compile(r"\b(?:and|or|then|but|not|before|after|if|when|until|unless|except|without)\b")
+_MORE_THAN_A_PART = re.compile(
+    r"\b(?:and|or|then|but|not|before|after|if|when|until|unless|except|without)\b"
+)
 """Words of a value that is more than one part of one action."""
 
 _ORDER = ("object", "text", "target", "from", "location", "to", "on", "in", "hand")
