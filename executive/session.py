@@ -37,7 +37,7 @@ TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 R = TypeVar("R")
 
 
-def usual_limit_s(command: Command) -> float:
+def _usual_limit_s(command: Command) -> float:
     """Simulated time that a task may take when nobody says how long; a wait lasts as long as said."""
     return TASK_TIMEOUT_S + (command.duration_s if isinstance(command, WaitTask) else 0.0)
 
@@ -234,7 +234,7 @@ class Session:
             outcome = "refused", refusal
         else:
             tree = (self._build or build_tree)(command, self._toolbox)
-            limit_s = usual_limit_s(command) if timeout_s is None else timeout_s
+            limit_s = _usual_limit_s(command) if timeout_s is None else timeout_s
             outcome = yield from self._run_guarded(tree, began_s + limit_s)
             self._stand()
         status, failure = outcome

@@ -10,6 +10,10 @@ from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING, Leaf
+from trees.toolbox import Toolbox
+
+_HOME_RAD = 0.01
+"""A reference nearer than this to home is home."""
 
 
 def largest_error(
@@ -22,6 +26,12 @@ def largest_error(
     error = np.abs(q[7:] - q_goal[7:])
     worst = int(np.argmax(error))
     return model.joints[worst], float(error[worst])
+
+
+def is_told_to_be_home(toolbox: Toolbox) -> bool:
+    """Whether every body joint is commanded to be at home, where no way home could meet anything."""
+    model = toolbox.model
+    return largest_error(model, toolbox.motion.reference(), model.q_home)[1] <= _HOME_RAD
 
 
 def arrival(leaf: Leaf, checked: CheckedTrajectory, by_s: float) -> Status | Failure:

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
 
-from trees.arrival import largest_error
+from trees.arrival import is_told_to_be_home
 from trees.ports import ports
 from trees.skipping import Skipping
 from trees.toolbox import Toolbox
-
-_HOME_RAD = 0.01
-"""Nearer than this to home, there is no way home that could meet anything."""
 
 
 class IfNothingIsKnown(Skipping):
@@ -28,8 +25,5 @@ class IfNothingIsKnown(Skipping):
 
     def needed(self) -> bool:
         """Whether hands would move among what nobody has seen."""
-        toolbox = self._toolbox
-        scene, model = toolbox.world.scene, toolbox.model
-        if scene.objects or scene.attached:
-            return False
-        return largest_error(model, toolbox.motion.reference(), model.q_home)[1] > _HOME_RAD
+        scene = self._toolbox.world.scene
+        return not (scene.objects or scene.attached or is_told_to_be_home(self._toolbox))

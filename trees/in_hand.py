@@ -22,12 +22,14 @@ def not_in_hand(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> list[O
     a second one it would bar every way of that hand.
     """
     scene, policy = toolbox.world.scene, toolbox.policy
+    if not scene.attached:
+        return list(estimates)
     q = toolbox.sensing.state().q
     held = {
         name: (toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
         for name, body in scene.attached.items()
     }
-    around = _with_furniture(scene, estimates, policy) if held else scene
+    around = _with_furniture(scene, estimates, policy)
     return [
         estimate
         for estimate in estimates

@@ -8,21 +8,14 @@ from typing import ClassVar
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
-from robots.perception.standing import standing_on_tops
 from trees.believed_thing import Surroundings, surroundings
 from trees.failures import Failure
-from trees.glimpse_of import glimpse_of
-from trees.handles import without_moved_parts
-from trees.in_hand import not_in_hand
-from trees.in_plain_sight import in_plain_sight
-from trees.look_leaf import LookLeaf, View, estimates_of
-from trees.scene_update import updated_scene
+from trees.folded_look import folded_look
+from trees.look_leaf import LookLeaf, View
 
 
 class LookAround(LookLeaf):
-    """Gathers a look, replaces the world model's scene by what it tells, and hands on what was seen.
-
-    What is in a hand is left out: it is attached, and must not become an obstacle as well.
+    """Gathers a look, folds it into the world model, and hands on what was seen.
 
     Attributes:
         keeping: Whether what an earlier look showed stays, though this one does not show it: nothing has
@@ -48,19 +41,6 @@ class LookAround(LookLeaf):
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then judge what was seen."""
-        world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
-        glimpse = glimpse_of(self.toolbox, views[-1])
-        camera, near_m = self.toolbox.model.description.camera, policy.hidden_by_hand_m
-        others = tuple(world.scene.objects.values())
-        update = updated_scene(
-            without_moved_parts(world.scene, estimates),
-            estimates,
-            policy,
-            lambda item: self.keeping or not in_plain_sight(item, glimpse, camera, others, near_m),
-            may_have_moved=not self.LOOKING_ON,
-        )
-        world.update(update.scene)
-        world.note_glimpse(glimpse)
+        update = folded_look(self.toolbox, views, may_have_moved=not self.LOOKING_ON, keeping=self.keeping)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         return self.found(update.seen)

@@ -10,20 +10,16 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
-from robots.perception.standing import standing_on_tops
 from trees.believed_thing import Surroundings, surroundings
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.glimpse_of import glimpse_of
+from trees.folded_look import folded_look
 from trees.grounding import Ambiguous, Found, Missing, compares, ground
-from trees.handles import without_moved_parts
-from trees.in_hand import not_in_hand
-from trees.in_plain_sight import in_plain_sight
 from trees.leaf import DONE
-from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.look_leaf import LookLeaf, View
 from trees.ports import optional, ports
 from trees.questions import which_is_meant
-from trees.scene_update import kind_of, updated_scene, words_for
+from trees.scene_update import kind_of, words_for
 from trees.steps import Target
 from trees.tasks import ObjectDescription, ObjectOf
 from trees.toolbox import Toolbox
@@ -77,20 +73,8 @@ class Detect(LookLeaf):
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
-        world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = standing_on_tops(not_in_hand(self.toolbox, estimates_of(views)))
-        glimpse = glimpse_of(self.toolbox, views[-1])
-        camera, others = self.toolbox.model.description.camera, tuple(world.scene.objects.values())
-        update = updated_scene(
-            without_moved_parts(world.scene, estimates),
-            estimates,
-            policy,
-            lambda item: not in_plain_sight(item, glimpse, camera, others, policy.hidden_by_hand_m),
-            may_have_moved=self.part == "alone",
-        )
-        world.update(update.scene)
-        world.note_sightings(update.seen)
-        world.note_glimpse(glimpse)
+        update = folded_look(self.toolbox, views, may_have_moved=self.part == "alone")
+        self.toolbox.world.note_sightings(update.seen)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         chosen = self._choose(update.seen)
         if isinstance(chosen, Failure):

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from kinematics.gesture_requests import GestureRequest
 from kinematics.requests import MoveRequest
-from trees.arrival import largest_error
+from trees.arrival import is_told_to_be_home
 from trees.contract import Contract
 from trees.move_here import move_from_here
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
-
-# A reference nearer than this to home is home.
-_HOME_RAD = 0.01
 
 
 class GoHome(PlannedMotionLeaf):
@@ -29,8 +26,4 @@ class GoHome(PlannedMotionLeaf):
 
     def goal(self) -> MoveRequest | GestureRequest | None:
         """The home posture, unless it is commanded already."""
-        toolbox = self.toolbox
-        reference = toolbox.motion.reference()
-        if largest_error(toolbox.model, reference, toolbox.model.q_home)[1] <= _HOME_RAD:
-            return None
-        return move_from_here(toolbox)
+        return None if is_told_to_be_home(self.toolbox) else move_from_here(self.toolbox)
