@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.dynamics import StandingDynamics
 from kinematics.lead_in import lead_in
 from kinematics.resuming import rest_of
 from kinematics.robot_model import RobotModel
@@ -144,8 +143,6 @@ class BodyTrack:
             return
         profile = None
         sampler, self._sampler, self._playing_out = self._sampler, None, False
-        if easing is not None and sampler is not None:
-            self._braked_on = sampler, self._elapsed_s, self._model.joint_index(easing)
         if along_path and sampler is not None:
             profile = StopProfile.along_path(
                 self._model, self._stance, sampler, self._elapsed_s, self._period_s
@@ -155,6 +152,8 @@ class BodyTrack:
                 return
             if profile is None or profile.steps or profile.is_late(self._period_s):
                 profile = self._stop_promptly(sampler, profile)
+        if easing is not None and sampler is not None:
+            self._braked_on = sampler, self._elapsed_s, self._model.joint_index(easing)
         self._start(profile or self._stop_at_once(sampler))
 
     def _stop_at_once(self, sampler: TrajectorySampler | None) -> StopProfile:
@@ -259,8 +258,7 @@ class BodyTrack:
         if braked_on is None:
             return
         sampler, t_s, joint = braked_on
-        dynamics = StandingDynamics(self._model, self._stance)
-        back = way_back(sampler, t_s, self.now, joint, dynamics, self._period_s)
+        back = way_back(self._model, self._stance, sampler, t_s, self.now, joint, self._period_s)
         if back is not None:
             self._start(back)
             self._going_back = True

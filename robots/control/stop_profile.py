@@ -12,6 +12,7 @@ import numpy as np
 from kinematics.braking import brake_along, brake_joints, brake_standing, keeps_limits
 from kinematics.free_coordinates import free_coordinates
 from kinematics.prompt_brake import brake_promptly
+from kinematics.quintic import rest_to_rest
 from kinematics.robot_model import RobotModel
 from kinematics.stance import standing_at
 from kinematics.trajectory import Stance
@@ -70,7 +71,7 @@ class StopProfile:
         brake = brake_along(model, stance, sampler, t_s, period_s)
         if brake is None:
             return None
-        return cls(_resting_on_the_stance(model, stance, brake.rows, period_s), brake.steps)
+        return cls(resting_on_the_stance(model, stance, brake.rows, period_s), brake.steps)
 
     @classmethod
     def promptly_along_path(
@@ -96,7 +97,7 @@ class StopProfile:
         periods = np.arange(1, round(after_s / period_s) + 1, dtype=np.float64)
         if len(periods):
             rows = _joined(sampler.many(t_s + period_s * periods), rows)
-        return cls(_resting_on_the_stance(model, stance, rows, period_s))
+        return cls(resting_on_the_stance(model, stance, rows, period_s))
 
     @classmethod
     def soon_along_path(
@@ -132,12 +133,12 @@ class StopProfile:
         """
         acceleration, jerk = model.acceleration, model.jerk
         braked = _each_braked(model, stance, now, _SHARE_LED_BACK, period_s, _LED_ON_S)
-        led = _resting_on_the_stance(model, stance, braked, period_s, stray_rad=_LED_BACK_RAD)
+        led = resting_on_the_stance(model, stance, braked, period_s, stray_rad=_LED_BACK_RAD)
         if led is not braked and keeps_limits(led.a[:, 6:], now.a[6:], acceleration, jerk, period_s):
             return cls(led)
         braked = _each_braked(model, stance, now, 1.0, period_s, _LED_BACK_S)
         after = round(_LED_BACK_S / period_s)
-        return cls(_resting_on_the_stance(model, stance, braked, period_s, after, _LED_BACK_RAD))
+        return cls(resting_on_the_stance(model, stance, braked, period_s, after, _LED_BACK_RAD))
 
 
 def _each_braked(
@@ -167,7 +168,7 @@ def _joined(first: MotionSample, second: MotionSample) -> MotionSample:
     )
 
 
-def _resting_on_the_stance(
+def resting_on_the_stance(
     model: RobotModel,
     stance: Stance,
     rows: MotionSample,
@@ -187,11 +188,7 @@ def _resting_on_the_stance(
         return rows
     n = last or len(rows.q)
     u = np.maximum(np.arange(1, len(rows.q) + 1) - (len(rows.q) - n), 0) / n
-    # A quintic from rest to rest, and its rates.
-    duration_s = n * period_s
-    s = u**3 * (10.0 - 15.0 * u + 6.0 * u**2)
-    ds = 30.0 * u**2 * (1.0 - u) ** 2 / duration_s
-    dds = 60.0 * u * (1.0 - 3.0 * u + 2.0 * u**2) / duration_s**2
+    s, ds, dds = rest_to_rest(u, n * period_s)
     q, v, a = rows.q.copy(), rows.v.copy(), rows.a.copy()
     q[:, 7:] += s[:, None] * gap
     v[:, 6:] += ds[:, None] * gap

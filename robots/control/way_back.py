@@ -10,15 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.dynamics import StandingDynamics
+from kinematics.quintic import PEAK, rest_to_rest
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
-from robots.control.stop_profile import StopProfile
+from robots.control.stop_profile import StopProfile, resting_on_the_stance
 
 _BACK_S = tuple(0.1 * k for k in range(1, 8))
 """So much of the path may be gone back on, in its own time."""
 _RATE = 0.6
 """Most of the path's own speed: faster, and its jerk would leave the limits."""
-_PEAK = 1.875
-"""Of a quintic from rest to rest: its greatest speed over the mean."""
 _EASED = 0.95
 """A joint that carries less than this share of what it carries at rest is eased."""
 _STRAYED_RAD = 2e-3
@@ -27,21 +28,23 @@ _BRAKED_WITHIN_S = 0.5
 
 
 def way_back(
+    model: RobotModel,
+    stance: Stance,
     sampler: TrajectorySampler,
     t_s: float,
     at_rest: MotionSample,
     joint: int,
-    dynamics: StandingDynamics,
     period_s: float,
 ) -> StopProfile | None:
     """Go back along a path, to where a joint has least to give.
 
     Args:
+        model: The robot.
+        stance: How it stands.
         sampler: The path.
         t_s: Its time when the brake began.
         at_rest: Where the brake ended.
         joint: The joint's index among those of ``q[7:]``.
-        dynamics: Tells what holds a posture.
         period_s: Control period.
 
     Returns:
@@ -50,6 +53,7 @@ def way_back(
     begin_s = _time_at(sampler, t_s, at_rest, period_s)
     if begin_s is None:
         return None
+    dynamics = StandingDynamics(model, stance)
     carried = {
         back_s: abs(float(dynamics.holding_efforts(sampler.at(begin_s - back_s).q)[joint]))
         for back_s in (*(back_s for back_s in _BACK_S if back_s < begin_s), begin_s)
@@ -59,15 +63,13 @@ def way_back(
     back_s = min(carried, key=carried.__getitem__, default=0.0)
     if not carried or carried[back_s] > _EASED * now:
         return None
-    duration_s = back_s * _PEAK / _RATE
+    duration_s = back_s * PEAK / _RATE
     u = np.minimum(1.0, np.arange(1, round(duration_s / period_s) + 2) * period_s / duration_s)
-    share = u**3 * (10.0 - 15.0 * u + 6.0 * u**2)
-    rate = 30.0 * u**2 * (1.0 - u) ** 2 / duration_s
-    slope = 60.0 * u * (1.0 - 3.0 * u + 2.0 * u**2) / duration_s**2
+    share, rate, slope = rest_to_rest(u, duration_s)
     rows = sampler.many(begin_s - back_s * share, -back_s * rate, -back_s * slope)
     # where it rests is a hair beside the path: that is kept on all the way
     rows.q[:, 7:] += at_rest.q[7:] - sampler.at(begin_s).q[7:]
-    return StopProfile(rows)
+    return StopProfile(resting_on_the_stance(model, stance, rows, period_s))
 
 
 def _time_at(sampler: TrajectorySampler, t_s: float, at_rest: MotionSample, period_s: float) -> float | None:

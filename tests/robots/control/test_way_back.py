@@ -68,7 +68,7 @@ def test_the_pelvis_rises_again_within_the_limits_and_with_the_feet_in_place(tal
     assert (np.abs(a[:, 6:]) <= talos.acceleration * 1.005).all()
     assert (np.abs(np.diff(a, axis=0)[:, 6:]) / PERIOD_S <= talos.jerk * 1.01).all()
     for frame, world_T_sole in stance.soles:
-        np.testing.assert_allclose(talos.frame_pose(rows[-1].q, frame), world_T_sole, atol=1e-4)
+        np.testing.assert_allclose(talos.frame_pose(rows[-1].q, frame), world_T_sole, atol=1e-9)
 
 
 def test_who_was_not_told_to_go_back_stays(lowering):
@@ -109,6 +109,33 @@ def test_a_stop_while_it_brakes_leaves_no_way_back(lowering):
     track.brake(along_path=True)
 
     assert lowest_m(track) == track.now.q[2]
+
+
+def played_out(talos):
+    """A track that was braked so near the end of its path that it went on to there."""
+    for share in np.arange(0.60, 1.0, 0.01):
+        stance, lowering = deep(talos)
+        track = BodyTrack(talos, stance, lowering.q[0], PERIOD_S)
+        track.play(lowering)
+        followed(track, seconds=share * lowering.duration_s)
+        track.brake(along_path=True, easing=KNEE)
+        if np.allclose(track.destination, lowering.q[-1], atol=1e-9):
+            followed(track)
+            return track
+    raise AssertionError("it was never played out")
+
+
+@pytest.mark.requirement("S2")
+def test_a_motion_that_was_played_out_leaves_no_way_back_to_a_later_pause(talos):
+    track = played_out(talos)
+    _, rising = deep(talos, down=False)
+    track.play(rising)
+    followed(track, seconds=0.05)
+
+    assert track.pause()
+
+    assert len(followed(track)) * PERIOD_S <= 0.5
+    assert track.paused
 
 
 @pytest.mark.parametrize(
