@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -11,6 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
+from executive.language.asking.about_doing import asks_about_doing, praises
 from executive.language.asking.alternatives import alternatives
 from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
@@ -55,17 +55,7 @@ __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
 
-_PRAISED = "praise"
-"""Meaning of those courtesies that may be said of what was done: "lovely, opening the fridge"."""
-
-_PRAISE = frozenset({"good", "great", "well", "nice", "excellent", "perfect", "fine", "thanks", "thank"})
-"""Words of what is said to whoever has done something, as well as before a command."""
-
 _PLACES = frozenset({"FURNITURE", "CONTAINER", "DOOR"})
-_THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"})
-_ASK = frozenset({"OPENING", "THERE_IS"})
-"""What begins with "you" and asks for something, or states where it is: "you could", "you see"."""
-
 _SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
@@ -258,9 +248,9 @@ class CommandParser:
                 if missing is not None:
                     return Parsed(text, question=missing)
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
-        if _asks_about_doing(lattice, self._verbs):
+        if asks_about_doing(lattice, self._verbs):
             return Parsed(text, question=Question("is that asked about, or shall it be done?"))
-        if _praises(lattice):
+        if praises(lattice):
             return Parsed(text, question=Question("is that praise for it, or shall it be done?"))
         return self._answer(text, outcomes, lattice.manners())
 
@@ -387,46 +377,6 @@ class CommandParser:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
-
-
-def _asks_about_doing(lattice: Lattice, verbs: AbstractSet[str]) -> bool:
-    """Whether a question mark ends "opening the fridge?", "the milk goes there?", "the milk from there?"."""
-    asks = lattice.plain.rstrip().endswith("?")
-    if not asks:
-        return False
-    said = [word for start in range(len(lattice.pieces)) for word in lattice.phrase(start)]
-    states = any(word.word_class == "SHALL_GO" and lattice.ends_with(word.start, _THINGS) for word in said)
-    states = states or any(word.word_class == "GETS" for word in said)
-    begun = [at for at in range(len(lattice.pieces)) if _begins_apart(lattice, at)]
-    begins = {at: {word.word_class for word in lattice.phrase(at)} for at in begun}
-    states = states or any(
-        "YOU_DO" in one and one.isdisjoint(_ASK) for one in begins.values()
-    )  # "you take sugar?"
-    classes = {word.word_class for word in said}
-    states = states or ("FROM" in classes and classes.isdisjoint(verbs))
-    return states or any(word.meaning.endswith(":ing") for word in lattice.phrase(0))
-
-
-def _begins_apart(lattice: Lattice, position: int) -> bool:
-    """Whether nothing but courtesies stands before a place, and a mark ends them."""
-    return position == 0 or (lattice.may_begin(position) and lattice.pieces[position - 1].is_mark)
-
-
-def _praises(lattice: Lattice) -> bool:
-    """Whether an -ing form stands right behind praise or thanks: "good job picking up the cup"."""
-    size = len(lattice.pieces)
-    for start in range(size):
-        for praise in lattice.phrase(start):
-            is_praise = praise.meaning == _PRAISED or not _PRAISE.isdisjoint(praise.said.split())
-            if praise.word_class not in ("OPENING", "FILLER") or not is_praise:
-                continue
-            following = [*lattice.phrase(praise.end)] if praise.end < size else []
-            for one in tuple(following):
-                if one.word_class == "ADDRESSED" and one.end < size:  # "good job, robot"
-                    following += lattice.phrase(one.end)
-            if any(one.meaning.endswith(":ing") for one in following):
-                return True
-    return False
 
 
 def _alike(one: Parsed, other: Parsed) -> bool:

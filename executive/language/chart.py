@@ -12,7 +12,9 @@ from typing import Any
 
 from executive.language.grammar import Node, Rule
 from executive.language.phrases import Clause, Items, Meaning, Trouble
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.free_text import free_text
+from executive.language.words.lattice import Lattice
+from executive.language.words.word import Word
 
 MAX_STEPS = 2_500
 """Parts looked at before a sentence counts as too tangled; none of 2,800 collected ones needs 370."""
@@ -120,7 +122,7 @@ class Chart:
 
     def _words(self, word_class: str, position: int, classes: Mapping[str, list[Word]]) -> list[Word]:
         if word_class == "TEXT":
-            return self._lattice.free_text(position, self._rules["command"].first | _REFUSED_COMMANDS)
+            return free_text(self._lattice, position, self._rules["command"].first | _REFUSED_COMMANDS)
         return classes.get(word_class, [])
 
     def _value(self, function: str, parts: tuple[Any, ...]) -> Any:

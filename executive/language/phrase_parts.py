@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from executive.language.phrases import Nominal
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 Parts = tuple[Any, ...]
 

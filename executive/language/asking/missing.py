@@ -16,7 +16,8 @@ from typing import Any
 from executive.language.chart import Chart
 from executive.language.phrases import Item, Items, Where
 from executive.language.refusing.examples import is_verb
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.lattice import Lattice
+from executive.language.words.word import Word
 from executive.meaning import Question
 
 MAX_WORDS = 30

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.lattice import Lattice
 from executive.language.words.piece import Piece
+from executive.language.words.word import Word
 
 MAX_SPAN = 10
 """Words of one alternative, so that no text takes long."""

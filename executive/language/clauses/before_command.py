@@ -15,7 +15,7 @@ from executive.language.commands.brief_tasks import takes_a_moment
 from executive.language.commands.placing import MEANINGS as PLACING
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 
 class _Nothing:

@@ -10,7 +10,7 @@ from typing import Any
 from executive.language.clauses.before_command import NOTHING, STEPS, Numbered, step_number
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Meaning
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _TAKE, _ALONE, _VERB, _PLAN = "take", "alone", "verb", "plan"
 """Meanings: what stands only behind another heading, with nothing beside it, with something; plans."""

@@ -12,7 +12,7 @@ from enum import Enum
 from typing import Literal
 
 from executive.language.phrases import Clause, Trouble
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 
 class Separator(Enum):

@@ -13,7 +13,7 @@ from executive.language.commands.placing import MEANINGS as PLACING
 from executive.language.noun_phrases.arranging import arranged, guarded, unfit
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Benefit, Bundle, Clause, Hand, Item, Meaning, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 STATED = "stated"
 """Slot of what is said to go somewhere, after which another command may be meant instead."""

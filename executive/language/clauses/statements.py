@@ -11,7 +11,7 @@ from executive.language.commands.placing import one_at_a_time
 from executive.language.noun_phrases.arranging import arranged, guarded, trouble, unfit
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _EXISTS = frozenset({"thing", "container", "door"})
 """Sorts of what a statement names for a task: "there are two doors, close the left one"."""

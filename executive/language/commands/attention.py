@@ -34,7 +34,7 @@ from executive.language.phrases import (
     relation_kind,
     wears,
 )
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 from executive.vocabulary.inflection import plural
 
 _BESIDE = ("RELATION", "NEXT_TO")

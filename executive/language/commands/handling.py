@@ -45,7 +45,7 @@ from executive.language.phrases import (
     Where,
     draft,
 )
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 
 def picked(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:

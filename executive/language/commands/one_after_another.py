@@ -14,7 +14,7 @@ from executive.language.noun_phrases.lists import Joined
 from executive.language.noun_phrases.pairs import MEANINGS as PAIRS
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Item, Items, Meaning, Nominal, Pair, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _LATER = Joined(commas=False, then=True)
 

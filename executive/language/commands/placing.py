@@ -23,7 +23,7 @@ from executive.language.phrases import (
     Where,
     draft,
 )
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 from trees.articles import with_article
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})

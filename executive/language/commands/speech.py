@@ -19,7 +19,8 @@ from executive.language.noun_phrases.lists import Joined
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Meaning, Nominal, draft
 from executive.language.resolving.discourse import is_them
-from executive.language.words.lattice import TIME, Word
+from executive.language.words.free_text import TIME
+from executive.language.words.word import Word
 
 UNQUOTED = "which words shall be said? put them in quotation marks"
 

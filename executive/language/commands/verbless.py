@@ -10,7 +10,7 @@ from executive.language.commands.placing import moved
 from executive.language.noun_phrases.arranging import guarded, unfit
 from executive.language.phrase_parts import Parts
 from executive.language.phrases import Clause, Hand, Item, Meaning, Nominal, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 
 def _transport(parts: Parts) -> Item:

@@ -9,13 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
-from executive.language.motives.reason_guard import (
-    Reason,
-    does_something,
-    holds_something,
-    is_harmless,
-    words_of,
-)
+from executive.language.motives.reason import Reason, words_of
+from executive.language.motives.reason_guard import does_something, holds_something, is_harmless
 from executive.language.motives.set_remarks import plainer
 from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary

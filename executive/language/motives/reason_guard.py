@@ -7,43 +7,29 @@ command does; such a reason is not passed over, and the sentence is refused as b
 
 from __future__ import annotations
 
-import importlib.resources
 import re
-import tomllib
-from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
-from functools import cache
 
+from executive.language.motives.reason import (
+    NOUNS,
+    OWNERS,
+    SOMEBODY,
+    TELLS_APART,
+    THINGS,
+    Reason,
+    words_of,
+)
 from executive.language.refusing.examples import is_verb
 from executive.language.resolving.hazards import is_hazard
-from executive.language.words.piece import Piece
-from executive.vocabulary import Reading, Vocabulary
+from executive.vocabulary import Reading
 
 _SPOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*['’]?|[,.;:!?()–—-]")
 """A word, or a mark that people write."""
 
-_THINGS = frozenset(
-    {
-        "KIND",
-        "KINDS",
-        "SUBSTANCE",
-        "PAIR",
-        "FURNITURE",
-        "FURNITURES",
-        "CONTAINER",
-        "CONTAINERS",
-        "DOOR",
-        "ROOM",
-    }
-)
-_SOMEBODY = frozenset({"NAME", "PERSON", "PEOPLE", "OWNER", "OWNING", "ANIMAL", "ANIMALS"})
-_NOUNS = _THINGS | _SOMEBODY
 _RECEIVERS = frozenset({"NAME", "PERSON", "ME", "HIM", "US"})
 _PLACING = frozenset({"ON", "ONTO", "IN", "INTO", "AT", "NEXT_TO", "RELATION", "FROM", "TO", "NEAREST_TO"})
 _PEOPLE = frozenset({"PEOPLE"})
 _ARTICLES = frozenset({"DET", "OWNER", "OWNING", "ALL", "BOTH", "EVERY", "ANOTHER"})
-_TELLS_APART = frozenset({"COLOR", "SIZE", "MATERIAL", "ORDINAL", "LEFT_RIGHT", "NEAREST", "COMPARED"})
 _NUMBERS = frozenset({"AMOUNT", "TENS", "COUPLE"})
 _SKILLS_NOT = frozenset({"NO_SKILL", "HARM", "THROW", "ASK", "LIMITLESS"})
 _MORE_VERBS = frozenset(
@@ -69,80 +55,9 @@ _HOLDS = frozenset({"PUT", "PUT_IN", "PUT_DOWN", "MOVE_THING", "DROP", "PICK", "
 _STANDS_FOR = frozenset({"ONE", "ONES"})
 _OPEN_OR_CLOSED = frozenset({"OPENED", "CLOSED"})
 _UNITS = frozenset({"LENGTH", "TIME", "ANGLE"})
-_OWNERS = frozenset({"OWNER", "OWNING"})
 _ROOM = frozenset({"ROOM"})
 _HAND = frozenset({"HAND"})
 _LEFT_RIGHT = frozenset({"LEFT_RIGHT"})
-
-
-@cache
-def _lists() -> dict[str, frozenset[str]]:
-    """All lists of ``free_reasons.toml`` and ``remarks.toml``, read when a reason is first given."""
-    folder = importlib.resources.files("executive.language.motives")
-    texts = (folder.joinpath(f"{name}.toml").read_text("utf-8") for name in ("free_reasons", "remarks"))
-    return {name: frozenset(words) for text in texts for name, words in tomllib.loads(text).items()}
-
-
-def words_of(name: str) -> frozenset[str]:
-    """One list of words that tell what a clause may do."""
-    return _lists()[name]
-
-
-@dataclass(frozen=True, slots=True)
-class Reason:
-    """A clause behind "because" or the like, within its sentence.
-
-    Attributes:
-        pieces: Of the sentence.
-        start: Where the clause begins, behind the conjunction.
-        end: Where it ends.
-        begins: Word classes that begin at each place.
-        vocabulary: What is known.
-    """
-
-    pieces: Sequence[Piece]
-    start: int
-    end: int
-    begins: Sequence[AbstractSet[str]]
-    vocabulary: Vocabulary
-
-    @property
-    def texts(self) -> list[str]:
-        """The words of the clause."""
-        return [piece.text for piece in self.pieces[self.start : self.end]]
-
-    @property
-    def said(self) -> str:
-        """The clause, with spaces at both ends."""
-        return f" {' '.join(self.texts)} "
-
-    @property
-    def places(self) -> range:
-        """Where its words stand."""
-        return range(self.start, self.end)
-
-    @property
-    def elsewhere(self) -> list[int]:
-        """Where the other words of the sentence stand."""
-        return [index for index in range(len(self.pieces)) if index not in self.places]
-
-    def readings(self, index: int) -> list[tuple[int, Reading]]:
-        """What begins at a place of the clause and ends within it."""
-        texts = [piece.text for piece in self.pieces[: self.end]]
-        return list(self.vocabulary.matches(texts, index))
-
-    def has(self, name: str) -> bool:
-        """Whether a word of the clause is in a list."""
-        return not words_of(name).isdisjoint(self.texts)
-
-    @property
-    def names_somebody(self) -> bool:
-        """Whether a person or an animal is named in the clause."""
-        return any(self.is_about(index, _SOMEBODY) for index in self.places)
-
-    def is_about(self, index: int, classes: AbstractSet[str]) -> bool:
-        """Whether a word of some classes begins at a place."""
-        return not self.begins[index].isdisjoint(classes)
 
 
 def is_harmless(reason: Reason) -> bool:
@@ -202,7 +117,7 @@ def means_harm(reason: Reason) -> bool:
 def _nouns_at(reason: Reason, index: int) -> list[Reading]:
     texts = [piece.text for piece in reason.pieces]
     found = reason.vocabulary.matches(texts, index)
-    return [reading for _, reading in found if reading.word_class in _THINGS]
+    return [reading for _, reading in found if reading.word_class in THINGS]
 
 
 def _joins_more(reason: Reason) -> bool:
@@ -235,7 +150,7 @@ def _belongs_before(reason: Reason, index: int) -> bool:
         before in words_of("before_verbs")
         or before.endswith("ly")
         or (index - 1 <= reason.start + 1 and reason.is_about(index - 1, _PEOPLE))
-        or reason.is_about(index - 1, _ARTICLES | _TELLS_APART)
+        or reason.is_about(index - 1, _ARTICLES | TELLS_APART)
     )
 
 
@@ -290,10 +205,10 @@ def tells_apart(reason: Reason, *, may_repeat: bool = False) -> bool:
     """
     elsewhere = {meaning for index in reason.elsewhere for meaning in meanings_at(reason, index)}
     for index in reason.places:
-        if not reason.is_about(index, _TELLS_APART):
+        if not reason.is_about(index, TELLS_APART):
             continue
         following = index + 1
-        alone = following == reason.end or not reason.is_about(following, _NOUNS | _TELLS_APART)
+        alone = following == reason.end or not reason.is_about(following, NOUNS | TELLS_APART)
         if alone and reason.pieces[index - 1].text == "the":
             return True  # "because it is the biggest"
         if following == reason.end:
@@ -316,7 +231,7 @@ def _said_again(reason: Reason, index: int) -> bool:
     return any(
         said[one : one + 2] == said[index : index + 2] and one + 1 in elsewhere
         for one in elsewhere
-        if not reason.is_about(one - 1, _TELLS_APART)
+        if not reason.is_about(one - 1, TELLS_APART)
     )
 
 
@@ -337,19 +252,19 @@ def meanings_at(reason: Reason, index: int) -> set[str]:
 
 def _is_wanted(reason: Reason, index: int) -> bool:
     """Whether a thing follows, with what may stand before it: "I want the red cup"."""
-    skipped = _ARTICLES | _TELLS_APART | _NUMBERS | {"MANY", "QUALITY"}
-    while index < reason.end and reason.is_about(index, skipped) and not reason.is_about(index, _THINGS):
+    skipped = _ARTICLES | TELLS_APART | _NUMBERS | {"MANY", "QUALITY"}
+    while index < reason.end and reason.is_about(index, skipped) and not reason.is_about(index, THINGS):
         index += 1
-    return index < reason.end and reason.is_about(index, _THINGS | {"THING", "THINGS", "ONES"})
+    return index < reason.end and reason.is_about(index, THINGS | {"THING", "THINGS", "ONES"})
 
 
 def tells_where(reason: Reason) -> bool:
     """Whether it says where the thing or person is or goes that the command is about: "it is on the desk"."""
     shared = {meaning for index in reason.elsewhere for meaning in meanings_at(reason, index)}
     repeated = any(not shared.isdisjoint(meanings_at(reason, index)) for index in reason.places)
-    people = {reason.pieces[index].text for index in reason.elsewhere if reason.is_about(index, _SOMEBODY)}
+    people = {reason.pieces[index].text for index in reason.elsewhere if reason.is_about(index, SOMEBODY)}
     repeated = repeated or any(
-        reason.is_about(index, _SOMEBODY) and reason.pieces[index].text in people for index in reason.places
+        reason.is_about(index, SOMEBODY) and reason.pieces[index].text in people for index in reason.places
     )
     if not repeated and not _says_it(reason, shared):
         return False
@@ -393,12 +308,12 @@ def is_place(reason: Reason, index: int) -> bool:
     if not lengths or any(one.word_class == "STATE" for _, one in reason.readings(index)):
         return False
     named = index + max(lengths)
-    return named < reason.end and reason.is_about(named, _ARTICLES | _NOUNS | {"ME", "THIS", "HIM", "THEM"})
+    return named < reason.end and reason.is_about(named, _ARTICLES | NOUNS | {"ME", "THIS", "HIM", "THEM"})
 
 
 def tells_for_whom(reason: Reason) -> bool:
     """Whether it names who gets the thing, which the command leaves out: "bring it because Ana needs it"."""
-    if reason.has("pronouns") and any(reason.is_about(index, _OWNERS) for index in reason.places):
+    if reason.has("pronouns") and any(reason.is_about(index, OWNERS) for index in reason.places):
         return True
     rooms = any(reason.is_about(index, _ROOM) for index in reason.places)
     somebody = reason.has("third_person") or reason.names_somebody or rooms
@@ -415,7 +330,7 @@ def _is_goal(reason: Reason, index: int) -> bool:
     """Whether the command says at a place who gets the thing, or where it goes."""
     following = index + 1
     goes = reason.is_about(index, _GOALS) and following < len(reason.pieces)
-    return reason.is_about(index, _RECEIVERS) or (goes and reason.is_about(following, _ARTICLES | _NOUNS))
+    return reason.is_about(index, _RECEIVERS) or (goes and reason.is_about(following, _ARTICLES | NOUNS))
 
 
 def leans(reason: Reason, index: int) -> bool:
@@ -431,7 +346,7 @@ def is_leaned_on(reason: Reason) -> bool:
         return False
     known = reason.vocabulary.single_words
     return any(
-        reason.is_about(index, _NOUNS | _ARTICLES) or reason.pieces[index].text not in known
+        reason.is_about(index, NOUNS | _ARTICLES) or reason.pieces[index].text not in known
         for index in reason.places
     )
 

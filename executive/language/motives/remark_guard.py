@@ -6,19 +6,16 @@
 
 from __future__ import annotations
 
+from executive.language.motives.reason import NOUNS, TELLS_APART, Reason, words_of
 from executive.language.motives.reason_guard import (
-    Reason,
     does_something,
     has_signs,
     is_more_than_a_reason,
     means_harm,
-    words_of,
 )
 from executive.language.motives.set_remarks import is_set_remark, plainer
 from executive.language.motives.told_by_remarks import (
-    KNOWN,
     MOVES,
-    TELLS_APART,
     Place,
     counts,
     describes,
@@ -183,7 +180,7 @@ def _obliges(before: str, word: str, behind: str, about_me: bool) -> bool:
 
 def _takes_something(remark: Reason) -> bool:
     """Whether it says that somebody takes or would have something: "I'll have the plate"."""
-    return remark.has("will_take") and any(remark.is_about(index, KNOWN) for index in remark.places)
+    return remark.has("will_take") and any(remark.is_about(index, NOUNS) for index in remark.places)
 
 
 def _wishes(remark: Reason) -> bool:
@@ -220,7 +217,7 @@ def _needs_room(remark: Reason) -> bool:
     """Whether it is "I need the bench clear" or "I need room for ..." behind a motion."""
     texts = remark.texts
     moves = any(remark.is_about(index, MOVES) for index in remark.elsewhere)
-    if not moves or any(remark.is_about(index, KNOWN) for index in remark.elsewhere):
+    if not moves or any(remark.is_about(index, NOUNS) for index in remark.elsewhere):
         return False
     if len(texts) < 3 or texts[0] not in words_of("speaking") or texts[1] not in words_of("need_it"):
         return False

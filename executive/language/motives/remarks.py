@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from executive.language.motives.free_reasons import free_reasons
-from executive.language.motives.reason_guard import Reason, words_of
+from executive.language.motives.reason import Reason, words_of
 from executive.language.motives.remark_guard import is_mere_remark, may_go_on_as, says_nothing
 from executive.language.motives.set_remarks import plainer
 from executive.language.motives.small_talk import is_small_talk

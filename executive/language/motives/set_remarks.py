@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
-from executive.language.motives.reason_guard import Reason
+from executive.language.motives.reason import Reason
 from executive.vocabulary.written import expand
 
 _ANY = "*"

@@ -7,11 +7,7 @@ only behind "what a" and before a mere "again", where no order can stand. "Left 
 
 from __future__ import annotations
 
-import importlib.resources
-import tomllib
-from functools import cache
-
-from executive.language.motives.reason_guard import Reason, words_of
+from executive.language.motives.reason import SOMEBODY, THINGS, Reason, words_of
 
 _BARRED = (
     "manners",
@@ -26,48 +22,11 @@ _BARRED = (
 )
 """Lists of words that say how, where or which, that warn, or that take something back."""
 
-_NOUNS = frozenset(
-    {
-        *(
-            "KIND",
-            "KINDS",
-            "SUBSTANCE",
-            "PAIR",
-            "FURNITURE",
-            "FURNITURES",
-            "CONTAINER",
-            "CONTAINERS",
-            "DOOR",
-            "ROOM",
-        ),
-        *(
-            "NAME",
-            "PERSON",
-            "OWNER",
-            "OWNING",
-            "ANIMAL",
-            "ANIMALS",
-            "AMOUNT",
-            "NEGATION",
-            "CONDITION",
-            "COLOR",
-        ),
-    }
-)
+_TELLS = (THINGS | SOMEBODY | {"AMOUNT", "NEGATION", "CONDITION", "COLOR"}) - {"PEOPLE"}
+"""Word classes of what may tell something of a task; "friends" and "listeners" are greeted."""
+
 _LONGEST_END = 4
 """Words of the longest phrase that may stand behind."""
-
-
-@cache
-def _lists() -> dict[str, frozenset[str]]:
-    """``small_talk.toml``, read when a fragment is first judged."""
-    file = importlib.resources.files("executive.language.motives").joinpath("small_talk.toml")
-    return {name: frozenset(words) for name, words in tomllib.loads(file.read_text("utf-8")).items()}
-
-
-def _talk(name: str) -> frozenset[str]:
-    """One list of words that people talk with."""
-    return _lists()[name]
 
 
 def is_small_talk(fragment: Reason) -> bool:
@@ -75,10 +34,10 @@ def is_small_talk(fragment: Reason) -> bool:
     texts = fragment.texts
     if any(fragment.pieces[index].quoted or _is_a_noun(fragment, index) for index in fragment.places):
         return False
-    if " ".join(texts) in _talk("exclaimed"):
+    if " ".join(texts) in words_of("exclaimed"):
         return True
     said = _without_ends(texts)
-    if len(said) == 1 == len(texts) - 1 and texts[-1] in _talk("talk_again"):
+    if len(said) == 1 == len(texts) - 1 and texts[-1] in words_of("talk_again"):
         return _is_open(fragment, 0) and _is_plural(said[0])
     length = _begins_with(said, "exclaiming")
     if length:
@@ -94,47 +53,45 @@ def is_small_talk(fragment: Reason) -> bool:
 def _without_ends(texts: list[str]) -> list[str]:
     """What stands before "today", "again" or the like."""
     for length in range(min(_LONGEST_END, len(texts)), 0, -1):
-        if " ".join(texts[-length:]) in _talk("talk_ends"):
+        if " ".join(texts[-length:]) in words_of("talk_ends"):
             return _without_ends(texts[:-length])
     return texts
 
 
 def _begins_with(texts: list[str], name: str) -> int:
     """How many words of a list stand in front."""
-    return next(
-        (length for length in (3, 2, 1) if " ".join(texts[:length]) in _talk(name) and length <= len(texts)),
-        0,
-    )
+    lengths = (length for length in (3, 2, 1) if " ".join(texts[:length]) in words_of(name))
+    return next((length for length in lengths if length <= len(texts)), 0)
 
 
 def _tells_of(told: list[str]) -> bool:
     """Whether it is what may be talked about, and how that is: "very quiet night"."""
     *before, last = told or [""]
-    described = [one for one in before if one not in _talk("talk_degrees")]
+    described = [one for one in before if one not in words_of("talk_degrees")]
     if not described:
         return False
-    if last in _talk("talked_well_of"):
+    if last in words_of("talked_well_of"):
         return _praising().issuperset(described)
-    return last in _talk("talked_of") and (_talk("talked_as") | _praising()).issuperset(described)
+    return last in words_of("talked_of") and (words_of("talked_as") | _praising()).issuperset(described)
 
 
 def _praising() -> frozenset[str]:
-    return _talk("talked_alone") | _talk("talked_well_as")
+    return words_of("talked_alone") | words_of("talked_well_as")
 
 
 def _is_just_so(said: list[str]) -> bool:
     """Whether it says how it is, of nothing that could be named: "very busy" of "very busy today"."""
-    return said[-1] in _talk("talked_alone") and _talk("talk_degrees").issuperset(said[:-1])
+    return said[-1] in words_of("talked_alone") and words_of("talk_degrees").issuperset(said[:-1])
 
 
 def _is_talk(word: str) -> bool:
     names = ("talked_of", "talked_well_of", "talked_as", "talked_alone", "talked_well_as", "talk_degrees")
-    return any(word in _talk(name) for name in names)
+    return any(word in words_of(name) for name in names)
 
 
 def _is_a_noun(fragment: Reason, index: int) -> bool:
     """Whether a thing, place or person is named there, whatever else the word may mean."""
-    return fragment.is_about(index, _NOUNS)
+    return fragment.is_about(index, _TELLS)
 
 
 def _is_open(fragment: Reason, index: int) -> bool:
@@ -146,4 +103,4 @@ def _is_open(fragment: Reason, index: int) -> bool:
 
 
 def _is_plural(word: str) -> bool:
-    return word.endswith("s") and not word.endswith(tuple(_talk("not_plural")))
+    return word.endswith("s") and not word.endswith(tuple(words_of("not_plural")))

@@ -9,8 +9,8 @@ import enum
 import itertools
 from collections.abc import Set as AbstractSet
 
+from executive.language.motives.reason import BEINGS, NOUNS, OWNERS, TELLS_APART, Reason, words_of
 from executive.language.motives.reason_guard import (
-    Reason,
     is_leaned_on,
     is_place,
     leans,
@@ -18,25 +18,15 @@ from executive.language.motives.reason_guard import (
     tells_apart,
     tells_for_whom,
     tells_where,
-    words_of,
 )
 from executive.language.resolving.genders import may_be_called
-
-TELLS_APART = frozenset({"COLOR", "MATERIAL", "ORDINAL", "LEFT_RIGHT", "NEAREST", "SIZE", "COMPARED"})
-KNOWN = frozenset(
-    {"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "FURNITURES", "CONTAINER", "CONTAINERS", "DOOR"}
-    | {"ROOM", "NAME", "PERSON", "PEOPLE", "OWNER", "OWNING", "ANIMAL", "ANIMALS"}
-)
-"""Word classes of what is known to the vocabulary, which something may be said of."""
 
 _SOMETIMES_APART = frozenset({"SIZE", "COMPARED"})
 _NOT_NAMED = frozenset({"PERSON", "PEOPLE"})
 _SEVERAL = frozenset({"KINDS", "PEOPLE", "THEM", "PAIR", "ANIMALS", "FURNITURES", "CONTAINERS", "DOORS"})
-_SOMEBODY = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS"})
 _PLACES = frozenset({"FURNITURE", "CONTAINER", "ROOM", "KIND", "DOOR"})
 _SUBSTANCE = frozenset({"SUBSTANCE"})
 _HIM = frozenset({"HIM"})
-_OWNERS = frozenset({"OWNER", "OWNING"})
 _NAME = frozenset({"NAME"})
 _MEASURES = frozenset({"LENGTH", "ANGLE"})
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
@@ -47,7 +37,7 @@ MOVES = frozenset({"MOVE", "TURN", "BACK_UP", "A_TURN", "BRIDGE"})
 """Word classes of motions that are told by how far or how long."""
 
 _LASTING = MOVES | _WAIT
-_ENDS = KNOWN | {"ME", "HIM", "HERE", "THERE", "HALF", "IT", "THEM", "COME", "GO_HOME", "ARTICLE"}
+_ENDS = NOUNS | {"ME", "HIM", "HERE", "THERE", "HALF", "IT", "THEM", "COME", "GO_HOME", "ARTICLE"}
 _SPEAKS = frozenset({"SAY", "TELL", "TELL_ME", "ASK"})
 _LOOK_AT = frozenset({"LOOK_AT"})
 
@@ -113,7 +103,7 @@ def _leaves_open_how_far(remark: Reason) -> bool:
 
 def _handles(remark: Reason) -> bool:
     """Whether the command names a thing that "it" may stand for: "it is chipped, so take the cup"."""
-    return any(remark.is_about(index, KNOWN - _SOMEBODY) for index in remark.elsewhere)
+    return any(remark.is_about(index, NOUNS - BEINGS) for index in remark.elsewhere)
 
 
 def _is_known_who(remark: Reason, first: str) -> bool:
@@ -173,7 +163,7 @@ def _is_told_apart(remark: Reason, index: int, loose: bool) -> bool:
     if following >= remark.end:
         return True
     known = remark.pieces[following].text in remark.vocabulary.single_words
-    return known and not remark.is_about(following, KNOWN | TELLS_APART)
+    return known and not remark.is_about(following, NOUNS | TELLS_APART)
 
 
 def counts(remark: Reason, place: Place) -> bool:
@@ -200,7 +190,7 @@ def _is_beside_the_point(remark: Reason, index: int, place: Place) -> bool:
     others, following = remark.elsewhere, index + 1
     counted = any(remark.pieces[one].is_number or remark.is_about(one, _WHOLE_COUNTS) for one in others)
     if following < remark.end and remark.is_about(following, _TIME):
-        goal = any(remark.is_about(one, KNOWN) for one in others)
+        goal = any(remark.is_about(one, NOUNS) for one in others)
         lasts = any(remark.is_about(one, _WAIT if goal else _LASTING) for one in others)
         return not (counted or lasts or place is Place.BEHIND)
     guests = following >= remark.end or remark.pieces[following].text in words_of("counted_for")
@@ -213,7 +203,7 @@ def tells_where_or_for_whom(remark: Reason) -> bool:
         return True
     first = subject_of(remark)
     about = words_of("about_me") | words_of("about_others")
-    known = any(remark.is_about(index, KNOWN) for index in range(first, min(first + 3, remark.end)))
+    known = any(remark.is_about(index, NOUNS) for index in range(first, min(first + 3, remark.end)))
     is_somebody = remark.pieces[first].text in about or remark.is_about(first, _NAME)
     if is_somebody and remark.has("elsewhere"):
         return True
@@ -231,16 +221,16 @@ def names_more(remark: Reason, place: Place) -> bool:
     if place is Place.LED:
         return False
     handled, subject = _handled(remark), subject_of(remark)
-    with_people = any(remark.is_about(index, _SOMEBODY | _HIM) for index in remark.elsewhere)
+    with_people = any(remark.is_about(index, BEINGS | _HIM) for index in remark.elsewhere)
     for index in remark.places:
-        if not remark.is_about(index, KNOWN) or index == whom_it_names(remark) or _is_doing(remark, index):
+        if not remark.is_about(index, NOUNS) or index == whom_it_names(remark) or _is_doing(remark, index):
             continue
         meanings = meanings_at(remark, index)
         if place is Place.BEFORE and meanings and handled.issuperset(meanings):
             continue
         if handled.isdisjoint(meanings) and _only_happens(remark, index, subject):
             continue
-        is_person = index <= subject + 1 and remark.is_about(index, _SOMEBODY)
+        is_person = index <= subject + 1 and remark.is_about(index, BEINGS)
         if place is Place.BEHIND or not is_person or with_people:
             return True
     return False
@@ -285,7 +275,7 @@ def _is_my(remark: Reason, index: int) -> bool:
     """Whether what follows says who somebody is to the speaker: "is my best friend"."""
     texts = remark.texts[index - remark.start :]
     is_mine = len(texts) > 2 and texts[0] in words_of("just_is") and texts[1] in words_of("my")
-    return is_mine and not any(remark.is_about(one, _OWNERS) for one in range(index + 2, remark.end))
+    return is_mine and not any(remark.is_about(one, OWNERS) for one in range(index + 2, remark.end))
 
 
 def _is_new(remark: Reason) -> bool:
@@ -306,4 +296,4 @@ def may_be_meant(remark: Reason, place: Place) -> bool:
         return False
     if all(remark.is_about(index, _HIM) for index in leaning) and whom_it_names(remark) is not None:
         return False
-    return any(remark.is_about(index, KNOWN) for index in remark.places) or _is_new(remark)
+    return any(remark.is_about(index, NOUNS) for index in remark.places) or _is_new(remark)

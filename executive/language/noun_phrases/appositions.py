@@ -10,7 +10,7 @@ from typing import Any
 from executive.language.noun_phrases.features import SUPERLATIVES
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Hand, Item, Meaning, Nominal, Trouble, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _TELLS = ("color", "size", "material", "ordinal")
 _QUANTITIES = frozenset({"both", "all"})

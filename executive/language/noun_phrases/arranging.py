@@ -20,7 +20,7 @@ from executive.language.phrases import (
     Trouble,
     Where,
 )
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 from trees.tasks import RelationKind
 
 _PLACES: Mapping[str, RelationKind] = {"on": "on", "in": "in"}

@@ -12,7 +12,7 @@ from executive.language.commands.placing import HOLDERS
 from executive.language.noun_phrases.arranging import Arranged, arranged, guarded, unfit
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Bundle, Clause, Item, Meaning, Nominal, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _CHOOSES = frozenset({"pick", "place", "put_in", "hand_over", "find", "point_at", "look_at", "describe"})
 """Tasks of one thing that is chosen."""

@@ -9,7 +9,7 @@ from typing import Any
 
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Feature, Meaning, Nominal, Relative, Trouble
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 SUPERLATIVES = frozenset({"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"})
 """Sizes that one thing has among those in view."""

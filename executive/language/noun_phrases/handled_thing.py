@@ -7,7 +7,7 @@ from dataclasses import replace
 from executive.language.noun_phrases.arranging import Arranged, trouble
 from executive.language.phrase_parts import Parts
 from executive.language.phrases import Item, Nominal
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 from trees.articles import with_article
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)

@@ -12,7 +12,7 @@ from executive.language.noun_phrases.appositions import told_once_more
 from executive.language.noun_phrases.features import described
 from executive.language.phrase_parts import Parts, nominal_of, words
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 SORTS_OF_THINGS = frozenset(
     {"thing", "fruit", "vegetable", "utensil", "tool", "toy", "drink", "snack", "container", "food"}

@@ -17,7 +17,7 @@ from executive.language.noun_phrases.features import (
 )
 from executive.language.phrase_parts import Parts, nominal_of, words
 from executive.language.phrases import Meaning, Nominal, Relative, Sort, Trouble
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _SORTS: Mapping[str, Sort] = {
     "KIND": "thing",

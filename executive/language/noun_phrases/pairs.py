@@ -22,7 +22,7 @@ from executive.language.noun_phrases.lists import (
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Item, Meaning, Nominal, Pair, Trouble
 from executive.language.resolving.genders import may_be
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 
 def _us(_parts: Parts) -> Nominal:

@@ -22,7 +22,7 @@ from executive.language.phrases import (
     may_be_found,
     relation_kind,
 )
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 from trees.tasks import RelationKind
 
 _LINKS = frozenset({"NEXT_TO", "RELATION", "NEAREST_TO", "ROUND"})

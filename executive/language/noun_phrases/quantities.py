@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Meaning, Measure, Quantity, Trouble
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _DENOMINATORS = range(2, 11)
 """What people divide a metre or a minute by."""

@@ -10,8 +10,9 @@ from executive.language.refusing.examples import EXAMPLES, is_verb, nearest_exam
 from executive.language.refusing.mistyped import Mender
 from executive.language.refusing.reasons import reason_at
 from executive.language.refusing.typos import Typos, is_slip
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.lattice import Lattice
 from executive.language.words.piece import Piece
+from executive.language.words.word import Word
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 
-from executive.language.words.lattice import Word
+from executive.language.words.word import Word
 
 _NUMBERS = frozenset({"NUM", "AMOUNT", "TENS", "COUPLE", "HALF", "QUARTER"})
 _SIDES = frozenset({"LEFT_RIGHT", "TURN_SIDE"})

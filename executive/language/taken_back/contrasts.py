@@ -18,7 +18,8 @@ from executive.language.phrases import Item, Items, Where
 from executive.language.taken_back.beginnings import HEADINGS, MEASURES, beginnings
 from executive.language.taken_back.set_apart import Apart
 from executive.language.taken_back.taking_back import Span
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.lattice import Lattice
+from executive.language.words.word import Word
 from executive.meaning import Command, command_json
 from trees.tasks import SayTask
 

@@ -17,7 +17,8 @@ from executive.language.taken_back.beginnings import ONE, SAID_ALONE, SORTS, beg
 from executive.language.taken_back.replaced_slots import ADDS, LOSES, SAME, change, holds
 from executive.language.taken_back.said_fully import said_fully
 from executive.language.taken_back.taking_back import DENIES, DISCARDS, Marker, Span, is_mark, marker_of
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.lattice import Lattice
+from executive.language.words.word import Word
 from executive.meaning import Command, command_json
 
 MAX_CANDIDATES = 10

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from executive.language.words.lattice import Lattice, Word
+from executive.language.words.lattice import Lattice
+from executive.language.words.word import Word
 
 CORRECTION = "CORRECTION"
 

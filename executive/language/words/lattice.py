@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from executive.language.motives.free_reasons import FREE_REASON, free_reasons
 from executive.language.refusing.courtesies import is_condition
@@ -17,16 +17,15 @@ from executive.language.words.piece import Piece
 from executive.language.words.titles import titled_names
 from executive.language.words.unlisted_names import IsMistyped, unlisted_names
 from executive.language.words.wished import WISH, in_base_form
+from executive.language.words.word import Word
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
 MANNER = "manner"
-AGAIN = "again"
-"""What is done again is done; said, it is a word like others: "see you again"."""
 """Meaning of those fillers that say how something is to be done."""
 
-TIME = "time"
-"""Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
+AGAIN = "again"
+"""What is done again is done; said, it is a word like others: "see you again"."""
 
 _MANNERS = frozenset({(FILLER, MANNER), ("OPENING", MANNER), ("BRIEFLY", "hurry")})
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
@@ -60,32 +59,11 @@ _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 """Word class of what is known as a verb only, at the beginning of a clause."""
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
-_SEPARATORS = frozenset({"PAUSE", "SEP"})
 _NO_TERMINALS = frozenset({"KIN_TITLE", "KIN_TITLE_ALONE"})
-_BEFORE_A_COLON = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_LABEL", "CAPTION_END"})
+_HEADINGS = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_LABEL", "CAPTION_END"})
 """Word classes of headings, which stand nowhere else: "exercise" is no skill, "exercise 3: ..." a heading."""
 
-_SEPARATES = frozenset({*_SEPARATORS, "BEFORE", "AFTER", "AFTER_DOING"})
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
-
-
-@dataclass(frozen=True, slots=True)
-class Word:
-    """A phrase in one of its readings.
-
-    Attributes:
-        word_class: Terminal of the grammar.
-        meaning: What it means there; for a number or a quotation, its text.
-        start: Index of its first piece.
-        end: Index after its last piece.
-        said: Its text, lower-case.
-    """
-
-    word_class: str
-    meaning: str
-    start: int
-    end: int
-    said: str = ""
 
 
 class Lattice:
@@ -258,7 +236,7 @@ class Lattice:
             )
             for length, reading in vocabulary.matches(texts, start)
             if reading.word_class not in _NO_TERMINALS
-            and (start < self._last_colon or reading.word_class not in _BEFORE_A_COLON)
+            and (start < self._last_colon or reading.word_class not in _HEADINGS)
         ]
         found += self._formed.get(start, ())
         if piece.quoted:
@@ -392,42 +370,8 @@ class Lattice:
         """All pieces that belong to no phrase."""
         return [piece for piece, covered in zip(self.pieces, self._covered, strict=True) if not covered]
 
-    def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
-        """What may be words to say: from a place up to each separator, and to the end.
-
-        Args:
-            start: The place.
-            commands: Word classes that a command begins with. What was ``said`` of a text that goes on
-                after a separator with one of them is that separator: it may be a command of its own. Of
-                a text that a time follows it is ``TIME``.
-        """
-        size = len(self.pieces)
-        if start >= size or self.pieces[start].is_mark:
-            return []
-        stops = [end for end in range(start + 1, size + 1) if self._may_end(end)]
-        goes_on = self._goes_on(start, commands)
-        return [
-            Word(
-                "TEXT", self.text(start, end), start, end, goes_on[1] if end > goes_on[0] else self._time(end)
-            )
-            for end in stops
-        ]
-
-    def _time(self, position: int) -> str:
-        """``TIME`` where a time begins that may belong to the words before it."""
-        begins = self._own[position] if position < len(self.pieces) else ()
-        return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
-
-    def _goes_on(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
-        """Where after a place the first separator stands that a command may follow, and its text."""
-        for position in range(start + 1, len(self.pieces)):
-            for word in self._own[position]:
-                follows = word.end < len(self.pieces) and self._words[word.end]
-                if word.word_class in _SEPARATES and follows and not commands.isdisjoint(follows):
-                    return position, word.said or self.pieces[position].text
-        return len(self.pieces), ""
-
-    def _may_end(self, end: int) -> bool:
+    def text_may_end(self, end: int) -> bool:
+        """Whether words to say may end at a place."""
         return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
 
     def text(self, start: int, end: int) -> str:
