@@ -9,6 +9,7 @@ from kinematics.poses import Transform
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box
 from trees.believed_thing import BelievedThing, surroundings
+from trees.furniture_called import called_so
 from trees.grounding import Found, ground
 from trees.tasks import ObjectDescription
 
@@ -49,8 +50,10 @@ def is_near(wanted: Nearness, scene: PlanningScene, odom_T_base: Transform, supp
         one = next(thing for thing in around.things if thing.name == found.names[0])
         before = not one.movable and _is_before(one, scene, odom_T_base)
         return not wanted.at_hand or before or _is_within_reach(one)
+    name, words = wanted.thing.name, called_so(wanted.thing.kind or "", around.furniture_words)
     return wanted.at_hand and any(
-        thing.kind == wanted.thing.kind and _is_before(thing, scene, odom_T_base)
+        (thing.name == name or (name is None and thing.kind in words))
+        and _is_before(thing, scene, odom_T_base)
         for thing in around.things
         if not thing.movable
     )

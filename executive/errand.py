@@ -16,6 +16,7 @@ from executive.clarification import OpenQuestion
 from executive.events import TaskRefused
 from executive.impossible import impossible
 from executive.meaning import Command, StopCommand
+from executive.other_furniture import named_other, settled
 from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, with_names
 from executive.references import PREVIOUS, references, with_references
 from executive.session import Session
@@ -77,6 +78,7 @@ class Errand:
         self._who: dict[str, str] = {}
         self._found: dict[int | None, str] = {}
         self._walked_for: TaskResult | None = None
+        self._walked: set[bool] = set()
 
     def steps(self) -> Steps:
         """Carry everything out; returns the results of the tasks that were begun."""
@@ -84,6 +86,7 @@ class Errand:
         if refused is not None:
             return (refused,)
         results: list[TaskResult] = []
+        self._session.toolbox.world.asked_at = self._base()
         steps = list(prepared(self._commands, self._walks(), self._known()))
         while steps:
             step, begun = steps.pop(0), len(results)
@@ -94,6 +97,7 @@ class Errand:
                 self._tell_of_what_was_said(step, results)
                 break
             self._walked_for = results[-1]
+            self._walked.add(self._carries(step.command))
             steps = list(looked_for(self._commands, step.said, self._known(), self._who))
         return tuple(results)
 
@@ -127,14 +131,15 @@ class Errand:
         return True
 
     def _is_worth_a_walk(self, step: Prepared, result: TaskResult) -> bool:
-        """Whether what was not seen, grasped or put down from here is to be walked to, once in an errand.
+        """Whether what was not seen, grasped or put down from here is to be walked to.
 
-        Not what the robot has walked to already.
+        Once in an errand to the object, and once to where it goes; not what the robot has walked to already.
         """
         command = step.command
-        if self._walked_for is not None or step.is_reached or not self._walks():
+        if not isinstance(command, Bringing) or command.count != 1 or not self._walks():
             return False
-        if not isinstance(command, Bringing) or command.count != 1:
+        carries = self._carries(command)
+        if carries in self._walked or (step.is_reached and not carries):
             return False
         known = self._known()
         if result.outcome != "failed" or result.failure is None or known.rooms:
@@ -145,7 +150,12 @@ class Errand:
             return True
         if result.failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
             return False  # and what no hand could take is brought nowhere
-        return known.in_hand(command) and _is_far(command.on or command.to, known)
+        meant = self._settled(command)
+        return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
+
+    def _carries(self, command: Command) -> bool:
+        """Whether something is in a hand by now and only has to go somewhere."""
+        return isinstance(command, PlaceTask) and self._known().in_hand(command)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""
@@ -173,12 +183,17 @@ class Errand:
             self._in_view,
             lambda task: isinstance(held_object(toolbox, task.object, task.hand), HeldObject),
             opening is not None and opening >= LEAST_OPEN_RAD,
-            lambda wanted: is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m),
+            self._is_near,
             frozenset(toolbox.places),
             self._stood_on,
             is_away(body_pose(toolbox)),
             isinstance(inside_of_drawer(toolbox.world.scene), DrawerInside),
         )
+
+    def _is_near(self, wanted: Nearness) -> bool:
+        toolbox = self._session.toolbox
+        wanted = replace(wanted, thing=named_other(wanted.thing, self._around()))
+        return is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m)
 
     def _stood_on(self, task: PlaceTask) -> str | None:
         """What the object of a task stood on before it came into a hand."""
@@ -201,6 +216,7 @@ class Errand:
         if isinstance(command, Failure):
             return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
         times, attempts = TaskTimes(), 0
+        command = self._settled(command)
         while True:
             result = yield from _silent(self._session.task_steps(command, self._timeout_s))
             times, attempts = _sum(times, result.times), attempts + result.attempts
@@ -221,6 +237,10 @@ class Errand:
                 if walked.outcome != "done":
                     return replace(result, outcome=walked.outcome, failure=walked.failure)
 
+    def _settled(self, command: Command) -> Command:
+        leaves = self._stood_on(command) if isinstance(command, PlaceTask) else None
+        return settled(command, self._around(), leaves)
+
     def _walk_there(self, command: Command, asked: Failure) -> WalkToTask | None:
         """The walk to the furniture in a room that something goes onto, if the robot is not before it."""
         if not isinstance(command, PlaceTask) or asked.choice_slot != "on" or not self._walks():
@@ -233,7 +253,8 @@ class Errand:
     def _around(self) -> Surroundings:
         toolbox = self._session.toolbox
         world = toolbox.world
-        return surroundings(world.scene, self._base(), toolbox.policy.support_gap_m, world.last_acted_on)
+        gap_m = toolbox.policy.support_gap_m
+        return surroundings(world.scene, self._base(), gap_m, world.last_acted_on, world.asked_at)
 
     def _base(self) -> Transform:
         q = self._session.toolbox.sensing.state().q

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,30 +95,41 @@ class Surroundings:
         things: Objects and furniture, in the order of their names.
         held: Names of what is in its hands.
         last_acted_on: Name of the object that the task before was about, or None.
+        here_T_asked: Where the robot stood when it was asked, from where it stands, shape (4, 4).
     """
 
     things: tuple[BelievedThing, ...]
     held: tuple[str, ...] = ()
     last_acted_on: str | None = None
+    here_T_asked: Transform = field(default_factory=lambda: np.eye(4))
 
     @property
     def objects(self) -> tuple[BelievedThing, ...]:
         """What could be picked up."""
         return tuple(thing for thing in self.things if thing.movable)
 
+    @property
+    def furniture_words(self) -> frozenset[str]:
+        """What the furniture is called, without numbers."""
+        return frozenset(thing.kind for thing in self.things if not thing.movable and not thing.is_person)
+
     def only(self, names: tuple[str, ...]) -> Surroundings:
         """The same with no other objects than those named."""
         kept = tuple(thing for thing in self.things if not thing.movable or thing.name in names)
-        return Surroundings(kept, self.held, self.last_acted_on)
+        return replace(self, things=kept)
 
     def without(self, names: tuple[str, ...]) -> Surroundings:
         """The same without some things."""
         kept = tuple(thing for thing in self.things if thing.name not in names)
-        return Surroundings(kept, self.held, self.last_acted_on)
+        return replace(self, things=kept)
 
 
 def surroundings(
-    scene: PlanningScene, odom_T_base: Transform, support_gap_m: float, last_acted_on: str | None = None
+    scene: PlanningScene,
+    odom_T_base: Transform,
+    support_gap_m: float,
+    last_acted_on: str | None = None,
+    asked_at: Transform | None = None,
 ) -> Surroundings:
     """Look at a planning scene from where the robot stands.
 
@@ -127,12 +138,14 @@ def surroundings(
         odom_T_base: Pose of the robot's base, shape (4, 4); only place and heading count.
         support_gap_m: Between an object's lowest point and what it stands on, at most.
         last_acted_on: Name of the object that the task before was about.
+        asked_at: Pose of the base when the robot was asked, shape (4, 4); None is the same place.
     """
     floor_place = (float(odom_T_base[0, 3]), float(odom_T_base[1, 3]), 0.0)
     standing = poses.transform(poses.rotation_z(poses.yaw_of(odom_T_base[:3, :3])), floor_place)
     base_T_odom = poses.inverse(standing)
     things = [_thing(item, scene, base_T_odom, support_gap_m) for _, item in sorted(scene.objects.items())]
-    return Surroundings(tuple(things), tuple(sorted(scene.attached)), last_acted_on)
+    asked = base_T_odom @ (odom_T_base if asked_at is None else asked_at)
+    return Surroundings(tuple(things), tuple(sorted(scene.attached)), last_acted_on, asked)
 
 
 def split_words(words: str) -> tuple[str, str | None]:

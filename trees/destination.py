@@ -14,10 +14,12 @@ from numpy.typing import NDArray
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Shape
+from robots.furniture_names import kind_called
 from robots.perception.detector import Category
 from robots.perception.object_estimate import ObjectEstimate
 from trees.believed_thing import PERSON, Surroundings
 from trees.failures import Failure
+from trees.furniture_called import called_so
 from trees.grounding import (
     Ambiguous,
     Choice,
@@ -122,7 +124,7 @@ def resolve(
     if isinstance(wanted, ObjectDescription) and wanted.kind != PERSON and not wanted.name:
         if says_which(wanted) and _has_furniture(seen, wanted):
             return _grounded(ground_furniture(wanted, around), seen, slot)
-        fitting = {name: item for name, item in seen.items() if _is_furniture(wanted, name, item)}
+        fitting = _furniture_called(wanted.kind, seen) if wanted.kind and wanted.color is None else {}
         if not fitting:
             return _grounded(ground(wanted, around), seen, slot)
     else:
@@ -157,8 +159,10 @@ def _places(seen: Mapping[str, ObjectEstimate], around: Surroundings) -> dict[st
 
 
 def furniture_named(kind: str, scene: PlanningScene) -> list[SceneObject]:
-    """The solids of a kind of furniture in a scene, the one with the largest face first."""
-    found = [item for item in scene.objects.values() if not item.movable and kind_of(item.name) == kind]
+    """The solids of the furniture that is called so in a scene, the one with the largest face first."""
+    fixed = [item for item in scene.objects.values() if not item.movable]
+    words = called_so(kind, (kind_of(item.name) for item in fixed))
+    found = [item for item in fixed if kind_of(item.name) in words]
     return sorted(found, key=lambda item: -_face_m2(item))
 
 
@@ -187,12 +191,15 @@ def _the(name: str) -> str:
 
 
 def _has_furniture(seen: Mapping[str, ObjectEstimate], wanted: ObjectDescription) -> bool:
-    return any(item.category == "furniture" and item.kind == wanted.kind for item in seen.values())
+    kind = kind_called(wanted.kind or "")
+    return any(item.category == "furniture" and item.kind == kind for item in seen.values())
 
 
-def _is_furniture(wanted: ObjectDescription, name: str, item: ObjectEstimate) -> bool:
-    """Of furniture, "table" is its top."""
-    return item.category == "furniture" and wanted.kind == item.kind == name and wanted.color is None
+def _furniture_called(said: str, seen: Mapping[str, ObjectEstimate]) -> dict[str, ObjectEstimate]:
+    """Of furniture, "table" is its top, "table 2" a leg or another one."""
+    furniture = {name: item for name, item in seen.items() if item.category == "furniture"}
+    words = called_so(said, furniture)
+    return {name: item for name, item in furniture.items() if name in words}
 
 
 def _named(word: str, seen: Mapping[str, ObjectEstimate], around: Surroundings) -> dict[str, ObjectEstimate]:
@@ -203,10 +210,8 @@ def _named(word: str, seen: Mapping[str, ObjectEstimate], around: Surroundings) 
             people.sort(key=lambda name: float(np.linalg.norm(places[name][:2])))
         return {name: seen[name] for name in people[:1]}
     same = [name for name in people if name.casefold() == word.casefold()]
-    # of furniture, "table" is its top, "table 2" a leg or another one
-    kinds = [name for name, item in seen.items() if item.category == "furniture" and name == word]
     things = [name for name, item in seen.items() if item.category == "object" and word in (name, item.kind)]
-    return {name: seen[name] for name in same or kinds or things}
+    return {name: seen[name] for name in same or _furniture_called(word, seen) or things}
 
 
 def _face_m2(item: SceneObject) -> float:

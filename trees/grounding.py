@@ -6,19 +6,26 @@ leads to a question among those that fit otherwise.
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+from kinematics import poses
+from robots.furniture_names import kind_called
 from trees.articles import with_article
 from trees.believed_thing import BelievedThing, Surroundings, split_words
 from trees.choice_words import from_the_left, told_apart
 from trees.doubts import NoneFitsError, UntellableError
+from trees.furniture_called import called_so, may_be_called
+from trees.one_piece import belong_together
 from trees.ranking import least, ordered, sized, there_are
 from trees.scene_update import kind_of
 from trees.spatial_relation import between_m, lies, lies_from_robot
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
 
+_BEFORE_M = 1.0
+"""Who stands before furniture is this near to its middle."""
 _BOARD_HALF_M = 0.06
 """A solid of furniture that is no thicker is a board, or a table's top."""
 
@@ -94,21 +101,26 @@ def ground(
     except NoneFitsError as none:
         return Missing(none.message, none.had)
     except UntellableError as untellable:
-        return Ambiguous(untellable.message, _choices(untellable.among))
+        return Ambiguous(untellable.message, choices_among(untellable.among))
     return _counted(wanted, fitting, count)
 
 
-def ground_furniture(wanted: ObjectDescription, around: Surroundings) -> Grounding:
+def ground_furniture(wanted: ObjectDescription, around: Surroundings, leaves: str | None = None) -> Grounding:
     """Find the piece of furniture, or the board of one, that a description means: "the top shelf".
 
     Without words that compare it is the first solid of the kind, which is the one that carries.
+
+    Args:
+        wanted: The description.
+        around: What is believed to be around.
+        leaves: What that stands on which is to be moved: "the other table" is not that one.
     """
     try:
-        found = _furniture_meant(wanted, around)
+        found = _furniture_meant(wanted, around, leaves)
     except NoneFitsError as none:
         return Missing(none.message, none.had)
     except UntellableError as untellable:
-        return Ambiguous(untellable.message, _choices(untellable.among))
+        return Ambiguous(untellable.message, choices_among(untellable.among))
     return _counted(wanted, found, 1) if found else Missing(f"no {wanted} seen")
 
 
@@ -148,11 +160,12 @@ def _counted(wanted: ObjectDescription, fitting: list[BelievedThing], count: Cou
     if count > len(names):
         return Missing(f"only {len(names)} {noun} in view, not {count}", True)
     if count == 1 and len(names) > 1:
-        return Ambiguous(f"which {noun}? there are {len(names)}", _choices(fitting))
+        return Ambiguous(f"which {noun}? there are {len(names)}", choices_among(fitting))
     return Found(names[:count])
 
 
-def _choices(things: Sequence[BelievedThing]) -> tuple[Choice, ...]:
+def choices_among(things: Sequence[BelievedThing]) -> tuple[Choice, ...]:
+    """Things as the choices of a question, from the left to the right."""
     return tuple(Choice(thing.name, words) for thing, words in told_apart(things))
 
 
@@ -224,7 +237,8 @@ def _related(
         kept = [
             thing
             for thing in fitting
-            if _stands_on(thing, relation) or any(lies(relation.kind, thing, other) for other in references)
+            if _stands_on(thing, relation, around)
+            or any(lies(relation.kind, thing, other) for other in references)
         ]
     if not kept:
         raise NoneFitsError(f"no {noun} seen", True)
@@ -238,12 +252,12 @@ def _related(
     )
 
 
-def _stands_on(thing: BelievedThing, relation: Relation) -> bool:
+def _stands_on(thing: BelievedThing, relation: Relation, around: Surroundings) -> bool:
     """Whether it stands on any board of the piece that is meant; a reference is only the largest of them."""
     to = relation.to
     if relation.kind not in ("on", "in") or not isinstance(to, str) or thing.support is None:
         return False
-    return is_called(thing.support, to)
+    return _standing_on(to, around)(thing.support)
 
 
 def _references(to: Destination, around: Surroundings, fitting: list[BelievedThing]) -> list[BelievedThing]:
@@ -270,21 +284,52 @@ def _references(to: Destination, around: Surroundings, fitting: list[BelievedThi
 
 
 def _furniture(name: str, around: Surroundings) -> list[BelievedThing]:
-    """The piece of that name; without one the first solid of that kind, which is the one that carries."""
+    """The piece of that name; without one the first solid of each that is called so: the one that carries."""
     wanted = name.lower()
     fixed = [thing for thing in around.things if not thing.movable]
     named = [thing for thing in fixed if thing.name.lower() == wanted]
-    return named or [thing for thing in fixed if thing.kind.lower() == wanted][:1]
+    words = called_so(name, around.furniture_words) or {name}
+    first = {thing.kind: thing for thing in reversed(fixed) if thing.kind in words}
+    return named or [first[kind] for kind in sorted(first)]
 
 
-def _furniture_meant(wanted: ObjectDescription, around: Surroundings) -> list[BelievedThing]:
+def _furniture_meant(
+    wanted: ObjectDescription, around: Surroundings, leaves: str | None = None
+) -> list[BelievedThing]:
     """Of boards on top of each other all are pieces; of a table the top is."""
     found = _furniture(wanted.name or wanted.kind or "", around)
     if wanted.name is not None or not says_which(wanted):
         return found
-    pieces = [thing for thing in around.things if not thing.movable and thing.kind == wanted.kind]
+    pieces = [
+        thing
+        for thing in around.things
+        if not thing.movable and wanted.kind in (thing.kind, kind_called(thing.kind))
+    ]
     boards = [thing for thing in pieces if thing.half_height_m <= _BOARD_HALF_M]
+    if wanted.ordinal == "other":
+        return _other_furniture(wanted, boards or pieces, around, leaves)
     return _fitting(wanted, boards or pieces, around, None) if pieces else []
+
+
+def _other_furniture(
+    wanted: ObjectDescription, pieces: list[BelievedThing], around: Surroundings, leaves: str | None
+) -> list[BelievedThing]:
+    """Another piece, or another board of the same, than the one that is left or stood before."""
+    this = next((thing for thing in pieces if thing.name == leaves), None) or _stood_before(pieces, around)
+    if this is None:
+        return _fitting(wanted, pieces, around, None) if pieces else []
+    rest = [thing for thing in pieces if thing is not this]
+    kept = [t for t in rest if not belong_together(t.name, t.place_m, this.name, this.place_m)]
+    return _fitting(replace(wanted, ordinal=None), kept or rest, around, None) if rest else []
+
+
+def _stood_before(pieces: list[BelievedThing], around: Surroundings) -> BelievedThing | None:
+    """The nearest piece ahead of where the robot was asked, if it stood before one."""
+    asked_T_here = poses.inverse(around.here_T_asked)
+    away = [(asked_T_here[:2, :3] @ thing.place_m + asked_T_here[:2, 3], thing) for thing in pieces]
+    ahead = [(math.hypot(x, y), thing.name, thing) for (x, y), thing in away if x > 0.0]
+    nearest = min(ahead, default=None)
+    return nearest[2] if nearest is not None and nearest[0] <= _BEFORE_M else None
 
 
 def _people(around: Surroundings) -> list[BelievedThing]:
@@ -296,7 +341,8 @@ def _at(
 ) -> list[BelievedThing]:
     """Those that are where they are said to be."""
     if isinstance(source, str):
-        kept = [thing for thing in fitting if thing.support is not None and is_called(thing.support, source)]
+        meant = _standing_on(source, around)
+        kept = [thing for thing in fitting if thing.support is not None and meant(thing.support)]
         where = f"on the {source}"
     else:
         references = _references(source, around, fitting)
@@ -311,9 +357,15 @@ def _at(
     return kept
 
 
+def _standing_on(said: str, around: Surroundings) -> Callable[[str], bool]:
+    """Tells of what a thing stands on, by its name in the scene, whether that is where it is said to be."""
+    meant = called_so(said, around.furniture_words)
+    return lambda furniture: kind_of(furniture) in meant if meant else is_called(furniture, said)
+
+
 def is_called(furniture: str, said: str) -> bool:
-    """Whether a name that the scene gave furniture is what somebody calls it."""
-    return said.lower() in (furniture.lower(), kind_of(furniture).lower())
+    """Whether a piece of furniture, by its name in the scene, may be what somebody calls it."""
+    return said.lower() == furniture.lower() or may_be_called(said, kind_of(furniture))
 
 
 # --- names and memories --------------------------------------------------------------------------
@@ -333,6 +385,8 @@ def _named(name: str, fitting: list[BelievedThing], around: Surroundings) -> lis
 
 def _other(fitting: list[BelievedThing], around: Surroundings, noun: str) -> list[BelievedThing]:
     before = around.last_acted_on
+    if before is None and len(fitting) < 2:
+        raise NoneFitsError(f"no {noun} seen", True)
     if before is None:
         raise UntellableError(f"other than which? no {noun.removeprefix('other ')} was named before", fitting)
     kept = [thing for thing in fitting if thing.name != before]

@@ -37,7 +37,9 @@ class LookAround(LookLeaf):
         model, q = toolbox.model, toolbox.sensing.state().q
         odom_T_base = model.frame_pose(q, model.description.base_link)
         gap_m = toolbox.policy.support_gap_m
-        return surroundings(toolbox.world.scene, odom_T_base, gap_m, toolbox.world.last_acted_on)
+        return surroundings(
+            toolbox.world.scene, odom_T_base, gap_m, toolbox.world.last_acted_on, toolbox.world.asked_at
+        )
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then judge what was seen."""

@@ -4,13 +4,23 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from kinematics.scene import SceneObject
 from trees.scene_update import kind_of
+
+Array = NDArray[np.float64]
 
 _WITHIN_M = 1.0
 
 
 def are_one_piece(first: SceneObject, second: SceneObject) -> bool:
     """Solids of one kind near each other: they have the same word, and numbers apart."""
-    (x, y), (there_x, there_y) = first.world_T_object[:2, 3], second.world_T_object[:2, 3]
-    return kind_of(first.name) == kind_of(second.name) and math.hypot(x - there_x, y - there_y) <= _WITHIN_M
+    return belong_together(first.name, first.world_T_object[:3, 3], second.name, second.world_T_object[:3, 3])
+
+
+def belong_together(name: str, place_m: Array, other: str, there_m: Array) -> bool:
+    """The same of names and places, shape (3,), in any one frame."""
+    (x, y, _), (there_x, there_y, _) = place_m.tolist(), there_m.tolist()
+    return kind_of(name) == kind_of(other) and math.hypot(x - there_x, y - there_y) <= _WITHIN_M

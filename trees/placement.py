@@ -15,12 +15,14 @@ from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import support_of
+from robots.furniture_names import kind_called
 from trees.articles import with_article
 from trees.believed_thing import Surroundings, split_words, surroundings
 from trees.destination import furniture_named
 from trees.failures import Failure
-from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture, says_which
+from trees.grounding import Ambiguous, Found, Missing, choices_among, ground, ground_furniture, says_which
 from trees.held import HeldObject
+from trees.one_piece import are_one_piece
 from trees.origin import Origin
 from trees.places_by_people import person_compared_with, spots_by_person
 from trees.questions import OTHER, which_is_meant
@@ -43,7 +45,7 @@ _DIRECTIONS = {
 # What is put back stands this near to where it was; else something else stands there now.
 _BACK_WITHIN_M = 0.10
 _SAME_PLACE_M = 0.005
-SURFACES = ("table", "counter", "shelf", "desk", "floor")
+SURFACES = ("table", "counter", "shelf", "floor")
 
 
 def spots_for(
@@ -80,13 +82,13 @@ def spots_for(
         top, spots = found
     else:
         around = surroundings(scene, odom_T_base, support_gap_m)
-        surface = _put_on(on, to, scene, around, wish)
+        surface = _put_on(on, to, scene, around, wish, None if origin is None else origin.support)
         if isinstance(surface, Failure):
             return surface
         known = sight.about(surface, radius, odom_T_base)
         top, spots = surface, spots_on(surface, scene, radius, wish, known)
     if not spots:
-        where = f"on the {top.name}" if relation is None else str(relation)
+        where = f"on the {kind_of(top.name)}" if relation is None else str(relation)
         return _no_spot(where, held)
     return tuple(_resting(held, spot, top) for spot in spots)
 
@@ -101,6 +103,7 @@ def why_not_there(
     scene: PlanningScene,
     around: Surroundings,
     support_gap_m: float,
+    leaves: str | None = None,
 ) -> Failure | None:
     """Why nobody could say where a thing goes, found out before it is picked up; None when it is known.
 
@@ -110,13 +113,14 @@ def why_not_there(
         scene: What is believed to be around.
         around: The same from where the robot stands, without what is going to be moved.
         support_gap_m: As for ``spots_for``.
+        leaves: What it stands on, where that is known.
     """
     relation = _relation(to)
     if relation is not None:
         person = person_compared_with(relation.to, scene, around)
         known: object = person or _compared_with(relation, scene, around, support_gap_m)
     else:
-        known = _put_on(on, to, scene, around, lambda _place: 0.0)
+        known = _put_on(on, to, scene, around, lambda _place: 0.0, leaves)
     return known if isinstance(known, Failure) else None
 
 
@@ -125,7 +129,7 @@ def _relation(to: Destination | None) -> Relation | None:
     if isinstance(to, ObjectDescription):
         if to.relation is not None and to.relation.kind in _DIRECTIONS and to.kind is None:
             return to.relation
-        if to.kind is not None and to.kind not in SURFACES:
+        if to.kind is not None and kind_called(to.kind) not in SURFACES:
             return Relation("next_to", to)
     return None
 
@@ -136,12 +140,26 @@ def _put_on(
     scene: PlanningScene,
     around: Surroundings,
     wish: Callable[[Array], float],
+    leaves: str | None,
 ) -> SceneObject | Failure:
     """The surface that is named; of several that are not, the one that is wished for."""
     named, slot = (on, "on") if on is not None else (to, "to")
     if isinstance(named, ObjectDescription) and (named.name is not None or says_which(named)):
-        return _one_surface(named, slot, scene, around)
+        return _one_surface(named, slot, scene, around, leaves)
+    if named is not None and len(tops := _tops_called(named, scene)) > 1:
+        names = {top.name for top in tops}
+        among = choices_among([thing for thing in around.things if thing.name in names])
+        return which_is_meant(Ambiguous(f"which {named}? there are {len(tops)}", among), slot)
     return _surface(named, scene, wish)
+
+
+def _tops_called(named: Destination, scene: PlanningScene) -> list[SceneObject]:
+    """The largest flat solid of each piece of furniture that is called so."""
+    tops: list[SceneObject] = []
+    for item in (item for kind in _kinds(named, scene) for item in furniture_named(kind, scene)):
+        if is_flat(item) and not any(are_one_piece(item, top) for top in tops):
+            tops.append(item)
+    return tops
 
 
 def _surface(
@@ -160,10 +178,10 @@ def _surface(
 
 
 def _one_surface(
-    named: ObjectDescription, slot: str, scene: PlanningScene, around: Surroundings
+    named: ObjectDescription, slot: str, scene: PlanningScene, around: Surroundings, leaves: str | None
 ) -> SceneObject | Failure:
     """The table or board that is meant by an order, a place or its name."""
-    match ground_furniture(named, around):
+    match ground_furniture(named, around, leaves):
         case Ambiguous() as unclear:
             return which_is_meant(unclear, slot)
         case Missing(message):
@@ -178,7 +196,12 @@ def _kinds(named: Destination | None, scene: PlanningScene) -> list[str]:
     if isinstance(named, ObjectDescription) and named.kind is not None:
         return [named.kind]
     fixed = {kind_of(item.name) for item in scene.objects.values() if not item.movable}
-    return sorted(kind for kind in fixed if kind in SURFACES)
+    return sorted(kind for kind in fixed if kind_called(kind) in SURFACES)
+
+
+def is_surface(item: SceneObject) -> bool:
+    """Whether it belongs to furniture that things are put on, not into."""
+    return kind_called(kind_of(item.name)) in SURFACES
 
 
 def is_flat(item: SceneObject) -> bool:
@@ -198,7 +221,7 @@ def _beside(
     around = surroundings(scene, odom_T_base, support_gap_m, held.name)  # "the other one" is not the held one
     person = person_compared_with(relation.to, scene, around)
     if isinstance(person, SceneObject):
-        tops = [item for item in scene.objects.values() if kind_of(item.name) in SURFACES and is_flat(item)]
+        tops = [item for item in scene.objects.values() if is_surface(item) and is_flat(item)]
         angles = _DIRECTIONS[relation.kind]
         by = spots_by_person(person, tops, angles, held.shape, scene, odom_T_base, wish, sight)
         return by or _no_spot(str(relation), held)
@@ -226,8 +249,10 @@ def _back(
     top = scene.objects.get(origin.support)
     if top is None:
         return Failure.postcondition(f"the {origin.support} that it stood on is not seen")
-    if (kind := kind_of(top.name)) not in SURFACES:
-        return Failure.infeasible(f"the {held.name} was in the {kind}: say what it is to be put into")
+    if not is_surface(top):
+        return Failure.infeasible(
+            f"the {held.name} was in the {kind_of(top.name)}: say what it is to be put into"
+        )
     before = origin.odom_T_object[:3, 3]
     radius = footprint_radius_m(held.shape)
     seen = sight.about(top, radius, odom_T_base)

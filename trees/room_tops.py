@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from kinematics.scene import PlanningScene, SceneObject
+from robots.furniture_names import kind_called
 from robots.scene_description import Region
 from trees.destination import furniture_named
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Choice
-from trees.placement import SURFACES, is_flat
+from trees.placement import SURFACES, is_flat, is_surface
 from trees.questions import which_is_meant
+from trees.scene_update import kind_of
 
 
 def on_what(room: str, region: Region, scene: PlanningScene) -> Failure:
@@ -24,9 +26,11 @@ def on_what(room: str, region: Region, scene: PlanningScene) -> Failure:
         x_m, y_m, _ = item.world_T_object[:3, 3].tolist()
         return is_flat(item) and region.contains(x_m, y_m)
 
-    found = {kind: filter(is_there, furniture_named(kind, scene)) for kind in SURFACES}
-    largest = {kind: next(tops, None) for kind, tops in found.items()}
-    choices = tuple(Choice(top.name, f"the {kind}") for kind, top in largest.items() if top is not None)
+    called = {kind_of(item.name) for item in scene.objects.values() if not item.movable and is_surface(item)}
+    ordered = sorted(called, key=lambda words: (SURFACES.index(kind_called(words)), words))
+    found = {words: filter(is_there, furniture_named(words, scene)) for words in ordered}
+    largest = {words: next(tops, None) for words, tops in found.items()}
+    choices = tuple(Choice(top.name, f"the {words}") for words, top in largest.items() if top is not None)
     message = f"on what in the {room} shall it be put?"
     if not choices:
         return Failure.infeasible(f"{message} nothing that things are put on was seen there")

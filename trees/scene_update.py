@@ -27,10 +27,10 @@ def kind_of(name: str) -> str:
 
 
 def words_for(estimate: ObjectEstimate) -> str:
-    """How a thing is called: colour, if known, and kind; furniture by its kind alone, people by name."""
-    if estimate.category == "person":
+    """How a thing is called: colour, if known, and kind; people and furniture by their names, or kinds."""
+    if estimate.category != "object":
         return estimate.name or estimate.kind
-    if estimate.category == "furniture" or estimate.color is None:
+    if estimate.color is None:
         return estimate.kind
     return f"{estimate.color} {estimate.kind}"
 

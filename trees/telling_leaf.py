@@ -9,13 +9,17 @@ from statistics import fmean
 
 from py_trees.common import Status
 
+from robots.furniture import FURNITURE_KINDS
+from robots.furniture_names import kind_called
 from robots.scene_description import Region
-from trees.believed_thing import PERSON, Surroundings, surroundings
+from trees.believed_thing import PERSON, BelievedThing, Surroundings, surroundings
 from trees.events import Said
 from trees.failures import Failure, Number
-from trees.grounding import Ambiguous, Missing, ground, is_called
+from trees.furniture_called import called_so
+from trees.grounding import Ambiguous, Missing, ground
 from trees.handles import INSIDE_KINDS, PART_KINDS
 from trees.leaf import DONE, Leaf
+from trees.one_piece import belong_together
 from trees.questions import which_is_meant
 from trees.scene_update import kind_of
 from trees.shut import why_shut
@@ -71,7 +75,7 @@ class TellingLeaf(Leaf):
         """Names of all things that fit; none is no failure, if where they would be was seen."""
         region = self.region(source)
         if isinstance(source, str) and region is None:
-            if not any(is_called(thing.name, source) for thing in around.things):
+            if not called_so(source, around.furniture_words):
                 return Failure.postcondition(f"no {source} seen")
             if (shut := why_shut(self.toolbox.world.scene, source)) is not None:
                 return shut
@@ -83,6 +87,24 @@ class TellingLeaf(Leaf):
         if isinstance(answer, Ambiguous):
             return which_is_meant(answer)
         return () if isinstance(answer, Missing) else self.inside(region, answer.names)
+
+    def pieces(
+        self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
+    ) -> tuple[str, ...] | None:
+        """One solid of each piece of furniture that is called so; None when no furniture is meant."""
+        if wanted.kind is None or replace(wanted, kind=None) != ObjectDescription():
+            return None
+        region = self.region(source)
+        words = {one for one in around.furniture_words if wanted.kind in (one, kind_called(one))}
+        is_furniture = bool(words) or kind_called(wanted.kind) in FURNITURE_KINDS
+        if not is_furniture or (source is not None and region is None):
+            return None
+        alike = [thing for thing in around.things if not thing.movable and thing.kind in words]
+        found: list[BelievedThing] = []
+        for thing in sorted(alike, key=lambda one: -one.radius_m):  # legs stand about their table's top
+            if not any(belong_together(thing.name, thing.place_m, one.name, one.place_m) for one in found):
+                found.append(thing)
+        return self.inside(region, (thing.name for thing in found))
 
     def region(self, source: Destination | None) -> Region | None:
         """The room of the map that a question is about."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.hand_at_handle import HandAtHandle
@@ -27,6 +28,8 @@ class WorldModel:
             are still believed.
         glimpses: From where it was looked at, the newest last; what no look shows is unknown.
         last_acted_on: Name of the object that the task before was about; "the other one" is not that.
+        asked_at: Where the robot stood when it was asked for what it is doing, shape (4, 4), or None; "the
+            other table" is not the one before it there.
         put_down: What a hand of this robot let go of, by its name, until a hand takes it up again: where a
             look has shown it since, else where the hand had it.
         taken_from: Where it stood, of each thing that a hand has or that this task put down, by its name.
@@ -39,6 +42,7 @@ class WorldModel:
         self.sightings: Mapping[str, ObjectEstimate] = {}
         self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
+        self.asked_at: Transform | None = None
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, Origin] = {}
         self.at_handle: HandAtHandle | None = None

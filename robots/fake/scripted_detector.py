@@ -94,6 +94,7 @@ class ScriptedDetector:
             told = camera_T_object
             if offset_m is not None:
                 told = camera_T_world @ poses.translation(*offset_m) @ item.world_T_object
-            name = item.name if item.category == "person" else None
-            seen.append(Detection(item.category, item.kind, item.color, told, item.shape, 0.95, name))
+            seen.append(
+                Detection(item.category, item.kind, item.color, told, item.shape, 0.95, item.told_name)
+            )
         return seen

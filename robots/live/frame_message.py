@@ -23,6 +23,7 @@ def write_frame(frame: PerceptionFrame) -> bytes:
             "camera_T_object": item.camera_T_object.ravel().tolist(),
             "shape": _shape_json(item.shape),
             "confidence": item.confidence,
+            "name": item.name,
         }
         for item in frame.detections
     ]
@@ -44,6 +45,7 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 camera_T_object=np.array(item["camera_T_object"], dtype=np.float64).reshape(4, 4),
                 shape=_shape(item["shape"]),
                 confidence=float(item["confidence"]),
+                name=item["name"],
             )
             for item in document["detections"]
         )

@@ -23,7 +23,8 @@ class Detection:
         shape: Estimated solid; its frame is ``camera_T_object``. A piece of furniture is one
             detection a solid (a table: its top, a Box). A person is one upright Cylinder, x ahead.
         confidence: In [0, 1].
-        name: Of a person who was recognised; None else.
+        name: Of a person who was recognised, or of furniture that has one of its own ("side table"); None
+            else.
     """
 
     category: Category

@@ -44,7 +44,7 @@ class ObjectEstimate:
         frames_seen: In how many frames.
         spread_m: Root mean square distance of all its detections from the estimate. White noise gives
             about 1.7 times its deviation; more says that something moved, or was merged with a neighbour.
-        name: Of a person who was recognised; None else.
+        name: Of a person who was recognised, or of furniture that has one of its own; None else.
     """
 
     category: Category

@@ -189,7 +189,7 @@ class PerceptionStub:
                 camera_T_object=pose,
                 shape=_resized(solid.shape, self._episode(solid).scale),
                 confidence=self._confidence(pose, share, float(row[6])),
-                name=solid.name if solid.category == "person" else None,
+                name=solid.told_name,
             )
             for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
         ]

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
+from robots.furniture_names import own_name
 from robots.perception.detector import Category
 
 
@@ -34,6 +35,13 @@ class TrueObject:
     color: str | None
     shape: Shape
     world_T_object: Transform
+
+    @property
+    def told_name(self) -> str | None:
+        """The name that a detector tells: of people, and of furniture that has one of its own."""
+        if self.category == "person":
+            return self.name
+        return own_name(self.name.partition("/")[0], self.kind) if self.category == "furniture" else None
 
 
 class TruthView(Protocol):

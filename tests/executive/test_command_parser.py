@@ -35,7 +35,7 @@ UNDERSTOOD = [
     ("pick the red cup from the table up", [FROM_TABLE]),
     ("take the red cup from the table", [FROM_TABLE]),
     ("take the red cup off the table", [FROM_TABLE]),
-    ("get the red cup from the desk", [FROM_TABLE]),
+    ("get the red cup from the tabletop", [FROM_TABLE]),
     ("lift the red cup off of the table", [FROM_TABLE]),
     ("lift up the red cup", [RED_CUP]),
     ("fetch the red cup", [RED_CUP]),

@@ -80,7 +80,6 @@ def test_from_there_is_the_place_that_was_named():
     "sentence",
     [
         "put the cube into the box",
-        "move the cup from the side table to the dining table",
         "put the red block on the blue block, and the green one on top of that",
         "put the box at the sofa",
     ],

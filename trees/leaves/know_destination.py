@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from py_trees.common import Status
 
+from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.believed_thing import Surroundings
 from trees.container_room import room_beside_m
@@ -66,7 +68,7 @@ class KnowDestination(LookAround):
             return None
         match ground(task.object, around, task.source):
             case Found(names):
-                return Surroundings(around.without(names).things, around.held, names[0])
+                return replace(around.without(names), last_acted_on=names[0])
             case Ambiguous():
                 return None
             case Missing():
@@ -80,7 +82,10 @@ class KnowDestination(LookAround):
             return not_taken(task.object)
         if task.on is None and (task.to is None or task.to in toolbox.places):
             return None
-        return why_not_there(task.on, task.to, toolbox.world.scene, around, toolbox.policy.support_gap_m)
+        scene, gap_m = toolbox.world.scene, toolbox.policy.support_gap_m
+        moved = scene.objects.get(around.last_acted_on or "")
+        leaves = None if moved is None else support_of(moved, scene, gap_m)
+        return why_not_there(task.on, task.to, scene, around, gap_m, None if leaves is None else leaves.name)
 
     def _not_into(self, task: PutInTask, around: Surroundings) -> Failure | None:
         to = ObjectDescription(task.to) if isinstance(task.to, str) else task.to

@@ -13,10 +13,12 @@ from trees.believed_thing import surroundings
 from trees.contract import Contract
 from trees.destination import Place, aim_of, words_of
 from trees.failures import Failure
+from trees.furniture_called import called_so, others_like
 from trees.grounding import Found, ground
 from trees.leaf import DONE, Leaf
 from trees.odometry import feet_pose
 from trees.ports import ports
+from trees.scene_update import kind_of
 from trees.tasks import Destination, ObjectDescription
 from trees.toolbox import Toolbox
 
@@ -56,15 +58,18 @@ class RecallPlace(Leaf):
         """Look it up."""
         aim = aim_of(self.get_input("task"))
         wanted = (aim.name or aim.kind) if isinstance(aim, ObjectDescription) else str(aim)
-        for name, item in self.toolbox.world.scene.objects.items():
-            if not item.movable and wanted is not None and name.casefold() == wanted.casefold():
-                return self.recall(item, "furniture" if isinstance(item.shape, Box) else "person")
         world = self.toolbox.world
+        fixed = {name: item for name, item in world.scene.objects.items() if not item.movable}
+        meant = called_so(wanted, fixed) if wanted is not None else frozenset()
+        if meant:
+            item = fixed[min(meant)]
+            return self.recall(item, "furniture" if isinstance(item.shape, Box) else "person")
         seen = {name: item for name, item in world.scene.objects.items() if item.movable}
         for pool in (world.put_down, seen if self._anything else {}):
             if (thing := self._only(aim, pool)) is not None:
                 return self.recall(thing, "object")
-        return Failure.postcondition(f"no {words_of(aim)} seen, now or before")
+        others = others_like(wanted or "", map(kind_of, fixed))
+        return Failure.postcondition(f"no {words_of(aim)} seen, now or before{others}")
 
     def recall(self, item: SceneObject, category: Category) -> Status | Failure:
         """Tell the place of what fits."""
@@ -81,7 +86,9 @@ class RecallPlace(Leaf):
             return None
         scene = world.scene.with_objects([*world.scene.objects.values(), *pool.values()])
         here = feet_pose(self.toolbox).transform()
-        around = surroundings(scene, here, self.toolbox.policy.support_gap_m, world.last_acted_on)
+        around = surroundings(
+            scene, here, self.toolbox.policy.support_gap_m, world.last_acted_on, world.asked_at
+        )
         match ground(aim, around.only(tuple(pool))):
             case Found((name,)):
                 return pool[name]

@@ -8,6 +8,7 @@ from py_trees.ports import PortInformation
 from trees.believed_thing import PERSON, Surroundings
 from trees.contract import Contract
 from trees.failures import Failure, Number
+from trees.furniture_called import called_so
 from trees.grounding import Ambiguous, ground
 from trees.handles import MEANT_BY
 from trees.ports import ports
@@ -31,10 +32,11 @@ class TellCount(TellingLeaf):
     def step(self) -> Status | Failure:
         """Count; none is an answer, too."""
         task: CountTask = self.get_input("task")
-        around = self.around()
-        if task.object.kind == PERSON and task.source is None:
+        around, seen_from_here = self.around(), task.source is None and self._is_big(task.object)
+        if seen_from_here:
             around = self.now_seen(around)
-        names = self.fitting(task.object, around, task.source)
+        furniture = self.pieces(task.object, around, task.source)
+        names = self.fitting(task.object, around, task.source) if furniture is None else furniture
         if isinstance(names, Failure):
             return names
         count = len(names)
@@ -42,9 +44,13 @@ class TellCount(TellingLeaf):
         said = f"there {'is' if count == 1 else 'are'}"
         if self.region(task.source) is not None:  # not all of a room is seen from one place
             said = f"in the {task.source} I see"
-        elif task.object.kind == PERSON or (self.toolbox.places and task.source is None):
+        elif seen_from_here or task.object.kind == PERSON or (self.toolbox.places and task.source is None):
             said = "from here I see"
         return self.say(f"{said} {plural(noun, count)}", {"count": count, **self.confidence(names)})
+
+    def _is_big(self, wanted: ObjectDescription) -> bool:
+        """Whether it stands anywhere in a room, not on something that was looked over."""
+        return wanted.kind == PERSON or self.pieces(wanted, self.around(), None) is not None
 
 
 class TellDescription(TellingLeaf):
@@ -118,4 +124,4 @@ class TellDescription(TellingLeaf):
 
 
 def _is_surface(wanted: ObjectDescription, around: Surroundings) -> bool:
-    return wanted.color is None and any(t.kind == wanted.kind for t in around.things if not t.movable)
+    return wanted.color is None and bool(called_so(wanted.kind or "", around.furniture_words))

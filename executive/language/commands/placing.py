@@ -24,6 +24,7 @@ from executive.language.phrases import (
     draft,
 )
 from executive.language.words.word import Word
+from robots.furniture_names import kind_called
 from trees.articles import with_article
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
@@ -92,7 +93,7 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
         return draft("place", **slots, to=Relative("next_to", of))
     if of.sort == "door":
         raise trouble(f"nothing can be put on the {of.kind}", of.kind)
-    if goal.preposition == "at" and of.sort == "furniture" and of.kind not in _SURFACES:
+    if goal.preposition == "at" and of.sort == "furniture" and kind_called(of.kind or "") not in _SURFACES:
         raise trouble(f"on the {of.kind}, or next to it?", asks=True)
     if goal.preposition == "on":
         if of.sort == "room":

@@ -68,7 +68,7 @@ def test_what_leaves_something_open_is_asked_or_refused(sentence):
 def test_the_other_drawer_of_a_desk_is_of_that_desk():
     first, second = tasks_of("open the top drawer of the desk and the bottom one")
 
-    assert first["object"]["relation"] == second["object"]["relation"] == {"is": "in", "to": "table"}
+    assert first["object"]["relation"] == second["object"]["relation"] == {"is": "in", "to": "desk"}
     assert (first["object"]["ordinal"], second["object"]["ordinal"]) == ("top", "bottom")
 
 
@@ -84,6 +84,6 @@ def test_another_drawer_is_one_though_a_command_stands_between():
     told = tasks_of("open the top drawer of the desk, then open the bottom one")
 
     assert [one["object"]["kind"] for one in told] == ["drawer", "drawer"]
-    assert told[1]["object"]["relation"] == {"is": "in", "to": "table"}
+    assert told[1]["object"]["relation"] == {"is": "in", "to": "desk"}
     assert tasks_of("open the fridge and the top drawer, then close the bottom one") == []
     assert tasks_of("pick up the cup. open the left one") == []

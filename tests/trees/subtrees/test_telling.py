@@ -4,7 +4,10 @@ import dataclasses
 
 import pytest
 
+from kinematics import poses
+from kinematics.shapes import Box
 from robots.fake.fake_world import cup, person, table
+from robots.perception.truth_view import TrueObject
 from robots.scene_description import Region
 from trees.build import build_tree
 from trees.events import Said
@@ -17,6 +20,12 @@ ROOMS = {
     "kitchen": Region("kitchen", (1.0, 0.0), (4.0, 4.0)),
     "hall": Region("hall", (-5.0, 0.0), (4.0, 4.0)),
 }
+
+
+def leg(y):
+    """Of the table; each solid is told by itself."""
+    pose = poses.translation(0.75, y, 0.4)
+    return TrueObject(f"table/leg {y}", "furniture", "table", None, Box((0.05, 0.05, 0.8)), pose)
 
 
 def run(stage, task, **toolbox):
@@ -93,6 +102,24 @@ def test_people_are_told_who_stand_farther_away_than_hands_reach(stage_with, tas
     run(stage, task)
 
     assert said(stage) == [words]
+
+
+@pytest.mark.parametrize(
+    ("kind", "words"),
+    [
+        ("table", "one table"),
+        ("side table", "no side tables"),
+        ("shelf", "no shelves"),
+        ("fridge", "no fridges"),
+    ],
+)
+def test_furniture_is_counted_by_the_piece_and_only_as_far_as_it_is_seen(stage_with, kind, words):
+    stage = stage_with(table(), leg(0.3), leg(-0.3), cup())
+
+    tree = run(stage, CountTask("how many", ObjectDescription(kind)))
+
+    assert said(stage) == [f"from here I see {words}"]
+    assert tree.evidence["count"] == (kind == "table")
 
 
 @pytest.mark.parametrize(

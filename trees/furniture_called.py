@@ -1,0 +1,44 @@
+"""Which furniture is meant by what somebody calls it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robots.furniture_names import kind_called
+from trees.articles import with_article
+
+_EVERYDAY = frozenset({"kitchen table", "dining table", "dinner table", "living room table"})
+"""What people call a table that nothing else is called by."""
+
+
+def called_so(said: str, known: Iterable[str]) -> frozenset[str]:
+    """The words, of those that furniture is called by, that somebody means.
+
+    The very words come first. "The table" may be any table; but the side table is none of those that are
+    called nothing but table, for it may be one that nobody has seen yet.
+
+    Args:
+        said: "table", "side table", "desk"; without an article.
+        known: What the pieces that were seen are called, without their numbers.
+    """
+    wanted, words = said.lower(), frozenset(known)
+    if same := {one for one in words if one.lower() == wanted}:
+        return frozenset(same)
+    if alike := {one for one in words if kind_called(one) == wanted}:
+        return frozenset(alike)
+    return words & {kind_called(wanted)} if wanted in _EVERYDAY else frozenset()
+
+
+def others_like(said: str, known: Iterable[str]) -> str:
+    """What a failure adds about furniture of that kind that is called otherwise: "; a table is"."""
+    alike = sorted({one for one in known if kind_called(one) == kind_called(said.lower())})
+    return f"; {' and '.join(map(with_article, alike))} {'is' if len(alike) == 1 else 'are'}" if alike else ""
+
+
+def may_be_called(said: str, words: str) -> bool:
+    """Whether words of a piece of furniture do not contradict what somebody calls it.
+
+    For where a thing stands that has been told by other words: a cup on the desk is the one on the table.
+    """
+    wanted = said.lower()
+    return wanted in (words.lower(), kind_called(words)) or kind_called(wanted) == words.lower()
