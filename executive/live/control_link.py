@@ -28,6 +28,7 @@ from robots.live.messages import (
     Heartbeat,
     Hello,
     Lead,
+    Offer,
     Pause,
     Resume,
     Start,
@@ -229,6 +230,12 @@ class ControlLink:
         """Go on with it."""
         message = Resume(self._next(), self.now_s)
         self._when_refused(message.number, lambda _reason: self.resume())
+        self._say(message)
+
+    def offer(self) -> None:
+        """Tell people that something is held out to them."""
+        message = Offer(self._next())
+        self._when_refused(message.number, lambda _reason: self.offer())
         self._say(message)
 
     def stop(self, category: int, reason: str) -> None:

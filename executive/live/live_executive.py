@@ -40,6 +40,7 @@ from robots.perception.place_map import place_map
 from robots.scene_description import Region
 from robots.scene_file import load_scene
 from trees.build import TaskTree
+from trees.offers import is_offer
 from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -223,6 +224,8 @@ class LiveExecutive:
             self._log.add(event)
         if self._display is not None:
             self._display.event(event)
+        if is_offer(event):
+            self._link.offer()
         if type(event).__name__ == "StopStarted":
             self._stops = (*self._stops, str(getattr(event, "reason", "")))
 

@@ -129,6 +129,7 @@ class ControlProcess:
             about,
             self._health,
             self._world.ranging,
+            self._world.people.see_offer,
         )
         self._evaluation = (
             EvaluationServer(folder.evaluation_socket, self._truth, self._pacer)

@@ -36,6 +36,7 @@ from robots.live.messages import (
     Heartbeat,
     Hello,
     Lead,
+    Offer,
     Pause,
     Reset,
     Resume,
@@ -73,6 +74,7 @@ class ControlServer:
         about: Mapping[str, Any],
         health: Callable[[], Mapping[str, Any]] = dict,
         ranging: RangeSensor | None = None,
+        on_offer: Callable[[], None] = lambda: None,
     ) -> None:
         """Listen.
 
@@ -85,9 +87,10 @@ class ControlServer:
             about: What everyone who connects is told: robot, scene, seed, period.
             health: Further facts for the status.
             ranging: Range scans for the commander.
+            on_offer: Called when the robot begins to hold something out to people.
         """
         self._loop, self._clock = loop, clock
-        self._about, self._health = dict(about), health
+        self._about, self._health, self._on_offer = dict(about), health, on_offer
         self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
@@ -231,6 +234,10 @@ class ControlServer:
             case Resume(number, stamp_s):
                 if self._may_command(connection, number, stamp_s):
                     self._loop.resume()
+            case Offer(number):
+                self._require_commander(connection)
+                if self._in_order(connection, number):
+                    self._on_offer()
             case Start() | Guarded():
                 self._start(connection, message)
             case Admit() | Lead() | Walk() | Steer():

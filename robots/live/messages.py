@@ -135,6 +135,13 @@ class Resume:
 
 
 @dataclass(frozen=True, slots=True)
+class Offer:
+    """What a hand has is held out from now on: people who are there may take it. Nothing moves by it."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
 class Stop:
     """The emergency stop, from anybody, at any time; it latches."""
 
@@ -172,6 +179,7 @@ ControlMessage = (
     | CancelMotion
     | Pause
     | Resume
+    | Offer
     | Stop
     | Reset
     | GetStatus
@@ -190,6 +198,7 @@ _CONTROL: Mapping[str, type] = {
     "cancel": CancelMotion,
     "pause": Pause,
     "resume": Resume,
+    "offer": Offer,
     "stop": Stop,
     "reset": Reset,
     "status": GetStatus,

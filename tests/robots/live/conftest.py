@@ -131,7 +131,7 @@ class LiveRig:
         self.robot = Weightless(model.description, self.clock)
         self.ranging = FakeRangeSensor()
         self.ranging.silent = True
-        self.server, self.clients = None, []
+        self.server, self.clients, self.offered_at_s = None, [], []
         self.loop = ControlLoop(self.robot, model, self.clock, self.note, PERIOD_S)
         about = {"robot": "talos", "scene": "none", "seed": 0, "period_s": PERIOD_S, "slot": "none"}
         self.server = ControlServer(
@@ -142,6 +142,7 @@ class LiveRig:
             self.checker,
             about,
             ranging=self.ranging,
+            on_offer=lambda: self.offered_at_s.append(self.clock.now_s()),
         )
         self.checker.answer = swing(model, self.loop.motion.reference())
 
