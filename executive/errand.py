@@ -10,35 +10,34 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
 from executive.answered_command import answered_command, of_one
-from executive.at_hand import Nearness, is_near
+from executive.at_hand import Nearness
 from executive.attendant import Attendant
 from executive.clarification import OpenQuestion
+from executive.errand_beliefs import ErrandBeliefs
 from executive.events import TaskRefused
 from executive.impossible import impossible
 from executive.meaning import Command, StopCommand
-from executive.other_furniture import named_other, settled
-from executive.preparing import Bringing, Known, Prepared, looked_for, prepared, with_names
+from executive.preparing import (
+    Bringing,
+    Known,
+    Prepared,
+    looked_for,
+    prepared,
+    seen_from_where,
+    with_names,
+)
 from executive.references import PREVIOUS, references, with_references
 from executive.session import Session
 from executive.task_result import Provenance, TaskResult, TaskTimes
 from executive.trust import OnQuestion
-from kinematics import poses
-from kinematics.poses import Transform
-from trees.away_from_start import is_away
-from trees.believed_thing import Surroundings, surroundings
 from trees.build import NoSkillError, has_skill
-from trees.drawer_inside import DrawerInside, inside_of_drawer
 from trees.failures import Failure, FailureKind
-from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
-from trees.grounding import Found, exactly, ground
-from trees.held import HeldObject, held_object
-from trees.odometry import body_pose
+from trees.grounding import exactly
 from trees.regions import START
 from trees.tasks import (
     Destination,
     ObjectDescription,
     ObjectOf,
-    PickTask,
     PlaceTask,
     Task,
     Thing,
@@ -58,6 +57,7 @@ class Errand:
         timeout_s: Simulated time that each task may take; None is the usual.
         on_question: What becomes of questions.
         provenance: Where each command comes from, when a model asked for it.
+        beliefs: What is believed of the world; the session's when left out.
     """
 
     def __init__(
@@ -68,11 +68,13 @@ class Errand:
         timeout_s: float | None = None,
         on_question: OnQuestion = "ask",
         provenance: Sequence[Provenance | None] = (),
+        beliefs: ErrandBeliefs | None = None,
     ) -> None:
         self._session = session
         self._commands = tuple(commands)
         self._timeout_s = timeout_s
         self._on_question = on_question
+        self._beliefs = beliefs or ErrandBeliefs(session.toolbox)
         self._provenance = tuple(provenance) or (None,) * len(self._commands)
         self._acted_on: list[tuple[str, ...]] = []
         self._who: dict[str, str] = {}
@@ -86,8 +88,8 @@ class Errand:
         if refused is not None:
             return (refused,)
         results: list[TaskResult] = []
-        self._session.toolbox.world.asked_at = self._base()
-        steps = list(prepared(self._commands, self._walks(), self._known()))
+        self._beliefs.note_where_asked()
+        steps = list(prepared(self._commands, self._walks(), self._beliefs.known()))
         while steps:
             step, begun = steps.pop(0), len(results)
             if self._is_needless(step) or (yield from self._step(step, results)):
@@ -98,7 +100,7 @@ class Errand:
                 break
             self._walked_for = results[-1]
             self._walked.add(self._carries(step.command))
-            steps = list(looked_for(self._commands, step.said, self._known(), self._who))
+            steps = list(looked_for(self._commands, step.said, self._beliefs.known(), self._who))
         return tuple(results)
 
     def _step(
@@ -135,27 +137,29 @@ class Errand:
 
         Once in an errand to the object, and once to where it goes; not what the robot has walked to already.
         """
-        command = step.command
-        if not isinstance(command, Bringing) or command.count != 1 or not self._walks():
+        command, failure, known = step.command, result.failure, self._beliefs.known()
+        if result.outcome != "failed" or failure is None or known.rooms or not self._walks():
+            return False
+        unseen = failure.is_unseen and result.attempts <= 1
+        if (asked := seen_from_where(command)) is not None:
+            return unseen and not self._walked and not step.is_reached and _may_be_elsewhere(asked, known)
+        if not isinstance(command, Bringing) or command.count != 1:
             return False
         carries = self._carries(command)
         if carries in self._walked or (step.is_reached and not carries):
             return False
-        known = self._known()
-        if result.outcome != "failed" or result.failure is None or known.rooms:
-            return False
-        if result.failure.is_unseen:
-            return result.attempts <= 1 and _may_be_elsewhere(command, known)
-        if result.failure.is_no_grasp and _is_far(command.object, known):
+        if failure.is_unseen:
+            return unseen and _may_be_elsewhere(command.source, known)
+        if failure.is_no_grasp and _is_far(command.object, known):
             return True
-        if result.failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
+        if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
             return False  # and what no hand could take is brought nowhere
-        meant = self._settled(command)
+        meant = self._beliefs.settled(command)
         return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
 
     def _carries(self, command: Command) -> bool:
         """Whether something is in a hand by now and only has to go somewhere."""
-        return isinstance(command, PlaceTask) and self._known().in_hand(command)
+        return isinstance(command, PlaceTask) and self._beliefs.known().in_hand(command)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""
@@ -171,41 +175,10 @@ class Errand:
 
     def _is_needless(self, step: Prepared) -> bool:
         """Whether what has been seen and done meanwhile makes a step superfluous."""
-        known = self._known()
+        known = self._beliefs.known()
         held = step.unless_held is not None and known.in_hand(step.unless_held)
         near = step.unless_near is not None and known.is_near(step.unless_near)
         return held or near or (step.unless_open and known.is_open)
-
-    def _known(self) -> Known:
-        toolbox = self._session.toolbox
-        opening = door_opening_rad(toolbox.world.scene)
-        return Known(
-            self._in_view,
-            lambda task: isinstance(held_object(toolbox, task.object, task.hand), HeldObject),
-            opening is not None and opening >= LEAST_OPEN_RAD,
-            self._is_near,
-            frozenset(toolbox.places),
-            self._stood_on,
-            is_away(body_pose(toolbox)),
-            isinstance(inside_of_drawer(toolbox.world.scene), DrawerInside),
-        )
-
-    def _is_near(self, wanted: Nearness) -> bool:
-        toolbox = self._session.toolbox
-        wanted = replace(wanted, thing=named_other(wanted.thing, self._around()))
-        return is_near(wanted, toolbox.world.scene, self._base(), toolbox.policy.support_gap_m)
-
-    def _stood_on(self, task: PlaceTask) -> str | None:
-        """What the object of a task stood on before it came into a hand."""
-        held = held_object(self._session.toolbox, task.object, task.hand)
-        origins = self._session.toolbox.world.taken_from
-        return origins[held.name].support if isinstance(held, HeldObject) and held.name in origins else None
-
-    def _in_view(self, pick: PickTask) -> bool:
-        """Whether the object of a pick is believed to be where it is said to be."""
-        if isinstance(pick.object, ObjectOf) or isinstance(pick.source, ObjectOf):
-            return False
-        return isinstance(ground(pick.object, self._around(), pick.source, pick.count), Found)
 
     def _walks(self) -> bool:
         return self._session.toolbox.can_walk
@@ -216,7 +189,7 @@ class Errand:
         if isinstance(command, Failure):
             return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
         times, attempts = TaskTimes(), 0
-        command = self._settled(command)
+        command = self._beliefs.settled(command)
         while True:
             result = yield from _silent(self._session.task_steps(command, self._timeout_s))
             times, attempts = _sum(times, result.times), attempts + result.attempts
@@ -224,7 +197,7 @@ class Errand:
             if result.outcome != "question" or result.failure is None:
                 return result
             answered = yield from answered_command(
-                self._session, command, result.failure, self._on_question, self._around
+                self._session, command, result.failure, self._on_question, self._beliefs.around
             )
             if answered is None:
                 return result
@@ -237,28 +210,14 @@ class Errand:
                 if walked.outcome != "done":
                     return replace(result, outcome=walked.outcome, failure=walked.failure)
 
-    def _settled(self, command: Command) -> Command:
-        leaves = self._stood_on(command) if isinstance(command, PlaceTask) else None
-        return settled(command, self._around(), leaves)
-
     def _walk_there(self, command: Command, asked: Failure) -> WalkToTask | None:
         """The walk to the furniture in a room that something goes onto, if the robot is not before it."""
         if not isinstance(command, PlaceTask) or asked.choice_slot != "on" or not self._walks():
             return None
         if command.to not in self._session.toolbox.places or not isinstance(command.on, ObjectDescription):
             return None
-        near = self._known().is_near(Nearness(command.on))
+        near = self._beliefs.known().is_near(Nearness(command.on))
         return None if near else WalkToTask(f"walk to the {command.on}", command.on)
-
-    def _around(self) -> Surroundings:
-        toolbox = self._session.toolbox
-        world = toolbox.world
-        gap_m = toolbox.policy.support_gap_m
-        return surroundings(world.scene, self._base(), gap_m, world.last_acted_on, world.asked_at)
-
-    def _base(self) -> Transform:
-        q = self._session.toolbox.sensing.state().q
-        return poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
 
     # --- before anything moves ------------------------------------------------------------------
 
@@ -302,9 +261,8 @@ class Errand:
         return self._acted_on[index] if index < len(self._acted_on) else ()
 
 
-def _may_be_elsewhere(command: Bringing, known: Known) -> bool:
+def _may_be_elsewhere(source: Destination | None, known: Known) -> bool:
     """Whether what is not in view may be anywhere but on what the robot stands before."""
-    source = command.source
     return not (isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source))))
 
 

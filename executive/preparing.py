@@ -214,7 +214,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             inside_it = replace(thing, relation=thing.relation or Relation("on", inside)) if inside else thing
             reach = WalkToTask(f"come within reach of the {thing}", inside_it)
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
-        seen_from = _seen_from(command) if roams and not walked else None
+        seen_from = seen_from_where(command) if roams and not walked else None
         if seen_from is not None:
             beside = Nearness(_described(seen_from))
             before.append(Prepared(WalkToTask(f"walk to the {seen_from}", seen_from), unless_near=beside))
@@ -356,7 +356,7 @@ def _is_drawer(there: Destination | None) -> bool:
     return isinstance(there, str | ObjectDescription) and _described(there).kind == DRAWER
 
 
-def _seen_from(command: Command) -> str | None:
+def seen_from_where(command: Command) -> str | None:
     """From where one sees what a command asks about; what is behind a door nobody sees."""
     source = command.source if isinstance(command, CountTask | DescribeTask | FindTask) else None
     return source if isinstance(source, str) and source not in MEANT_BY else None

@@ -14,8 +14,8 @@ _EVERYDAY = frozenset({"kitchen table", "dining table", "dinner table", "living 
 def called_so(said: str, known: Iterable[str]) -> frozenset[str]:
     """The words, of those that furniture is called by, that somebody means.
 
-    The very words come first. "The table" may be any table; but the side table is none of those that are
-    called nothing but table, for it may be one that nobody has seen yet.
+    The very words come first. "The table" may be the side table; but the side table is none of those that are
+    called nothing but table, for it may be one that nobody has seen yet, and nobody calls a desk a table.
 
     Args:
         said: "table", "side table", "desk"; without an article.
@@ -24,9 +24,14 @@ def called_so(said: str, known: Iterable[str]) -> frozenset[str]:
     wanted, words = said.lower(), frozenset(known)
     if same := {one for one in words if one.lower() == wanted}:
         return frozenset(same)
-    if alike := {one for one in words if kind_called(one) == wanted}:
+    if alike := {one for one in words if is_said_of(wanted, one)}:
         return frozenset(alike)
     return words & {kind_called(wanted)} if wanted in _EVERYDAY else frozenset()
+
+
+def is_said_of(kind: str, words: str) -> bool:
+    """Whether people may leave all but the kind out of what furniture is called: "table" of "side table"."""
+    return kind in (words, words.rpartition(" ")[2])
 
 
 def others_like(said: str, known: Iterable[str]) -> str:

@@ -85,13 +85,14 @@ class HandleTarget:
 
 
 def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate]) -> PlanningScene:
-    """A scene without the doors, drawers and handles that a look has seen anew.
+    """A scene without the doors, drawers, handles and insides that a look has seen anew.
 
     Unlike other furniture they move: a door that was opened would stand in the scene twice.
     """
-    fresh = [item for item in estimates if item.kind in PART_KINDS]
+    moving = (*PART_KINDS, *INSIDE_KINDS)
+    fresh = [item for item in estimates if item.kind in moving]
     for name, known in list(scene.objects.items()):
-        if kind_of(name) in PART_KINDS and any(
+        if kind_of(name) in moving and any(
             item.kind == kind_of(name)
             and np.linalg.norm(item.odom_T_object[:3, 3] - known.world_T_object[:3, 3]) <= _PAIRED_M
             for item in fresh

@@ -15,12 +15,13 @@ from robots.scene_description import Region
 from trees.believed_thing import PERSON, BelievedThing, Surroundings, surroundings
 from trees.events import Said
 from trees.failures import Failure, Number
-from trees.furniture_called import called_so
+from trees.furniture_called import called_so, is_said_of
 from trees.grounding import Ambiguous, Missing, ground
 from trees.handles import INSIDE_KINDS, PART_KINDS
 from trees.leaf import DONE, Leaf
 from trees.one_piece import belong_together
 from trees.questions import which_is_meant
+from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.shut import why_shut
 from trees.stated_confidence import calibrated
@@ -76,7 +77,8 @@ class TellingLeaf(Leaf):
         region = self.region(source)
         if isinstance(source, str) and region is None:
             if not called_so(source, around.furniture_words):
-                return Failure.postcondition(f"no {source} seen")
+                known = kinds_in(thing.name for thing in around.things)
+                return Failure.postcondition(f"no {source} seen", seen=known)
             if (shut := why_shut(self.toolbox.world.scene, source)) is not None:
                 return shut
         people = [thing for thing in around.things if thing.is_person] if wanted.kind == PERSON else None
@@ -95,7 +97,7 @@ class TellingLeaf(Leaf):
         if wanted.kind is None or replace(wanted, kind=None) != ObjectDescription():
             return None
         region = self.region(source)
-        words = {one for one in around.furniture_words if wanted.kind in (one, kind_called(one))}
+        words = {one for one in around.furniture_words if is_said_of(wanted.kind, one)}
         is_furniture = bool(words) or kind_called(wanted.kind) in FURNITURE_KINDS
         if not is_furniture or (source is not None and region is None):
             return None

@@ -84,6 +84,10 @@ class TrueContacts:
         """What of the robot, finger pads included, touches an object now."""
         return self._contacts(_ROBOT, (Role.OBJECT,))
 
+    def robot_with_floor(self) -> tuple[TrueContact, ...]:
+        """What of the robot stands on the floor now."""
+        return self._contacts(_ROBOT, (Role.FLOOR,))
+
     def robot_touches_something(self) -> bool:
         """Tell whether any part of the robot touches furniture, an object or a person; fast."""
         parts = self._part_of[self._contact_geoms()]

@@ -247,41 +247,54 @@ def test_several_things_at_once_are_taken_from_where_the_robot_stands():
     assert walked("pick up all the cups") == [("pick", "")]
 
 
+STUCK = Failure.infeasible("the door is stuck")
+UNSEEN = Failure.postcondition("no side table seen", seen="table")
+
+
 class Notes:
     """A session that does everything it is told to, and finds Ana."""
 
     now_s = 0.0
 
-    def __init__(self, fails=""):
+    def __init__(self, fails="", failure=STUCK):
         self.toolbox = SimpleNamespace(can_walk=True, places=("kitchen", "living room"))
-        self.told, self.fails = [], fails
+        self.told, self.fails, self.failure = [], fails, failure
 
     def task_steps(self, command, _timeout_s):
         self.told.append(command)
         yield
         fails = command.action == self.fails
-        failure = Failure.infeasible("the door is stuck") if fails else None
         return TaskResult(
             command.text,
             command.action,
             "failed" if fails else "done",
             1,
-            failure,
+            self.failure if fails else None,
             {"found": "Ana"},
             TaskTimes(),
             acted_on={"pick": "green bottle", "walk_to": "white cup"}.get(command.action),
         )
 
 
-class UnseenErrand(Errand):
-    """Nothing is known."""
+class Believed:
+    """What is believed of the world, told beforehand."""
 
-    def _known(self):
-        return Known()
+    def __init__(self, known=None):
+        self.known = known or Known
+
+    def note_where_asked(self):
+        pass
+
+    def settled(self, command):
+        return command
 
 
 def carried_out(notes, sentence):
-    return drive(UnseenErrand(notes, parse(sentence).commands).steps(), Nobody(), notes)
+    return errand(notes, sentence, Believed())
+
+
+def errand(notes, sentence, beliefs):
+    return drive(Errand(notes, parse(sentence).commands, beliefs=beliefs).steps(), Nobody(), notes)
 
 
 class Nobody:
@@ -311,20 +324,10 @@ def test_an_errand_comes_back_to_where_the_robot_began_if_nobody_is_there():
     assert [command.to for command in notes.told if isinstance(command, WalkToTask)] == ["Ana", "start"]
 
 
-class FlatErrand(Errand):
-    """In a flat, where nothing was seen yet; or everything, and at hand."""
-
-    near = False
-
-    def _known(self):
-        return replace(FLAT, is_near=lambda _nearness: self.near)
-
-
 def in_the_flat(sentence, near=False):
+    """In a flat, where nothing was seen yet; or everything, and at hand."""
     notes = Notes()
-    errand = FlatErrand(notes, parse(sentence).commands)
-    errand.near = near
-    drive(errand.steps(), Nobody(), notes)
+    errand(notes, sentence, Believed(lambda: replace(FLAT, is_near=lambda _nearness: near)))
     return notes.told
 
 
@@ -341,17 +344,11 @@ def test_what_is_at_hand_is_not_walked_to():
     assert [command.action for command in in_the_flat("pick up the red cup", near=True)] == ["pick"]
 
 
-class OpenErrand(Errand):
-    """The fridge turns out to stand open once the robot has come to it."""
-
-    def _known(self):
-        return Known(is_open=bool(self._session.told))
-
-
 def test_a_door_that_turns_out_to_stand_open_is_not_opened():
     notes = Notes()
 
-    drive(OpenErrand(notes, parse("put the green can into the fridge").commands).steps(), Nobody(), notes)
+    open_once_there = Believed(lambda: Known(is_open=bool(notes.told)))
+    errand(notes, "put the green can into the fridge", open_once_there)
 
     assert [type(command) for command in notes.told] == [WalkToTask, WalkToTask, PutInTask]
 
@@ -453,3 +450,21 @@ def test_what_is_held_is_put_down_until_the_drawer_is_open():
 
     assert [type(step.command) for step in steps] == [PlaceTask, OpenTask, PutInTask]
     assert steps[0].may_fail
+
+
+@pytest.mark.parametrize(
+    ("sentence", "actions"),
+    [
+        ("how many cups are on the side table?", ["count", "walk_to", "count"]),
+        ("what is on the side table?", ["describe", "walk_to", "describe"]),
+        ("how many cups are in the fridge?", ["count"]),
+        ("how many cups are there?", ["count"]),
+    ],
+)
+def test_what_is_asked_about_furniture_out_of_sight_is_walked_to_once(sentence, actions):
+    notes = Notes(actions[0], UNSEEN)
+
+    (*_, last) = errand(notes, sentence, Believed())
+
+    assert [command.action for command in notes.told] == actions
+    assert last.failure.root.message == "no side table seen"

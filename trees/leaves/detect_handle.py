@@ -12,15 +12,13 @@ from robots.perception.object_estimate import ObjectEstimate
 from trees.articles import with_article
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.handles import INSIDE_KINDS, MEANT_BY, PART_KINDS, HandleTarget, handles_in
-from trees.in_hand import not_in_hand
+from trees.folded_look import folded_look
+from trees.handles import MEANT_BY, HandleTarget, handles_in
 from trees.leaf import DONE
-from trees.look_leaf import LookLeaf, View, estimates_of
+from trees.look_leaf import LookLeaf, View
 from trees.meant_part import meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.scene_update import kind_of, updated_scene
-from trees.sight import in_view
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 
@@ -46,17 +44,8 @@ class DetectHandle(LookLeaf):
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
-        world, policy = self.toolbox.world, self.toolbox.policy
-        estimates = not_in_hand(self.toolbox, estimates_of(views))
-        before = scene = world.scene
-        fresh = {estimate.kind for estimate in estimates} & {*PART_KINDS, *INSIDE_KINDS}
-        for name in [name for name in scene.objects if kind_of(name) in fresh]:
-            scene = scene.without_object(name)  # unlike other furniture, these move
-        camera, pose = self.toolbox.model.description.camera, views[-1].odom_T_camera
-        update = updated_scene(
-            scene, estimates, policy, lambda item: not in_view(camera, pose, item.world_T_object[:3, 3])
-        )
-        world.update(update.scene)
+        before = self.toolbox.world.scene
+        update = folded_look(self.toolbox, views)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         task: OpenTask | CloseTask = self.get_input("task")
         wanted = task.object

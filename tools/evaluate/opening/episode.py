@@ -65,11 +65,10 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
 
     assembly = assemble(order.robot, scene.read(), order.seed, sink=listen)
     truth: SimulatorTruth = assembly.world.truth
-    soles = tuple(sole.frame for sole in assembly.model.description.soles)
     grippers = assembly.model.description.grippers.values()
     hands = frozenset(link for gripper in grippers for link in gripper.touch_links)
     pushing = hands if order.suite == "close" and scene.kind == "door" else frozenset()
-    judge = OpeningJudge(truth, soles, FURNITURE, pushing)
+    judge = OpeningJudge(truth, assembly.model.description.soles, FURNITURE, pushing)
     faults = assembly.perception.faults
     faults.misplace("handle", scene.handle_error_m, first_look_only=False)
     faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)

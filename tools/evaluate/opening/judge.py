@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.robot_description import SoleDescription
 from robots.simulated.truth import SimulatorTruth
 
 _EVERY = 5
-_LIFTED_M, _LANDED_S = 0.003, 0.2
-"""A sole higher than this steps, and stands anew this long after it came down."""
+_CARRIES_N, _LANDED_S = 20.0, 0.2
+"""A sole with less on it steps (the robot weighs 900 N), and stands anew so long after it came down."""
 
 
 class Footing:
@@ -21,13 +22,18 @@ class Footing:
         Args:
             place: Of the sole, m, shape (3,).
         """
-        self._floor_m = float(place[2])
         self._stood: NDArray[np.float64] | None = place[:2].copy()
         self._lifted_s = -np.inf
 
-    def slip_m(self, place: NDArray[np.float64], time_s: float) -> float:
-        """How far it has come from where it stood, m; 0 while it steps."""
-        if place[2] - self._floor_m > _LIFTED_M:
+    def slip_m(self, place: NDArray[np.float64], load_n: float, time_s: float) -> float:
+        """How far it has come from where it stood, m; 0 while it steps.
+
+        Args:
+            place: Of the sole, m, shape (3,).
+            load_n: What presses it onto the floor.
+            time_s: Simulated time.
+        """
+        if load_n < _CARRIES_N:
             self._stood, self._lifted_s = None, time_s
         if self._stood is None:
             if time_s - self._lifted_s < _LANDED_S:
@@ -50,7 +56,7 @@ class OpeningJudge:
     def __init__(
         self,
         truth: SimulatorTruth,
-        soles: tuple[str, ...],
+        soles: tuple[SoleDescription, ...],
         furniture: str,
         pushing: frozenset[str] = frozenset(),
     ) -> None:
@@ -58,13 +64,13 @@ class OpeningJudge:
 
         Args:
             truth: The simulator's.
-            soles: Frames of the soles.
+            soles: The robot's.
             furniture: Which piece is opened or closed.
             pushing: Links of the robot that may touch its door.
         """
         self._truth, self._soles, self._furniture = truth, soles, furniture
         self._pushing = pushing
-        self._footing = [Footing(truth.world_T_link(sole)[:3, 3]) for sole in soles]
+        self._footing = [Footing(truth.world_T_link(sole.frame)[:3, 3]) for sole in soles]
         self._periods = 0
         self.fell = False
         self.peak_force_n = 0.0
@@ -83,12 +89,16 @@ class OpeningJudge:
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
             self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
-            slips = [
-                footing.slip_m(self._truth.world_T_link(sole)[:3, 3], self._truth.time_s)
-                for sole, footing in zip(self._soles, self._footing, strict=True)
-            ]
-            self.feet_slip_m = max(self.feet_slip_m, *slips)
+            self.feet_slip_m = max(self.feet_slip_m, *self._slips_m())
         self._periods += 1
+
+    def _slips_m(self) -> list[float]:
+        truth = self._truth
+        loads = {one.first: one.force_n for one in truth.contacts.robot_with_floor()}
+        return [
+            footing.slip_m(truth.world_T_link(sole.frame)[:3, 3], loads.get(sole.link, 0.0), truth.time_s)
+            for sole, footing in zip(self._soles, self._footing, strict=True)
+        ]
 
     @property
     def opening(self) -> float:
