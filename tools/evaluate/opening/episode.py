@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from executive.assembly import assemble
 from executive.task_result import TaskResult, chain
+from robots.errors import SceneError
 from robots.simulated.truth import SimulatorTruth
 from tools.evaluate.opening.faults import OPENING_FAULTS, OpeningBench
 from tools.evaluate.opening.judge import OpeningJudge
@@ -19,6 +20,7 @@ from trees.events import Measured
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 _HELD_S = 1.0
+_DRAWS = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,12 +39,19 @@ def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
 
 
 def run_opening(order: OpeningOrder) -> OpeningRecord:
-    """Run one episode; whatever breaks becomes its record."""
-    scene = opening_scene(order.seed, order.suite)
-    try:
-        return _run(order, scene)
-    except Exception:
-        return _broken(order, scene, traceback.format_exc())
+    """Run one episode; whatever breaks becomes its record.
+
+    A door that stands open where the robot's hand is cannot be: it is drawn again.
+    """
+    for draw in range(_DRAWS):
+        scene = opening_scene(order.seed, order.suite, draw)
+        try:
+            return _run(order, scene)
+        except SceneError:
+            continue
+        except Exception:
+            return _broken(order, scene, traceback.format_exc())
+    return _broken(order, scene, f"no scene could be drawn in {_DRAWS} times")
 
 
 def died(order: OpeningOrder) -> list[OpeningRecord]:

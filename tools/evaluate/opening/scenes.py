@@ -57,9 +57,15 @@ class OpeningScene:
         return read_scene(self.toml, f"{FURNITURE}.toml", FURNITURE)
 
 
-def opening_scene(seed: int, suite: str) -> OpeningScene:
-    """The scene of one episode; doors of both hands and drawers take turns."""
-    rng = episode_rng(seed, 7)
+def opening_scene(seed: int, suite: str, draw_number: int = 0) -> OpeningScene:
+    """The scene of one episode; doors of both hands and drawers take turns.
+
+    Args:
+        seed: The episode's.
+        suite: "open" or "close".
+        draw_number: How often it was drawn before and could not be.
+    """
+    rng = episode_rng(seed, 7 if draw_number == 0 else 700 + draw_number)
 
     def draw(low_high: tuple[float, float]) -> float:
         return float(rng.uniform(*low_high))
