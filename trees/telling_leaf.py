@@ -90,6 +90,13 @@ class TellingLeaf(Leaf):
             return which_is_meant(answer)
         return () if isinstance(answer, Missing) else self.inside(region, answer.names)
 
+    def called_here(self, source: Destination | None, around: Surroundings) -> Destination | None:
+        """What furniture is called by what was seen: of "the table" perhaps "coffee table"."""
+        if not isinstance(source, str) or self.region(source) is not None:
+            return source
+        meant = called_so(source, around.furniture_words)
+        return " and ".join(sorted(meant)) if meant else source
+
     def pieces(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
     ) -> tuple[str, ...] | None:

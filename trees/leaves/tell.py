@@ -42,6 +42,8 @@ class TellCount(TellingLeaf):
         count = len(names)
         noun = " ".join(word for word in (task.object.color, task.object.kind or "thing") if word)
         said = f"there {'is' if count == 1 else 'are'}"
+        if (told := self.called_here(task.source, around)) != task.source:
+            said = f"on the {told} {said}"
         if self.region(task.source) is not None:  # not all of a room is seen from one place
             said = f"in the {task.source} I see"
         elif seen_from_here or task.object.kind == PERSON or (self.toolbox.places and task.source is None):
@@ -81,7 +83,8 @@ class TellDescription(TellingLeaf):
         region = self.region(source)
         people = self._people(around, source)
         inside = region is not None or str(source) in MEANT_BY
-        where = "here" if source is None else f"{'in' if inside else 'on'} the {source}"
+        told = self.called_here(source, around)
+        where = "here" if source is None else f"{'in' if inside else 'on'} the {told}"
         furniture = self.furniture(around, region) if source is None or region is not None else []
         words = f"{where} I see {listed([*furniture, *counted(things), *people]) or 'nothing'}"
         return self.say(

@@ -104,6 +104,16 @@ def test_people_are_told_who_stand_farther_away_than_hands_reach(stage_with, tas
     assert said(stage) == [words]
 
 
+def test_of_the_table_it_is_told_by_its_own_name(stage_with):
+    side = TrueObject("side table/top", "furniture", "table", None, table().shape, table().world_T_object)
+    stage = stage_with(side, cup())
+
+    run(stage, DescribeTask("what is on the table", source="table"))
+    run(stage, CountTask("how many cups are on the table", ObjectDescription("cup"), source="table"))
+
+    assert said(stage) == ["on the side table I see one red cup", "on the side table there is one cup"]
+
+
 @pytest.mark.parametrize(
     ("kind", "words"),
     [
