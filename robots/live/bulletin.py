@@ -47,7 +47,7 @@ class Bulletin:
         self._loop, self._clock, self._motions = loop, clock, motions
         self._detector, self._ranging = detector, ranging
         self._events: list[ControlEvent] = []
-        self._frame, self._polls = -1, 0
+        self._frame, self._polls, self._scan_due = -1, 0, 0
         self._told_emergency, self._told_health = emergency_json(loop), health_json(loop)
 
     def note(self, event: ControlEvent) -> None:
@@ -71,10 +71,10 @@ class Bulletin:
             return
         for message in motions:
             commander.send(message)
+        if wanted.scans:  # first: pictures come more often, and fill the socket of who reads slowly
+            self._show_scan(commander)
         if wanted.pictures:
             self._show_frame(commander)
-        if wanted.scans:
-            self._show_scan(commander)
 
     def _condition(self) -> list[bytes]:
         engaged, health = emergency_json(self._loop), health_json(self._loop)
@@ -100,9 +100,10 @@ class Bulletin:
             commander.send(write_frame(frame))
 
     def _show_scan(self, commander: Connection) -> None:
-        """The same with what the range sensor sees."""
-        if self._ranging is None or self._polls % _SCAN_EVERY != 0 or not commander.idle:
+        """The same with what the range sensor sees, as soon as it can go."""
+        if self._ranging is None or self._polls < self._scan_due or not commander.idle:
             return
+        self._scan_due = self._polls + _SCAN_EVERY
         points_m = self._ranging.scan()
         if points_m is not None:
             commander.send(write_scan(RangeScan(self._clock.now_s(), points_m)))

@@ -138,8 +138,16 @@ def _came_to_its_end(robot: ServedRobot, killed_s: float, within_s: float) -> bo
 
 
 def first_stop(robot: ServedRobot, since_s: float) -> float | None:
-    """Control time of the first stop since an instant; the slot may be 10 ms old when that was read."""
-    times = [event["t_s"] for event in robot.events if event["event"] == "StopStarted"]
+    """Control time of the first stop since an instant; the slot may be 10 ms old when that was read.
+
+    Where a gripper alone moves nothing is braked: its motion is cancelled.
+    """
+    times = [
+        event["t_s"]
+        for event in robot.events
+        if event["event"] == "StopStarted"
+        or (event["event"] == "MotionEnded" and event["status"] == "canceled")
+    ]
     return min((t_s for t_s in times if t_s >= since_s - 0.011), default=None)
 
 
