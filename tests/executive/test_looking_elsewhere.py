@@ -36,16 +36,22 @@ class Notes:
         return TaskResult(command.text, command.action, outcome, 1, failure, found, times, acted_on=named)
 
 
-class ErrandHere(Errand):
+class Here:
     """Nothing is held; what the robot stands before is told."""
 
-    before, in_hand = (), False
+    before = ()
 
-    def _known(self):
-        return Known(
-            is_near=lambda wanted: wanted.at_hand and wanted.thing.kind in self.before,
-            in_hand=lambda _task: self.in_hand,
-        )
+    def __init__(self, notes):
+        self.notes = notes
+
+    def known(self):
+        return Known(is_near=lambda wanted: wanted.at_hand and wanted.thing.kind in self.before)
+
+    def note_where_asked(self):
+        pass
+
+    def settled(self, command):
+        return command
 
 
 class Nobody:
@@ -55,9 +61,12 @@ class Nobody:
         pass
 
 
-def carried_out(notes, sentence, errand=ErrandHere):
-    results = drive(errand(notes, parse(sentence).commands).steps(), Nobody(), notes)
-    return [result.outcome for result in results]
+def results_of(notes, sentence, beliefs=Here):
+    return drive(Errand(notes, parse(sentence).commands, beliefs=beliefs(notes)).steps(), Nobody(), notes)
+
+
+def carried_out(notes, sentence, beliefs=Here):
+    return [result.outcome for result in results_of(notes, sentence, beliefs)]
 
 
 @pytest.mark.requirement("L6", "M6")
@@ -88,7 +97,7 @@ def test_who_speaks_is_found_before_the_robot_goes_away():
 def test_it_is_looked_for_once_and_told_as_what_was_asked_for():
     notes = Notes(unseen("bottle"), unseen("thing"))
 
-    first, last = drive(ErrandHere(notes, parse("pick up the bottle").commands).steps(), Nobody(), notes)
+    first, last = results_of(notes, "pick up the bottle")
 
     assert notes.told == ["pick up the bottle", "come within reach of the bottle"]
     assert (first.outcome, last.outcome) == ("failed", "failed")
@@ -97,15 +106,15 @@ def test_it_is_looked_for_once_and_told_as_what_was_asked_for():
     assert last.failure.cause.message == "no thing seen"
 
 
-class ErrandBeforeTheTable(ErrandHere):
+class BeforeTheTable(Here):
     before = ("table",)
 
 
-class ErrandWithTheCup(ErrandHere):
+class WithTheCup(Here):
     """The first task picks it up."""
 
-    def _known(self):
-        return replace(super()._known(), in_hand=lambda _task: bool(self._session.told))
+    def known(self):
+        return replace(super().known(), in_hand=lambda _task: bool(self.notes.told))
 
 
 def out_of_reach():
@@ -121,18 +130,18 @@ def test_what_no_hand_gets_to_from_here_is_walked_to(sentence):
     assert notes.told[1] == "come within reach of the bottle"
 
 
-class ErrandAcrossTheRoom(ErrandHere):
+class AcrossTheRoom(Here):
     """Opening the drawer leads the robot away."""
 
-    def _known(self):
-        away = bool(self._session.told)
-        return replace(super()._known(), is_away=away, drawer_is_open=away)
+    def known(self):
+        away = bool(self.notes.told)
+        return replace(super().known(), is_away=away, drawer_is_open=away)
 
 
 def test_what_goes_into_a_drawer_across_the_room_is_fetched_and_taken_there():
     notes = Notes(None, unseen("cup"))
 
-    assert carried_out(notes, "put the cup in the top drawer", ErrandAcrossTheRoom)[-1] == "done"
+    assert carried_out(notes, "put the cup in the top drawer", AcrossTheRoom)[-1] == "done"
     assert notes.told == [
         "open the top drawer",
         "put the cup in the top drawer",
@@ -143,29 +152,29 @@ def test_what_goes_into_a_drawer_across_the_room_is_fetched_and_taken_there():
     ]
 
 
-class ErrandAwayFromTheStart(ErrandHere):
-    def _known(self):
-        return replace(super()._known(), is_away=True)
+class AwayFromTheStart(Here):
+    def known(self):
+        return replace(super().known(), is_away=True)
 
 
 def test_what_was_walked_to_and_is_not_there_is_not_walked_to_again():
     notes = Notes(None, unseen("cup"))
 
-    assert carried_out(notes, "pick up the cup", ErrandAwayFromTheStart)[-1] == "failed"
+    assert carried_out(notes, "pick up the cup", AwayFromTheStart)[-1] == "failed"
     assert notes.told == ["come within reach of the cup", "pick up the cup"]
 
 
 def test_what_cannot_be_put_down_from_here_is_taken_to_the_furniture():
     notes = Notes(Failure.infeasible("there is no spot on the shelf"))
 
-    assert carried_out(notes, "put the cup on the shelf", ErrandWithTheCup)[-1] == "done"
+    assert carried_out(notes, "put the cup on the shelf", WithTheCup)[-1] == "done"
     assert notes.told == ["put the cup on the shelf", "walk to the shelf", "put the cup on the shelf"]
 
 
 def test_what_cannot_be_put_down_where_the_robot_stands_is_told_so():
     notes = Notes(Failure.infeasible("there is no spot on the table"))
 
-    assert carried_out(notes, "put the cup on the table", ErrandBeforeTheTable) == ["failed"]
+    assert carried_out(notes, "put the cup on the table", BeforeTheTable) == ["failed"]
 
 
 def test_what_cannot_be_grasped_from_nearby_either_is_told_so():
@@ -174,24 +183,24 @@ def test_what_cannot_be_grasped_from_nearby_either_is_told_so():
     assert carried_out(notes, "pick up the bottle") == ["failed", "done", "failed"]
 
 
-class ErrandBesideTheBottle(ErrandHere):
+class BesideTheBottle(Here):
     before = ("bottle",)
 
 
 @pytest.mark.parametrize(
-    ("notes", "sentence", "errand"),
+    ("notes", "sentence", "beliefs"),
     [
-        (Notes(unseen("cup")), "pick up the cup on the table", ErrandBeforeTheTable),
-        (Notes(unseen("cup"), can_walk=False), "pick up the cup", ErrandHere),
-        (Notes(Failure.infeasible("the door is stuck")), "pick up the cup", ErrandHere),
-        (Notes(Failure.postcondition("it slipped", seen=True)), "pick up the cup", ErrandHere),
-        (Notes(out_of_reach()), "pick up the bottle", ErrandBesideTheBottle),
-        (Notes(unseen("cup")), "pick up both cups", ErrandHere),
-        (Notes(unseen("cup")), "count the cups", ErrandHere),
+        (Notes(unseen("cup")), "pick up the cup on the table", BeforeTheTable),
+        (Notes(unseen("cup"), can_walk=False), "pick up the cup", Here),
+        (Notes(Failure.infeasible("the door is stuck")), "pick up the cup", Here),
+        (Notes(Failure.postcondition("it slipped", seen=True)), "pick up the cup", Here),
+        (Notes(out_of_reach()), "pick up the bottle", BesideTheBottle),
+        (Notes(unseen("cup")), "pick up both cups", Here),
+        (Notes(unseen("cup")), "count the cups", Here),
     ],
 )
-def test_not_all_that_fails_is_looked_for_elsewhere(notes, sentence, errand):
-    assert carried_out(notes, sentence, errand) == ["failed"]
+def test_not_all_that_fails_is_looked_for_elsewhere(notes, sentence, beliefs):
+    assert carried_out(notes, sentence, beliefs) == ["failed"]
     assert len(notes.told) == 1
 
 
