@@ -41,7 +41,7 @@ _BACK_SHARES = (1.0, 0.67, 0.33)
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _SCAN_EVERY_S = 0.4
-_SCAN_WITHIN_S = 1.0
+_SCAN_WITHIN_S, _ASKED_TIMES = 1.0, 25
 _SILENT = "the range sensor says nothing"
 _NO_WAY = {
     True: "the hands have no room on the way there",
@@ -98,7 +98,7 @@ class WalkTo(WalkingLeaf):
         self._path: tuple[PlanarPose, ...] = ()
         self._clearance_m = 0.0
         self._stopped_for: Failure | None = None
-        self._scanned_s = -math.inf
+        self._scanned_s, self._asked = -math.inf, 0
 
     def aim(self) -> None:
         """Take in what to walk to."""
@@ -123,8 +123,7 @@ class WalkTo(WalkingLeaf):
         if self._handle is None:
             steering = self._plan(settings)
             if self._seen.silent:
-                silent_s = self.elapsed_s
-                return RUNNING if silent_s < _SCAN_WITHIN_S else Failure.execution(_SILENT, silent_s=silent_s)
+                return self._wait_for_scan()
             if isinstance(steering, Failure):
                 return steering
             if steering is None:
@@ -160,10 +159,20 @@ class WalkTo(WalkingLeaf):
         scene, room = toolbox.world.scene, walking_room(toolbox, settings)
         obstacles = room.footprints(scene)
         self._look(obstacles)
+        if self._seen.silent:
+            return None
         self._backing = not self._backing and (back := self._step_back(settings, room, body)) is not None
         if self._backing:
             return back
         return self._way(settings, room, body, obstacles)
+
+    def _wait_for_scan(self) -> Status | Failure:
+        """A sensor that nobody asked before needs a moment; who computes meanwhile does not hear it."""
+        self._asked += 1
+        silent_s = self.elapsed_s
+        if silent_s < _SCAN_WITHIN_S or self._asked < _ASKED_TIMES:
+            return RUNNING
+        return Failure.execution(_SILENT, silent_s=silent_s)
 
     def _step_back(
         self, settings: WalkingSettings, room: WalkingRoom, body: PlanarPose

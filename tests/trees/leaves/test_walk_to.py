@@ -12,6 +12,7 @@ from kinematics.shapes import Box
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.steering import StretchSteering
 from robots.control.motion_handle import MotionHandle
+from robots.fake.fake_range_sensor import FakeRangeSensor
 from trees.destination import Place
 from trees.leaves.draw_arms_in import DrawArmsIn
 from trees.leaves.walk_to import WalkTo
@@ -161,3 +162,46 @@ def test_drawn_in_hands_may_end_at_the_edge_of_what_the_walk_leads_to(stage):
 
     assert stage.tick(leaf) is Status.RUNNING
     assert len(feet.asked) == 1
+
+
+class Slow(FakeRangeSensor):
+    """Says nothing until it was asked so often; whoever asks computes for seconds in between."""
+
+    def __init__(self, clock, first_at, computing_s=0.0):
+        super().__init__()
+        self.clock, self.first_at, self.computing_s, self.asked = clock, first_at, computing_s, 0
+
+    def scan(self):
+        self.asked += 1
+        self.silent = self.asked < self.first_at
+        self.clock.advance(self.computing_s)
+        return super().scan()
+
+
+@pytest.fixture
+def beside(stage):
+    """Walks on an open floor with a range sensor."""
+
+    def run(sensor, ticks):
+        feet = FeetThatSetOut()
+        leaf = WalkTo("walk", dataclasses.replace(stage.toolbox, walking=feet, ranging=sensor))
+        aim = Place("table", "furniture", Box((0.4, 0.4, 0.9)), poses.translation(3.2, 0.0, 0.45), 0.9)
+        stage.ready(leaf, place=aim)
+        return [stage.tick(leaf) for _ in range(ticks)], leaf, feet.asked
+
+    return run
+
+
+def test_who_computed_for_long_has_not_waited_for_the_sensor(beside, stage):
+    statuses, _, asked = beside(Slow(stage.fake.clock, 3, computing_s=4.0), 3)
+
+    assert statuses == [Status.RUNNING] * 3
+    assert len(asked) == 1
+
+
+def test_a_sensor_that_stays_silent_ends_the_walk_before_it_begins(beside, stage):
+    statuses, leaf, asked = beside(Slow(stage.fake.clock, 10_000, computing_s=0.02), 26)
+
+    assert statuses.index(Status.FAILURE) == 25  # of 40 ms
+    assert leaf.failure.message == "the range sensor says nothing"
+    assert asked == []
