@@ -295,6 +295,8 @@ class Destinations(Antecedents):
         named = dict.fromkeys((*self._places, *self._beside_places))
         places = [place for place in named if place != held_at]
         if self._commands and self._commands[-1].action == "walk_to":
+            if not self._walks:  # in front of something is no place of its own
+                raise ask("which place does 'there' stand for?")
             sent = self._walks[-1]  # just now, unless another place was named since
             places = [place for place in places if place == sent == self._places[-1]]
             beside = [place for place in self._walked_together if place != held_at] if places else []
