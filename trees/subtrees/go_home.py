@@ -11,17 +11,20 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.lift_clear import LiftClear
 from trees.leaves.look_at_hands import LookAtHands
 from trees.leaves.survey import Survey
+from trees.subtrees.leave_object import leave_what_stands
 from trees.toolbox import Toolbox
 
 
 def go_home(toolbox: Toolbox) -> Behaviour:
     """Bring the whole body home; hands keep what they hold.
 
-    Who took over a robot that another one left over a table looks first where its hands are.
+    Who took over a robot that another one left over a table looks first where its hands are, and takes its
+    fingers off what stands between them.
     """
     looks: list[Behaviour] = [
         LookAtHands("look at the hands", toolbox),
         Survey("see what is about them", toolbox, {"sightings_now": "sightings"}),
+        leave_what_stands(toolbox),
     ]
     look = Sequence("look", memory=True, children=looks)
     children = [

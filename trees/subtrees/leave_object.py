@@ -9,10 +9,26 @@ from trees.best_effort import BestEffort
 from trees.given import Given
 from trees.held import HeldObject
 from trees.leaves.draw_back import DrawBack
+from trees.leaves.find_left_about import FindLeftAbout
 from trees.leaves.let_go import LetGo
 from trees.toolbox import Toolbox
 
 _HELD, _TOUCHED = "left_about", "left_standing"
+
+
+def leave_what_stands(toolbox: Toolbox) -> Behaviour:
+    """The same for who took over a robot: which object it is shows only when it was looked at.
+
+    Args:
+        toolbox: What the leaves may call.
+    """
+    keys = {"held": _HELD, "touched": _TOUCHED}
+    children: list[Behaviour] = [
+        FindLeftAbout("what a hand is about", toolbox, keys),
+        LetGo("let go", toolbox, wiring=keys),
+        DrawBack("draw back", toolbox, {"held": _HELD}),
+    ]
+    return BestEffort(Sequence("leave what stands", memory=True, children=children))
 
 
 def leave_object(toolbox: Toolbox, about: HeldObject) -> Behaviour:

@@ -1,12 +1,16 @@
 """What the task after a cancelled one does first with a hand that is about an object."""
 
 import pytest
+from py_trees.common import Status
 
 from kinematics.requests import CheckRequest, RetreatRequest
 from robots.fake.fake_world import cup, table
+from trees import build
 from trees.build import build_tree
 from trees.events import NodeChanged
 from trees.hand_about import objects_in_open_grasp
+from trees.if_nothing_is_known import IfNothingIsKnown
+from trees.leaves.find_left_about import FindLeftAbout
 from trees.leaves.lift_clear import held_near_support
 from trees.tasks import GoHomeTask, ObjectDescription, PickTask, SayTask
 
@@ -75,6 +79,39 @@ def test_what_the_hand_holds_is_not_let_go(stage):
     assert tree.status == "success"
     assert "let go" not in order(stage)
     assert "red cup" in stage.told.scene.attached
+
+
+@pytest.mark.requirement("S7")
+def test_who_takes_over_finds_what_stands_between_the_fingers(stage):
+    cancelled_at(stage, "verify hold")
+
+    assert stage.run(FindLeftAbout("find", stage.toolbox)) is Status.SUCCESS
+    assert stage.output("held").name == "red cup"
+    assert stage.output("touched")
+
+
+def test_who_takes_over_keeps_what_was_lifted(stage):
+    cancelled_at(stage, "verify lift")
+    scene = stage.told.scene
+    body = scene.attached["red cup"]
+    q = stage.toolbox.motion.reference()
+    place = stage.toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object
+    stage.told.update(scene.with_detached("red cup", place))
+    assert objects_in_open_grasp(stage.toolbox)
+
+    assert stage.run(FindLeftAbout("find", stage.toolbox)) is Status.FAILURE
+
+
+def test_who_takes_over_lets_go_before_the_hands_go_home(stage, monkeypatch):
+    cancelled_at(stage, "verify hold")
+    monkeypatch.setattr(IfNothingIsKnown, "needed", lambda _self: True)
+    monkeypatch.setattr(build, "objects_in_open_grasp", lambda _toolbox: ())
+
+    tree = stage.play(build_tree(GO_HOME, stage.toolbox))
+
+    assert tree.status == "success", tree.failure
+    names = order(stage)
+    assert names.index("let go") < names.index("draw back") < names.index("move home")
 
 
 def test_words_are_said_without_moving_the_hand(stage):
