@@ -20,7 +20,8 @@ _UP_M = 0.05
 class LiftClear(PlannedMotionLeaf):
     """Straight up, when a cancelled task left what is held on furniture or just above it.
 
-    From there no other way can be planned: it begins in contact.
+    From there no other way can be planned: it begins in contact. So does that of a hand which feels something
+    of which nobody knows where it ends.
     """
 
     INPUT_PORTS = ports()
@@ -34,11 +35,13 @@ class LiftClear(PlannedMotionLeaf):
 
     def goal(self) -> RetreatRequest | None:
         """Up, unless nothing is held, or nothing is under it."""
-        found = held_near_support(self.toolbox)
+        toolbox = self.toolbox
+        found = held_near_support(toolbox)
+        if found is None and (unknown := felt_and_not_known(toolbox)) is not None:
+            found = unknown, []
         if found is None:
             return None
         hand, pairs = found
-        toolbox = self.toolbox
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
@@ -46,6 +49,17 @@ class LiftClear(PlannedMotionLeaf):
             hand=hand,
             world_offset_m=(0.0, 0.0, _UP_M),
         )
+
+
+def felt_and_not_known(toolbox: Toolbox) -> Hand | None:
+    """A hand that feels something between its fingers of which nothing is known; else None.
+
+    Whoever took over a robot knows of nothing that it holds, and fingers may hide it from the eyes.
+    """
+    frames = toolbox.model.description.tcp_frames
+    known = {body.frame for body in toolbox.world.scene.attached.values()}
+    hands = (hand for hand in HANDS if hand in toolbox.grippers and frames[hand] not in known)
+    return next((hand for hand in hands if toolbox.grippers[hand].reading().holding), None)
 
 
 def held_near_support(toolbox: Toolbox) -> tuple[Hand, list[tuple[str, str]]] | None:

@@ -4,6 +4,7 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.requests import CheckRequest, RetreatRequest
+from kinematics.scene import PlanningScene
 from robots.fake.fake_world import cup, table
 from trees import build
 from trees.build import build_tree
@@ -112,6 +113,20 @@ def test_who_takes_over_lets_go_before_the_hands_go_home(stage, monkeypatch):
     assert tree.status == "success", tree.failure
     names = order(stage)
     assert names.index("let go") < names.index("draw back") < names.index("move home")
+
+
+@pytest.mark.requirement("S7")
+def test_what_a_hand_feels_and_nobody_has_seen_is_lifted_first(stage):
+    cancelled_at(stage, "verify hold")
+    scene = stage.told.scene
+    stage.told.update(PlanningScene(scene.version + 1))
+    before = len(stage.fake.planning.requests)
+
+    tree = stage.play(build_tree(GO_HOME, stage.toolbox))
+
+    assert tree.status == "success", tree.failure
+    plans = [one for one in stage.fake.planning.requests[before:] if isinstance(one, RetreatRequest)]
+    assert [one.world_offset_m[2] for one in plans] == [0.05]
 
 
 def test_words_are_said_without_moving_the_hand(stage):
