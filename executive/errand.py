@@ -80,7 +80,7 @@ class Errand:
         self._who: dict[str, str] = {}
         self._found: dict[int | None, str] = {}
         self._walked_for: TaskResult | None = None
-        self._walked: set[bool] = set()
+        self._walked_with: set[bool] = set()  # True: with the thing in a hand, to where it goes
 
     def steps(self) -> Steps:
         """Carry everything out; returns the results of the tasks that were begun."""
@@ -99,7 +99,7 @@ class Errand:
                 self._tell_of_what_was_said(step, results)
                 break
             self._walked_for = results[-1]
-            self._walked.add(self._carries(step.command))
+            self._walked_with.add(self._carries(step.command))
             steps = list(looked_for(self._commands, step.said, self._beliefs.known(), self._who))
         return tuple(results)
 
@@ -142,11 +142,13 @@ class Errand:
             return False
         unseen = failure.is_unseen and result.attempts <= 1
         if (asked := seen_from_where(command)) is not None:
-            return unseen and not self._walked and not step.is_reached and _may_be_elsewhere(asked, known)
+            return (
+                unseen and not self._walked_with and not step.is_reached and _may_be_elsewhere(asked, known)
+            )
         if not isinstance(command, Bringing) or command.count != 1:
             return False
         carries = self._carries(command)
-        if carries in self._walked or (step.is_reached and not carries):
+        if carries in self._walked_with or (step.is_reached and not carries):
             return False
         if failure.is_unseen:
             return unseen and _may_be_elsewhere(command.source, known)

@@ -1,4 +1,4 @@
-"""A side table is none of those that are called nothing but table; "the table" may be any."""
+"""A side table is none of those that are called nothing but table; "the table" may be one of them."""
 
 import numpy as np
 import pytest

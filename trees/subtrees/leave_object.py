@@ -14,21 +14,7 @@ from trees.leaves.let_go import LetGo
 from trees.toolbox import Toolbox
 
 _HELD, _TOUCHED = "left_about", "left_standing"
-
-
-def leave_what_stands(toolbox: Toolbox) -> Behaviour:
-    """The same for who took over a robot: which object it is shows only when it was looked at.
-
-    Args:
-        toolbox: What the leaves may call.
-    """
-    keys = {"held": _HELD, "touched": _TOUCHED}
-    children: list[Behaviour] = [
-        FindLeftAbout("what a hand is about", toolbox, keys),
-        LetGo("let go", toolbox, wiring=keys),
-        DrawBack("draw back", toolbox, {"held": _HELD}),
-    ]
-    return BestEffort(Sequence("leave what stands", memory=True, children=children))
+_KEYS = {"held": _HELD, "touched": _TOUCHED}
 
 
 def leave_object(toolbox: Toolbox, about: HeldObject) -> Behaviour:
@@ -40,11 +26,26 @@ def leave_object(toolbox: Toolbox, about: HeldObject) -> Behaviour:
         toolbox: What the leaves may call.
         about: The object, and where the hand has it.
     """
-    keys = {"held": _HELD, "touched": _TOUCHED}
-    children: list[Behaviour] = [
+    known: list[Behaviour] = [
         Given("what it is about", _HELD, about),
         Given("that it stands", _TOUCHED, True),
-        LetGo("let go", toolbox, wiring=keys),
+    ]
+    return _left(f"leave the {about.name}", known, toolbox)
+
+
+def leave_what_stands(toolbox: Toolbox) -> Behaviour:
+    """The same for who took over a robot: which object it is shows only when it was looked at.
+
+    Args:
+        toolbox: What the leaves may call.
+    """
+    return _left("leave what stands", [FindLeftAbout("what a hand is about", toolbox, _KEYS)], toolbox)
+
+
+def _left(name: str, known: list[Behaviour], toolbox: Toolbox) -> Behaviour:
+    children = [
+        *known,
+        LetGo("let go", toolbox, wiring=_KEYS),
         DrawBack("draw back", toolbox, {"held": _HELD}),
     ]
-    return BestEffort(Sequence(f"leave the {about.name}", memory=True, children=children))
+    return BestEffort(Sequence(name, memory=True, children=children))
