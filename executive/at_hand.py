@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene
-from kinematics.shapes import Box
 from trees.believed_thing import BelievedThing, surroundings
 from trees.furniture_called import called_so
+from trees.gap_to_furniture import gap_to_furniture_m
 from trees.grounding import Found, ground
 from trees.tasks import ObjectDescription
 
@@ -65,10 +64,5 @@ def _is_within_reach(thing: BelievedThing) -> bool:
 
 
 def _is_before(furniture: BelievedThing, scene: PlanningScene, odom_T_base: Transform) -> bool:
-    item = scene.objects[furniture.name]
-    if not isinstance(item.shape, Box) or furniture.place_m[0] < 0.0:
-        return False
-    away = odom_T_base[:3, 3] - item.world_T_object[:3, 3]
-    x, y, _ = (away @ item.world_T_object[:3, :3]).tolist()
-    size_x, size_y, _ = item.shape.size_m
-    return math.hypot(max(abs(x) - 0.5 * size_x, 0.0), max(abs(y) - 0.5 * size_y, 0.0)) <= _BEFORE_M
+    is_ahead = furniture.place_m[0] >= 0.0
+    return bool(is_ahead and gap_to_furniture_m(scene.objects[furniture.name], odom_T_base) <= _BEFORE_M)

@@ -9,6 +9,7 @@ from statistics import fmean
 
 from py_trees.common import Status
 
+from kinematics.poses import Transform
 from robots.furniture import FURNITURE_KINDS
 from robots.furniture_names import kind_called
 from robots.scene_description import Region
@@ -16,6 +17,7 @@ from trees.believed_thing import PERSON, BelievedThing, Surroundings, surroundin
 from trees.events import Said
 from trees.failures import Failure, Number
 from trees.furniture_called import called_so, is_said_of
+from trees.gap_to_furniture import gap_to_furniture_m
 from trees.grounding import Ambiguous, Missing, ground
 from trees.handles import INSIDE_KINDS, PART_KINDS
 from trees.leaf import DONE, Leaf
@@ -30,6 +32,10 @@ from trees.tasks import Destination, ObjectDescription, Relation
 # A thing that was seen less surely is told as perhaps being there.
 _SURE = 0.5
 
+_OVERLOOKED_M = 1.2
+"""What stands on furniture that is farther away than this may be in no look of a survey: those see what is
+within reach of the arms, and the robot stands up to a metre before what is tall."""
+
 _NO_FURNITURE = frozenset({"wall", *PART_KINDS, *INSIDE_KINDS})
 """Nobody asks what these are: walls, and parts of furniture."""
 
@@ -39,10 +45,8 @@ class TellingLeaf(Leaf):
 
     def around(self) -> Surroundings:
         """What is believed, from where the robot stands."""
-        toolbox, model = self.toolbox, self.toolbox.model
-        base = model.frame_pose(toolbox.sensing.state().q, model.description.base_link)
-        gap_m = toolbox.policy.support_gap_m
-        return surroundings(toolbox.world.scene, base, gap_m, toolbox.world.last_acted_on)
+        world, policy = self.toolbox.world, self.toolbox.policy
+        return surroundings(world.scene, self._base(), policy.support_gap_m, world.last_acted_on)
 
     def now_seen(self, around: Surroundings) -> Surroundings:
         """What the looks of this task showed; what is remembered from elsewhere is not here."""
@@ -90,6 +94,19 @@ class TellingLeaf(Leaf):
             return which_is_meant(answer)
         return () if isinstance(answer, Missing) else self.inside(region, answer.names)
 
+    def too_far(self, source: Destination | None, around: Surroundings) -> Failure | None:
+        """Why not all that stands on furniture can be told from here, where the robot could walk to it."""
+        if not isinstance(source, str) or self.region(source) is not None or not self.toolbox.can_walk:
+            return None
+        meant = called_so(source, around.furniture_words)
+        scene, base = self.toolbox.world.scene, self._base()
+        names = [thing.name for thing in around.things if not thing.movable and thing.kind in meant]
+        gap_m = min((gap_to_furniture_m(scene.objects[name], base) for name in names), default=0.0)
+        if gap_m <= _OVERLOOKED_M:
+            return None
+        message = f"the {self.called_here(source, around)} is too far away to see all that is on it"
+        return Failure.postcondition(message, seen="it from afar", gap_m=gap_m)
+
     def called_here(self, source: Destination | None, around: Surroundings) -> Destination | None:
         """What furniture is called by what was seen: of "the table" perhaps "coffee table"."""
         if not isinstance(source, str) or self.region(source) is not None:
@@ -132,3 +149,8 @@ class TellingLeaf(Leaf):
         names = (thing.name for thing in around.things if not thing.movable and not thing.is_person)
         kinds = {kind_of(name) for name in self.inside(region, names)}
         return [f"the {kind}" for kind in sorted(kinds - _NO_FURNITURE)]
+
+    def _base(self) -> Transform:
+        """Pose of the robot's base in the odometry frame, shape (4, 4)."""
+        model = self.toolbox.model
+        return model.frame_pose(self.toolbox.sensing.state().q, model.description.base_link)

@@ -39,6 +39,8 @@ class TellCount(TellingLeaf):
         names = self.fitting(task.object, around, task.source) if furniture is None else furniture
         if isinstance(names, Failure):
             return names
+        if task.object.kind != PERSON and (far := self.too_far(task.source, around)) is not None:
+            return far
         count = len(names)
         noun = " ".join(word for word in (task.object.color, task.object.kind or "thing") if word)
         said = f"there {'is' if count == 1 else 'are'}"
@@ -79,6 +81,8 @@ class TellDescription(TellingLeaf):
         names = self.fitting(ObjectDescription(), around, source)
         if isinstance(names, Failure):
             return names
+        if (far := self.too_far(task.source, around)) is not None:
+            return far
         things = [thing for thing in around.objects if thing.name in names]
         region = self.region(source)
         people = self._people(around, source)

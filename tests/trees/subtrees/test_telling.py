@@ -80,6 +80,23 @@ def test_of_furniture_that_was_not_seen_it_is_not_said_that_nothing_is_on_it(sta
     assert said(stage) == []
 
 
+@pytest.mark.requirement("M2")
+@pytest.mark.parametrize(
+    "task",
+    [
+        DescribeTask("what is on the table", source="table"),
+        CountTask("how many cups are on the table", ObjectDescription("cup"), source="table"),
+    ],
+)
+def test_of_a_table_far_away_not_all_that_is_on_it_is_told(new_stage, task):
+    far = dataclasses.replace(table(), world_T_object=poses.translation(1.9, 0.0, 0.4))
+    walking, standing = new_stage(far, walks=True), new_stage(far)
+
+    assert run(walking, task).failure.root.message == "the table is too far away to see all that is on it"
+    assert said(walking) == []
+    assert run(standing, task).status == "success"
+
+
 def test_nothing_is_on_no_counter_even_where_nothing_is_seen_at_all(stage_with):
     tree = run(stage_with(), DescribeTask("what is on the counter", source="counter"))
 

@@ -48,7 +48,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     assembly = assemble(order.robot, trial.scene, order.seed, sink=sink)
     judge = SKILL_SUITES[suite].judge(assembly, trial, episode_rng(order.seed, 11))
     judges.append(judge)
-    watch = SafetyWatch(assembly.world.truth)
+    watch = SafetyWatch(assembly.world.truth, lambda: assembly.loop.walking.active)
     assembly.session.watch_periods(judge.on_period)
     assembly.session.watch_periods(watch.on_period)
     if order.fault is not None:

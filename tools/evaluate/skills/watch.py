@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
@@ -23,11 +23,18 @@ class SafetyWatch:
     Attributes:
         fell: Whether the robot fell.
         contacts: Pairs "link and solid" of the robot with furniture and people.
-        com_margin_m: Least distance of the CoM's projection to the edge of the support polygon.
+        com_margin_m: Least distance of the CoM's projection to the edge of the support polygon, while it
+            stands: who walks falls from one foot onto the other.
     """
 
-    def __init__(self, truth: SimulatorTruth) -> None:
-        self._truth = truth
+    def __init__(self, truth: SimulatorTruth, walks: Callable[[], bool]) -> None:
+        """Begin to watch.
+
+        Args:
+            truth: The simulator's.
+            walks: Whether a walk is under way.
+        """
+        self._truth, self._walks = truth, walks
         self._periods = 0
         self.fell = False
         self.contacts: set[str] = set()
@@ -45,7 +52,8 @@ class SafetyWatch:
                 self.contacts.add(f"{contact.first} and {contact.second}")
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
-            self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
+            if not self._walks():
+                self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
         self._periods += 1
 
 
