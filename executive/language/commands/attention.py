@@ -268,7 +268,16 @@ def _describe_superlative(parts: Parts) -> Clause:
 
 
 _QUESTIONS = frozenset(
-    {"WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"}
+    {
+        "WHAT_IS",
+        "SEE",
+        "WHERE_IS",
+        "IS_THERE",
+        "IS_IT",
+        "HOW_MANY",
+        "COLOR_OF",
+        "SUPERLATIVE_WHAT",
+    }
 )
 
 
@@ -287,6 +296,7 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "find": _asking(_find),
     "find_him": _find_him,
     "is_it": _asking(_is_it),
+    "whether_here": _asking(_whether_there),
     "is_still": _asking(_is_still),
     "whether_at": _whether_at,
     "search": _search,

@@ -30,6 +30,8 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
     if existing and nominal.counted:
         raise trouble("whether there are so many is not told; they can be counted", str(nominal.count))
     count = 1 if existing else _how_many(nominal)
+    if existing and nominal.is_person:
+        nominal = replace(nominal, plural=False)  # "are there any people": one is enough
     slot = "person" if nominal.is_person else "object"
     thing = {slot: replace(nominal, count=count)}
     told = draft("find", **thing, source=source, count=None if count == 1 else count)
