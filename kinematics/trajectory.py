@@ -134,35 +134,32 @@ class Unsafe:
 
 
 class _Seal:
-    """Proof of origin: only ``trajectory_check`` holds one; it stays the one when a worker sends it home."""
+    """Proof that the checker let this very trajectory pass; no other one can be put into its place."""
 
-    def __reduce__(self) -> str:
-        return "_SEAL"
+    __slots__ = ("of",)
 
-
-_SEAL = _Seal()
+    def __init__(self, of: Trajectory) -> None:
+        self.of = of
 
 
 @dataclass(frozen=True, slots=True)
 class CheckedTrajectory:
-    """A trajectory that the checker proved safe for one version of the scene.
+    """A trajectory that the checker proved safe.
 
     Attributes:
         trajectory: The motion.
-        scene_version: Version of the planning scene that it was checked against.
         min_distance_m: Smallest distance between pairs that must not touch, as far as it was
             measured (pairs proven far apart are not refined).
         min_com_margin_m: Smallest distance of the CoM to the edge of the support polygon.
     """
 
     trajectory: Trajectory
-    scene_version: int
     min_distance_m: float
     min_com_margin_m: float
     seal: _Seal
 
     def __post_init__(self) -> None:
-        if self.seal is not _SEAL:
+        if getattr(self.seal, "of", None) is not self.trajectory:
             raise InvalidMotionError("only the trajectory checker can make a CheckedTrajectory")
 
     @property

@@ -1,7 +1,7 @@
 """The judge of planned motions: the only maker of a ``CheckedTrajectory``.
 
-It shares the robot model, the planning scene and the trajectory's definition with the planner and
-nothing else. Everything is judged over the whole duration, not at the samples: joint limits in
+It shares the robot model, the planning scene, the trajectory's definition and the compiled distance of
+two solids with the planner and nothing else. Everything is judged over the whole duration, not at the samples: joint limits in
 closed form, collisions with a certificate for every interval, the stance wherever it bends, CoM,
 ZMP and efforts densely enough for joints that keep their acceleration limit.
 """
@@ -23,7 +23,7 @@ from kinematics.errors import InvalidMotionError
 from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
-from kinematics.trajectory import _SEAL, CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe
+from kinematics.trajectory import CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe, _Seal
 
 Array = NDArray[np.float64]
 
@@ -97,10 +97,9 @@ class TrajectoryChecker:
             return Unsafe(tuple(sorted(findings, key=lambda finding: finding.t_s)))
         return CheckedTrajectory(
             trajectory=trajectory,
-            scene_version=scene.version,
             min_distance_m=min_distance_m,
             min_com_margin_m=com_margin_m,
-            seal=_SEAL,
+            seal=_Seal(trajectory),
         )
 
     def _contacts(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:

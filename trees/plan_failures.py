@@ -33,8 +33,10 @@ def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:
     )
 
 
-def stale_failure(name: str, planned_for: int, now: int) -> Failure:
-    """A plan that was made for a scene that is no longer believed."""
+def why_stale(name: str, planned_for: int, now: int) -> Failure | None:
+    """Why a plan is of no use any more: it was made for a scene that is no longer believed."""
+    if now == planned_for:
+        return None
     return Failure.execution(
         f"the plan of {name} is stale: the scene has changed since",
         planned_for=planned_for,

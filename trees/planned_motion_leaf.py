@@ -15,7 +15,7 @@ from trees.arrival import arrival
 from trees.failures import Failure
 from trees.leaf import DONE, RUNNING, Leaf
 from trees.motion_leaf import motion_failure
-from trees.plan_failures import no_plan_failure, stale_failure, unsafe_failure
+from trees.plan_failures import no_plan_failure, unsafe_failure, why_stale
 from trees.toolbox import Job
 
 
@@ -92,15 +92,15 @@ class PlannedMotionLeaf(Leaf):
         goal = None if self._planned_anew else self.goal()
         if not isinstance(goal, MoveRequest):
             return unsafe_failure(self.name, answer)
-        self._planned_anew = True
+        self._planned_anew, self._world_version = True, self.toolbox.world.scene.version
         self._job = self.toolbox.planning.submit(goal)
         self.feedback_message = "planning anew"
         return RUNNING
 
     def _start(self, checked: CheckedTrajectory) -> Status | Failure:
-        now = self.toolbox.world.scene.version
-        if now != self._world_version:
-            return stale_failure(self.name, self._world_version, now)
+        stale = why_stale(self.name, self._world_version, self.toolbox.world.scene.version)
+        if stale is not None:
+            return stale
         self._checked = checked
         self._arrived_by_s = (
             self.elapsed_s + checked.trajectory.duration_s + self.toolbox.policy.motion_slack_s

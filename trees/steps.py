@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinematics.poses import Transform
+from kinematics.requests import PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Shape
@@ -47,6 +48,11 @@ class Step:
     trajectory: Trajectory
     scene: PlanningScene
     world_version: int
+
+    @classmethod
+    def of(cls, planned: PlannedStep, world_version: int) -> Step:
+        """What the planner found, with the version of the world model that it was asked about."""
+        return cls(planned.name, planned.trajectory, planned.scene, world_version)
 
 
 @dataclass(frozen=True, slots=True)

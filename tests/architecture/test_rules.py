@@ -38,6 +38,15 @@ WALL_CLOCK = re.compile(
     r"|gmtime|strftime)|datetime\.(datetime\.)?(now|utcnow|today)|datetime\.date\.today)$"
 )
 GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|numpy\.random\.[a-z]\w*$")
+# What the judge of motions shares with those who plan them: what is judged, and how far two solids are apart.
+JUDGE = ("kinematics.trajectory_check", "kinematics.check_")
+SHARED_WITH_THE_JUDGE = tuple(
+    f"kinematics.{name}"
+    for name in (
+        "trajectory", "errors", "robot_model", "robot_description", "scene", "shapes", "poses",
+        "kernel.compiler", "kernel.pointers", "kernel.readiness", "kernel.separation", "kernel.solids",
+    )
+)  # fmt: skip
 SEALED = ("kinematics.trajectory", "kinematics.trajectory_check")
 
 
@@ -115,9 +124,22 @@ def seal(module: Module) -> list[str]:
     return [
         f"{module.file}:{node.lineno}: only the checker seals a trajectory"
         for node in ast.walk(module.tree)
-        if (isinstance(node, ast.Name) and node.id in ("_SEAL", "_Seal"))
-        or (isinstance(node, ast.Attribute) and node.attr in ("_SEAL", "_Seal"))
-        or (isinstance(node, ast.alias) and node.name in ("_SEAL", "_Seal"))
+        if (isinstance(node, ast.Name) and node.id == "_Seal")
+        or (isinstance(node, ast.Attribute) and node.attr == "_Seal")
+        or (isinstance(node, ast.alias) and node.name == "_Seal")
+    ]
+
+
+def judge(module: Module) -> list[str]:
+    """What the judge of motions has from those who plan them, beyond what is told in ADR 0007."""
+    if not module.name.startswith(JUDGE):
+        return []
+    return [
+        f"{module.file}:{line}: the checker shares no {name} with the planner"
+        for line, name in module.imports()
+        if name.startswith("kinematics.")
+        and not name.startswith(JUDGE)
+        and not _within(name, SHARED_WITH_THE_JUDGE)
     ]
 
 
@@ -172,8 +194,10 @@ BREACHES = [
     (truth, "from robots.simulated.truth import SimulatorTruth", "trees/example.py"),
     (truth, "from robots.perception import truth_view", "executive/session.py"),
     (truth, "import robots.simulated.truth", "robots/control/example.py"),
-    (seal, "from kinematics.trajectory import _SEAL", "kinematics/motion_planner.py"),
-    (seal, "import kinematics.trajectory as t\nt._SEAL", "robots/control/example.py"),
+    (seal, "from kinematics.trajectory import _Seal", "kinematics/motion_planner.py"),
+    (seal, "import kinematics.trajectory as t\nt._Seal", "robots/control/example.py"),
+    (judge, "from kinematics.reach_ik import solve", "kinematics/check_contacts.py"),
+    (judge, "from kinematics.kernel import search", "kinematics/trajectory_check.py"),
     (commander, "self._robot.command(setpoint)", "robots/control/control_loop.py"),
     (commander, "send = world.robot.command", "executive/example.py"),
     (environment, "import os\nos.environ['HOME']", "executive/example.py"),
@@ -189,10 +213,11 @@ ALLOWED = [
     (global_random, "import numpy as np\nnp.random.default_rng(3)", "tools/example.py"),
     (global_random, "import numpy as np\ndef f(rng: np.random.Generator): ...", "robots/example.py"),
     (truth, "from robots.perception.truth_view import TruthView", "robots/perception/stub.py"),
-    (seal, "from kinematics.trajectory import _SEAL", "kinematics/trajectory_check.py"),
+    (seal, "from kinematics.trajectory import _Seal", "kinematics/trajectory_check.py"),
+    (judge, "from kinematics.kernel.separation import core_distance", "kinematics/check_certificate.py"),
     (commander, "self._robot.command(setpoint)", "robots/control/setpoint_gate.py"),
 ]
-RULES = (wrong_layer, wrong_library, wall_clock, global_random, truth, seal, commander, environment)
+RULES = (wrong_layer, wrong_library, wall_clock, global_random, truth, seal, judge, commander, environment)
 
 
 @pytest.mark.parametrize(("rule", "source", "file"), BREACHES)

@@ -1,4 +1,5 @@
 import dataclasses
+import pickle
 import re
 
 import numpy as np
@@ -35,7 +36,17 @@ def test_shapes_must_agree_and_values_be_finite(talos, stance):
 @pytest.mark.requirement("S6")
 def test_nobody_but_the_checker_can_make_a_checked_trajectory(talos, stance):
     with pytest.raises(InvalidMotionError, match="only the trajectory checker"):
-        CheckedTrajectory(still(talos, stance), 0, 0.1, 0.1, seal=object())
+        CheckedTrajectory(still(talos, stance), 0.1, 0.1, seal=object())
+
+
+@pytest.mark.requirement("S6")
+def test_a_checked_trajectory_is_made_into_no_other_one(talos, stance):
+    checked = TrajectoryChecker(talos).check(still(talos, stance), PlanningScene())
+
+    with pytest.raises(InvalidMotionError, match="only the trajectory checker"):
+        dataclasses.replace(checked, trajectory=still(talos, stance, (0.0, 0.2)))
+    sent_home = pickle.loads(pickle.dumps(checked))
+    assert sent_home.trajectory.duration_s == checked.trajectory.duration_s
 
 
 def test_a_checked_trajectory_is_printed_as_its_margins_not_as_its_samples(talos, stance):

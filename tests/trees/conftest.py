@@ -47,7 +47,6 @@ def believed(request):
     checked = object.__new__(CheckedTrajectory)
     found = {
         "trajectory": request.trajectory,
-        "scene_version": request.scene.version,
         "min_distance_m": 0.02,
         "min_com_margin_m": 0.03,
         "seal": None,

@@ -9,7 +9,7 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.job_leaf import JobLeaf
-from trees.plan_failures import stale_failure, unsafe_failure
+from trees.plan_failures import unsafe_failure, why_stale
 from trees.ports import ports
 from trees.steps import CheckedStep, Step
 
@@ -37,8 +37,8 @@ class CheckTrajectory(JobLeaf):
             return unsafe_failure(step.name, answer)
         if not isinstance(answer, CheckedTrajectory):
             raise TypeError(f"the checker answered {type(answer).__name__}")
-        if version != step.world_version:
-            return stale_failure(step.name, step.world_version, version)
+        if (stale := why_stale(step.name, step.world_version, version)) is not None:
+            return stale
         self._set_output("checked", CheckedStep(step.name, answer, step.world_version))
         self.feedback_message = f"{step.name} is safe"
         self.measured(

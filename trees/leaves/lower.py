@@ -14,7 +14,7 @@ from trees.felt_support import lowered_supports
 from trees.held import HeldObject
 from trees.leaf import DONE, RUNNING
 from trees.motion_leaf import MotionLeaf, motion_failure
-from trees.plan_failures import stale_failure
+from trees.plan_failures import why_stale
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 from trees.steps import CheckedStep, Placement
@@ -53,9 +53,8 @@ class Lower(MotionLeaf):
     def start(self) -> MotionHandle | Failure:
         """Start, unless the world model has changed since the check."""
         step: CheckedStep = self.get_input("checked")
-        version = self.toolbox.world.scene.version
-        if version != step.world_version:
-            return stale_failure(step.name, step.world_version, version)
+        if (stale := why_stale(step.name, step.world_version, self.toolbox.world.scene.version)) is not None:
+            return stale
         return self.toolbox.motion.start(step.checked)
 
     def step(self) -> Status | Failure:

@@ -6,7 +6,7 @@ from typing import Any
 
 from py_trees.ports import PortInformation
 
-from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan, PlannedStep
+from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan
 from trees.contract import Contract
 from trees.drawer_inside import without_drawn
 from trees.failures import Failure
@@ -68,10 +68,7 @@ class PlanHandle(JobLeaf):
         self._set_output("grasp", answer.grasp)
         self._set_output("lead_to", self._lead_to)
         for port, step in (("reach", answer.reach), ("approach", answer.approach)):
-            self._set_output(port, self._versioned(step))
+            self._set_output(port, Step.of(step, self._world_version))
         self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
         self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
         return None
-
-    def _versioned(self, step: PlannedStep) -> Step:
-        return Step(step.name, step.trajectory, step.scene, self._world_version)

@@ -6,7 +6,7 @@ from typing import Any
 
 from py_trees.ports import PortInformation
 
-from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest, PlannedStep
+from kinematics.requests import Grasp, NoPlan, PickPlan, PickRequest
 from kinematics.robot_description import HANDS, Hand
 from trees.contract import Contract
 from trees.failures import Failure
@@ -63,13 +63,10 @@ class PlanPick(JobLeaf):
             raise TypeError(f"the planner answered {type(answer).__name__} to a pick")
         self._set_output("grasp", answer.grasp)
         for port, step in (("reach", answer.reach), ("approach", answer.approach), ("lift", answer.lift)):
-            self._set_output(port, self._versioned(step))
+            self._set_output(port, Step.of(step, self._world_version))
         self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
         self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
         return None
-
-    def _versioned(self, step: PlannedStep) -> Step:
-        return Step(step.name, step.trajectory, step.scene, self._world_version)
 
 
 def hands_to_try(

@@ -8,7 +8,7 @@ from py_trees.ports import PortInformation
 
 from kinematics import poses
 from kinematics.place_requests import PlaceRequest
-from kinematics.requests import NoPlan, PlacePlan, PlannedStep
+from kinematics.requests import NoPlan, PlacePlan
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.held import HeldObject
@@ -55,15 +55,12 @@ class PlanPlace(JobLeaf):
         spot = self._spots[answer.spot]
         self._set_output("placement", Placement(answer.hand, answer.world_T_object, spot.touches, _key(spot)))
         for port, step in (("transfer", answer.transfer), ("lower", answer.lower)):
-            self._set_output(port, self._versioned(step))
+            self._set_output(port, Step.of(step, self._world_version))
         x, y, z = (float(value) for value in answer.world_T_object[:3, 3])
         self.feedback_message = f"to {x:.2f}, {y:+.2f} m"
         yaw = poses.yaw_of(answer.world_T_object[:3, :3])
         self.measured(spot=answer.spot, considered=answer.considered, x_m=x, y_m=y, z_m=z, yaw_rad=yaw)
         return None
-
-    def _versioned(self, step: PlannedStep) -> Step:
-        return Step(step.name, step.trajectory, step.scene, self._world_version)
 
 
 def _key(spot: Any) -> tuple[float, float]:

@@ -53,5 +53,5 @@ class PlanPointing(JobLeaf):
         if not isinstance(answer, MovePlan):
             raise TypeError(f"the planner answered {type(answer).__name__} to {self.name}")
         step = answer.step
-        self._set_output("reach", Step(step.name, step.trajectory, step.scene, self._world_version))
+        self._set_output("reach", Step.of(step, self._world_version))
         return None

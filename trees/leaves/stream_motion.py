@@ -9,7 +9,7 @@ from trees.arrival import arrival
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.motion_leaf import MotionLeaf
-from trees.plan_failures import stale_failure
+from trees.plan_failures import why_stale
 from trees.ports import ports
 from trees.steps import CheckedStep
 
@@ -30,9 +30,8 @@ class StreamMotion(MotionLeaf):
     def start(self) -> MotionHandle | Failure:
         """Start, unless the world model has changed since the check."""
         step: CheckedStep = self.get_input("checked")
-        version = self.toolbox.world.scene.version
-        if version != step.world_version:
-            return stale_failure(step.name, step.world_version, version)
+        if (stale := why_stale(step.name, step.world_version, self.toolbox.world.scene.version)) is not None:
+            return stale
         self._step = step
         return self.toolbox.motion.start(step.checked)
 

@@ -7,7 +7,7 @@ import pytest
 
 from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
-from kinematics.trajectory import _SEAL, CheckedTrajectory, Trajectory
+from kinematics.trajectory import CheckedTrajectory, Trajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.description import load_description
@@ -124,7 +124,7 @@ def smooth(model, q, offsets, duration_s=1.0, step_s=0.01):
 
 
 def sealed(trajectory):
-    return CheckedTrajectory(trajectory, 0, 0.1, 0.1, _SEAL)
+    return CheckedTrajectory(trajectory, 0.1, 0.1, _Seal(trajectory))
 
 
 @pytest.fixture(scope="session")

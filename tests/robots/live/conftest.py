@@ -9,7 +9,7 @@ import pytest
 
 from kinematics.robot_model import RobotModel
 from kinematics.stance import stance_at
-from kinematics.trajectory import _SEAL, CheckedTrajectory, Trajectory
+from kinematics.trajectory import CheckedTrajectory, Trajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.description import load_description
@@ -47,7 +47,8 @@ def swing(model, q, amount=0.3, duration_s=1.0):
     i = model.joint_index("arm_left_2_joint")
     qs[:, 7 + i] += amount * s
     vs[:, 6 + i] = amount * ds
-    return CheckedTrajectory(Trajectory(model.joints, stance_at(model, q), t, qs, vs), 0, 0.1, 0.1, _SEAL)
+    trajectory = Trajectory(model.joints, stance_at(model, q), t, qs, vs)
+    return CheckedTrajectory(trajectory, 0.1, 0.1, _Seal(trajectory))
 
 
 @pytest.fixture(scope="session", name="swing")

@@ -23,3 +23,16 @@ def test_a_refused_motion_is_planned_once_more(stage, refusals, status):
     assert moves[0].seed != moves[1].seed
     if status is Status.FAILURE:
         assert stage.failed()[-1].kind is FailureKind.UNSAFE
+
+
+def test_what_is_planned_anew_is_for_the_scene_that_is_believed_by_then(stage):
+    planning, world = stage.fake.planning, stage.toolbox.world
+
+    def refuse_once(_request):
+        planning.unsafe = lambda _: None
+        world.update(world.scene.allowing([("table", "table")]))
+        return Unsafe((HIT,))
+
+    planning.unsafe = refuse_once
+
+    assert stage.run(DrawArmsIn("in", stage.toolbox)) is Status.SUCCESS
