@@ -5,11 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from executive.event_hub import EventHub
 from executive.events import Event, EventSink
-from executive.lockstep import PERIOD_S
 from executive.planning_jobs import PlanningJobs
 from executive.session import Session, TreeBuilder
 from executive.supervisor import Supervisor
@@ -21,11 +18,13 @@ from kinematics.trajectory_document import StoredTrajectory
 from kinematics.trajectory_fit import stored_from
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
+from robots.control.period import PERIOD_S
 from robots.description import load_description_for_tasks
 from robots.perception.place_map import place_map
 from robots.perception.stub import PerceptionStub
 from robots.planned_fault import PlannedFault
 from robots.scene_description import SceneDescription
+from robots.seeded import seeded
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
@@ -96,15 +95,13 @@ def assemble(
         SceneError: The scene cannot be a world.
     """
     sink = EventHub(sink)
-    for_world, for_perception, for_trees, for_map = (
-        np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(4)
-    )
+    chance = seeded(seed)
     description = load_description_for_tasks(robot)
     if posture:
         description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)
     clock = ManualClock()
-    world = build_world(description, scene, for_world)
+    world = build_world(description, scene, chance.world)
 
     def watched(event: Event) -> None:
         if is_offer(event):
@@ -112,7 +109,7 @@ def assemble(
 
     sink.listen(watched)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
-    perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, for_perception)
+    perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
 
     def judged(request: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
         if on_judged is not None:
@@ -129,12 +126,12 @@ def assemble(
         planning=planning,
         world=WorldModel(),
         events=sink,
-        rng=for_trees,
+        rng=chance.trees,
         policy=policy or TreePolicy(),
         walking=loop.walking,
         ranging=world.ranging,
         yielding=loop.yielding,
-        places=place_map(scene, for_map),
+        places=place_map(scene, chance.places),
     )
     supervisor = Supervisor(loop, clock, sink)
     session = Session(

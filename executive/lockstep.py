@@ -9,10 +9,8 @@ from typing import Protocol
 from executive.events import EventSink, InputTaken, SensorsNoted
 from executive.supervisor import Supervisor
 from robots.clock import Clock
+from robots.control.period import PERIOD_S
 from trees.toolbox import Sensing
-
-PERIOD_S = 0.002
-"""The control period."""
 
 PERIODS_A_TICK = 10
 """Control periods from one tick of the tree to the next: 20 ms."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from executive.lockstep import PERIOD_S, PERIODS_A_TICK
+from executive.lockstep import PERIODS_A_TICK
+from robots.control.period import PERIOD_S
 
 
 class Wall(Protocol):

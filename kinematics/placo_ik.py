@@ -16,6 +16,7 @@ from kinematics import poses
 from kinematics.errors import MissingPartError
 from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.leg_ik import LegIk
+from kinematics.planning_reserve import SEARCH_COM_RESERVE_M
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -89,8 +90,7 @@ class PlacoIk:
         for frame, world_T_sole in stance.soles:
             solver.add_frame_task(frame, world_T_sole).configure(frame, "hard")
         clockwise = [np.array(corner) for corner in self._polygon.vertices_m[::-1]]
-        # a centimetre more than the limit, so that the checker's view never differs
-        margin = model.description.com_margin_m + 0.01
+        margin = model.description.com_margin_m + SEARCH_COM_RESERVE_M
         solver.add_com_polygon_constraint(clockwise, margin).configure("support polygon", "hard")
         com = model.com(model.q_home)
         middle = self._polygon.vertices_m.mean(axis=0)

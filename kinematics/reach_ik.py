@@ -39,8 +39,6 @@ UPRIGHT_M = 0.15
 UPRIGHT_TRIES = 2
 DAMPING = 1e-5
 PULL = 0.03
-# A centimetre more than the limit, so that the checker's view never differs.
-COM_RESERVE_M = 0.01
 # Where it can be had, so much more: who stands at the edge cannot brake quickly.
 STEADY_RESERVE_M = 0.045
 # Soles are where they stand when no entry of their pose differs by more than this.
@@ -251,7 +249,10 @@ class ReachIk:
 
     def _margins(self, tolerance: IkTolerance) -> tuple[Limits, Limits]:
         """Limits with the CoM's margin that is liked, and with the one that is asked for."""
-        reserve = max(COM_RESERVE_M, tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M)
+        reserve = max(
+            planning_reserve.SEARCH_COM_RESERVE_M,
+            tolerance.com_margin_m - self._com_margin_m + _COM_ROUNDING_M,
+        )
         found = self._margins_by_reserve.get(reserve)
         if found is None:
             found = self._margins_by_reserve[reserve] = (

@@ -1,9 +1,9 @@
 """The judge of planned motions: the only maker of a ``CheckedTrajectory``.
 
 It shares the robot model, the planning scene, the trajectory's definition and the compiled distance of
-two solids with the planner and nothing else. Everything is judged over the whole duration, not at the samples: joint limits in
-closed form, collisions with a certificate for every interval, the stance wherever it bends, CoM,
-ZMP and efforts densely enough for joints that keep their acceleration limit.
+two solids with the planner and nothing else. Everything is judged over the whole duration, not at the
+samples: joint limits in closed form, collisions with a certificate for every interval, the stance wherever
+it bends, CoM, ZMP and efforts densely enough for joints that keep their acceleration limit.
 """
 
 from __future__ import annotations

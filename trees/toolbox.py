@@ -38,7 +38,7 @@ class MotionControl(Protocol):
         ...
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
-        """Brake a running motion within limits, then hold (stop category 2)."""
+        """Brake a running motion within limits, then hold (stop category 1)."""
         ...
 
     def reference(self) -> NDArray[np.float64]:

@@ -39,6 +39,7 @@ from robots.live.unix_socket import UnixSocket
 from robots.perception.place_map import place_map
 from robots.scene_description import Region
 from robots.scene_file import load_scene
+from robots.seeded import seeded
 from trees.build import TaskTree
 from trees.offers import is_offer
 from trees.tasks import MoveTask
@@ -89,7 +90,7 @@ class LiveExecutive:
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
-        *_, for_trees, for_map = np.random.SeedSequence(int(link.about["seed"])).spawn(4)
+        chance = seeded(int(link.about["seed"]))
         toolbox = Toolbox(
             clock=LiveClock(link),
             model=model,
@@ -100,10 +101,10 @@ class LiveExecutive:
             planning=self._planning,
             world=world,
             events=self._note,
-            rng=np.random.default_rng(for_trees),
+            rng=chance.trees,
             walking=WalkingClient(link, motion),
             ranging=ranging,
-            places=_places(str(link.about["scene"]), np.random.default_rng(for_map)),
+            places=_places(str(link.about["scene"]), chance.places),
             yielding=YieldingClient(link, motion, model, world),
         )
         self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)

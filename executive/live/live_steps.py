@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from executive.live.control_link import ControlLink, ControlLostError
-from executive.lockstep import PERIOD_S, PERIODS_A_TICK
+from executive.lockstep import PERIODS_A_TICK
 from robots.clock import WallClock
+from robots.control.period import PERIOD_S
 from robots.control.state_history import StateHistory
 from robots.perception.detector import PerceptionFrame
 from trees.world_model import WorldModel
@@ -101,7 +102,7 @@ class LiveSteps:
         self._wall = WallClock()
         self._due_s = link.now_s
         self._steps = 0
-        self.sensing = StateHistory(link.report.sensed, PERIOD_S * 5)
+        self.sensing = StateHistory(link.report.sensed, float(link.about["state_every_s"]))
         self.busy = False
 
     def step(self) -> None:

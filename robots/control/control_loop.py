@@ -25,6 +25,7 @@ from robots.control.gripper_control import GripperControl
 from robots.control.health.health_monitor import HealthMonitor
 from robots.control.motion_handle import MotionStatus
 from robots.control.motion_streamer import MotionStreamer
+from robots.control.period import PERIOD_S
 from robots.control.proposal import Proposal
 from robots.control.refusal import Refusal
 from robots.control.resting_start import resting_start
@@ -62,7 +63,7 @@ class ControlLoop:
         model: RobotModel,
         clock: ManualClock,
         sink: ControlSink,
-        period_s: float = 0.002,
+        period_s: float = PERIOD_S,
     ) -> None:
         """Take over a robot that stands at rest.
 

@@ -24,6 +24,7 @@ from kinematics.robot_model import RobotModel
 from robots.clock import ManualClock, WallClock
 from robots.control.control_loop import ControlLoop
 from robots.control.events import ControlEvent
+from robots.control.period import PERIOD_S
 from robots.description import load_description_for_tasks
 from robots.errors import RobotsError
 from robots.live.child_process import ChildProcess
@@ -39,10 +40,9 @@ from robots.live.state_slot import StateSlotWriter
 from robots.live.warming import warm_up
 from robots.perception.stub import PerceptionStub
 from robots.scene_file import load_scene
+from robots.seeded import seeded
 from robots.simulated.world import SimulatedWorld, build_world
 
-PERIOD_S = 0.002
-"""The control period: 500 Hz."""
 PUBLISH_EVERY = 5
 """Control periods between two states in the slot: 10 ms."""
 _END_WITHIN_S = 3.0
@@ -89,17 +89,14 @@ class ControlProcess:
         description = load_description_for_tasks(options.robot)
         scene = load_scene(options.scene)
         self._checker = ChildProcess("robots.live.admission_process", [options.robot])
-        # the same children of the seed as in lockstep; the third is the executive's
-        for_world, for_perception, _ = (
-            np.random.default_rng(child) for child in np.random.SeedSequence(options.seed).spawn(3)
-        )
+        chance = seeded(options.seed)
         model = RobotModel(description)
         self._clock = ManualClock()
-        self._world: SimulatedWorld = build_world(description, scene, for_world)
+        self._world: SimulatedWorld = build_world(description, scene, chance.world)
         self._server: ControlServer | None = None
         self._loop = ControlLoop(self._world.robot, model, self._clock, self._note, PERIOD_S)
         self._perception = PerceptionStub(
-            self._world.truth, description.camera, scene.perception, self._clock, for_perception
+            self._world.truth, description.camera, scene.perception, self._clock, chance.perception
         )
         self._pacer = Pacer(WallClock(), PERIOD_S, options.pace)
         self._layout = ReportLayout(model)
@@ -117,6 +114,7 @@ class ControlProcess:
             "scene": options.scene,
             "seed": options.seed,
             "period_s": PERIOD_S,
+            "state_every_s": PUBLISH_EVERY * PERIOD_S,
             "slot": os.fspath(folder.state_slot),
             "pid": os.getpid(),
         }

@@ -2,8 +2,9 @@
 
 import pytest
 
-from executive.lockstep import PERIOD_S, PERIODS_A_TICK
+from executive.lockstep import PERIODS_A_TICK
 from executive.real_pace import RealPace
+from robots.control.period import PERIOD_S
 
 TICK_S = PERIOD_S * PERIODS_A_TICK
 

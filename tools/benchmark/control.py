@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from executive.assembly import Assembly, assemble
-from executive.lockstep import PERIOD_S
+from robots.control.period import PERIOD_S
 from robots.scene_file import load_scene
 from tools.benchmark.figures import Figure, figure, timed_s
 

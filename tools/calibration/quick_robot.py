@@ -21,6 +21,7 @@ from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_world import FakeWorld
 from robots.perception.stub import PerceptionStub
 from robots.scene_description import SceneDescription
+from robots.seeded import seeded
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import build_tree
 from trees.task_tree import TaskTree
@@ -57,16 +58,14 @@ class QuickRobot:
     """
 
     def __init__(self, model: RobotModel, scene: SceneDescription, seed: int) -> None:
-        for_world, for_eyes, for_trees = (
-            np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(3)
-        )
-        self.world: SimulatedWorld = build_world(model.description, scene, for_world)
+        chance = seeded(seed)
+        self.world: SimulatedWorld = build_world(model.description, scene, chance.world)
         planner = MotionPlanner(model)
         fake = FakeWorld(model, partial(_checked, planner), (), _PERIOD_S)
         fake.motion = QuickMotion(model, fake.clock)
         self._fake = fake
         camera = model.description.camera
-        self._eyes = PerceptionStub(self.world.truth, camera, scene.perception, fake.clock, for_eyes)
+        self._eyes = PerceptionStub(self.world.truth, camera, scene.perception, fake.clock, chance.perception)
         self.toolbox = Toolbox(
             clock=fake.clock,
             model=model,
@@ -77,7 +76,7 @@ class QuickRobot:
             planning=PlanningJobs(planner, fake.clock, lambda _event: None),
             world=WorldModel(),
             events=lambda _event: None,
-            rng=for_trees,
+            rng=chance.trees,
         )
 
     def do(self, task: Task) -> TaskTree:

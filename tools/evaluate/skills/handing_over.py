@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from executive.assembly import Assembly
-from executive.lockstep import PERIOD_S
 from executive.task_result import TaskResult
+from robots.control.period import PERIOD_S
 from robots.simulated.taking_person import TakingPerson
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from executive.assembly import Assembly
-from executive.lockstep import PERIOD_S
+from robots.control.period import PERIOD_S
 
 REST_RAD_S = 0.02
 """A joint slower than this rests."""

@@ -1,0 +1,21 @@
+"""The randomness of a run: of one seed, and each part's own, in lockstep and live."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Seeded(NamedTuple):
+    """A generator for each part, none of which another one's draws change."""
+
+    world: np.random.Generator
+    perception: np.random.Generator
+    trees: np.random.Generator
+    places: np.random.Generator
+
+
+def seeded(seed: int) -> Seeded:
+    """The generators of one seed: the same wherever the parts run."""
+    return Seeded(*map(np.random.default_rng, np.random.SeedSequence(seed).spawn(len(Seeded._fields))))
