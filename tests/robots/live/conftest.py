@@ -134,7 +134,14 @@ class LiveRig:
         self.ranging.silent = True
         self.server, self.clients, self.offered_at_s = None, [], []
         self.loop = ControlLoop(self.robot, model, self.clock, self.note, PERIOD_S)
-        about = {"robot": "talos", "scene": "none", "seed": 0, "period_s": PERIOD_S, "slot": "none"}
+        about = {
+            "robot": "talos",
+            "scene": "none",
+            "seed": 0,
+            "period_s": PERIOD_S,
+            "state_every_s": 0.01,
+            "slot": "none",
+        }
         self.server = ControlServer(
             folder.control_socket,
             self.loop,
