@@ -14,8 +14,6 @@ from kinematics.motion_planner import MotionPlanner
 from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory, Unsafe
-from kinematics.trajectory_document import StoredTrajectory
-from kinematics.trajectory_fit import stored_from
 from robots.clock import ManualClock
 from robots.control.control_loop import ControlLoop
 from robots.control.period import PERIOD_S
@@ -70,7 +68,7 @@ def assemble(
     policy: TreePolicy | None = None,
     build: TreeBuilder | None = None,
     posture: Mapping[str, float] | None = None,
-    on_judged: Callable[[StoredTrajectory, bool], None] | None = None,
+    on_judged: Callable[[CheckRequest, CheckedTrajectory | Unsafe], None] = lambda _request, _answer: None,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -87,7 +85,7 @@ def assemble(
         policy: Numbers that behaviors go by.
         build: Makes a task's tree; `build_tree` when left out.
         posture: Positions of joints that are not where the home posture has them; it is home then.
-        on_judged: Called with every trajectory that the checker judged, and whether it is safe.
+        on_judged: Called with every motion that the checker judged, and its answer.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -111,11 +109,7 @@ def assemble(
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
 
-    def judged(request: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
-        if on_judged is not None:
-            on_judged(stored_from(request, model), isinstance(answer, CheckedTrajectory))
-
-    planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=judged)
+    planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=on_judged)
     toolbox = Toolbox(
         clock=clock,
         model=model,

@@ -23,7 +23,10 @@ from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
 from executive.settled_heap import settled_heap
-from kinematics.trajectory_document import StoredTrajectory, write_trajectory
+from kinematics.requests import CheckRequest
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.trajectory_document import write_trajectory
+from kinematics.trajectory_fit import stored_from
 from robots.clock import WallClock
 from robots.control.events import SetpointRefused, StopStarted
 from robots.description import load_description_for_tasks
@@ -185,14 +188,12 @@ def _results(
         return [(one, [not_understood(one, 0.0, sink)]) for one in spoiled[:1] or statements], 0
     from executive.assembly import assemble, plan_faults
 
-    def judged(stored: StoredTrajectory, safe: bool) -> None:
+    def judged(asked: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
         if keep is not None:
-            keep.add_motion(write_trajectory(stored), "safe" if safe else "unsafe")
+            safe = "safe" if isinstance(answer, CheckedTrajectory) else "unsafe"
+            keep.add_motion(write_trajectory(stored_from(asked, assembly.model)), safe)
 
-    on_judged = None if keep is None else judged
-    assembly = assemble(
-        request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=on_judged
-    )
+    assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=judged)
     plan_faults(assembly.world, request.faults)
     if pictures is not None:
         pictures.begin(assembly.world)

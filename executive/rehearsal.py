@@ -1,17 +1,18 @@
-"""What a sentence or a script would do: understand, look, plan and check, without moving."""
+"""What a sentence or a script would do: understand, look, plan and check, without moving the robot."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from executive.attendant import Nobody
+from executive.carried_out_apart import carried_out_apart
 from executive.check_report import CheckReport, MotionVerdict, Outcome
 from executive.config import leave_opengl_to_the_renderer
 from executive.errand import without_skill
 from executive.exit_codes import ExitCode
-from executive.meaning import Command, StopCommand, wording
+from executive.meaning import StopCommand, wording
 from executive.references import references
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.script_run import settled
@@ -46,8 +47,9 @@ def rehearse(
 ) -> CheckReport:
     """Say what a sentence or a script would do.
 
-    Every command is judged from the start: the home posture with the head already turned to where a run
-    would look, empty hands, the scene as it is perceived from there. A run would lean over as well.
+    A pick alone is judged from the home posture with the head already turned to where a run would look, and
+    nothing moves; a run would lean over as well. Anything else is carried out in a world of its own, as a run
+    with the same seed would be.
 
     Args:
         text: A sentence, or the path of a task script.
@@ -76,38 +78,44 @@ def rehearse(
         if one.parsed.outcome not in ("tasks", one.expect):
             outcome, code, message = _not_understood(one)
             return CheckReport(text, robot, scene, outcome, code, message)
-    notes: list[str] = []
-    motions: list[MotionVerdict] = []
-    for one in statements:
-        if not one.parsed.commands:
-            notes.append(f"{one.parsed.text!r}: {one.parsed.outcome}, as expected")
-        for command in one.parsed.commands:
-            if not isinstance(command, PickTask):
-                notes.append(f"{wording(command)}: {_unrehearsed(command)}")
-                continue
-            if references(command):
-                notes.append(f"{wording(command)}: about the object of an earlier task; checked when it runs")
-                continue
-            rehearsal = _Rehearsal(robot, world, seed)
-            result = rehearsal.of(command)
-            notes += rehearsal.notes
-            motions += rehearsal.motions
-            if result.outcome == "done" or result.outcome == one.expect:
-                continue
-            outcome, message = _verdict(result)
-            failure = None if result.failure is None else result.failure.to_json()
-            return CheckReport(
-                text, robot, scene, outcome, result.exit_code, message, notes, motions, failure
-            )
-    planned = f"safe: {len(motions)} motions planned and checked" if motions else "safe: no motion is needed"
-    return CheckReport(text, robot, scene, "safe", ExitCode.DONE, planned, notes, motions)
+    commands = [command for one in statements for command in one.parsed.commands]
+    if all(isinstance(command, StopCommand | GoHomeTask) for command in commands):
+        still = [
+            f"{wording(command)}: at home, with nothing under way, nothing moves" for command in commands
+        ]
+        return CheckReport(text, robot, scene, "safe", ExitCode.DONE, "safe: no motion is needed", still)
+    if len(commands) == 1 and isinstance(commands[0], PickTask) and not references(commands[0]):
+        return _looked_at(text, robot, scene, _Rehearsal(robot, world, seed), commands[0], statements)
+    done = carried_out_apart(robot, world, seed, statements, on_question)
+    notes = ["carried out in a simulated world of its own", *done.notes()]
+    if done.exit_code is ExitCode.DONE:
+        message = f"safe: {len(done.motions)} motions planned and checked; {done.line}"
+        return CheckReport(text, robot, scene, "safe", ExitCode.DONE, message, notes, done.motions)
+    outcome = _outcome(done.last)
+    failure = None if done.last.failure is None else done.last.failure.to_json()
+    return CheckReport(text, robot, scene, outcome, done.exit_code, done.line, notes, done.motions, failure)
 
 
-def _unrehearsed(command: Command) -> str:
-    """What is said about a command that has no rehearsal."""
-    if isinstance(command, StopCommand | GoHomeTask):
-        return "from the home posture with nothing under way, nothing moves"
-    return "understood; its motions are planned and checked when it runs"
+def _looked_at(
+    text: str, robot: str, scene: str, rehearsal: _Rehearsal, pick: PickTask, statements: Sequence[Statement]
+) -> CheckReport:
+    """A pick alone: nothing has to move for a look, a plan and a check."""
+    result = rehearsal.of(pick)
+    notes, motions = rehearsal.notes, rehearsal.motions
+    if result.outcome in ("done", *(one.expect for one in statements)):
+        planned = f"safe: {len(motions)} motions planned and checked"
+        return CheckReport(text, robot, scene, "safe", ExitCode.DONE, planned, notes, motions)
+    outcome, message = _verdict(result)
+    failure = None if result.failure is None else result.failure.to_json()
+    return CheckReport(text, robot, scene, outcome, result.exit_code, message, notes, motions, failure)
+
+
+def _outcome(result: TaskResult) -> Outcome:
+    """What a check calls the result of a run."""
+    if result.outcome == "refused" or result.outcome == "question":
+        return result.outcome
+    unsafe = result.failure is not None and chain(result.failure)[-1].kind is FailureKind.UNSAFE
+    return "unsafe" if unsafe else "failed"
 
 
 def _not_understood(one: Statement) -> tuple[Outcome, ExitCode, str]:

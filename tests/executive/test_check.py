@@ -254,6 +254,23 @@ def test_a_sentence_without_a_motion_needs_no_simulator(executive, monkeypatch, 
     assert says in result.stdout
 
 
+@pytest.mark.parametrize(
+    ("text", "code", "says"),
+    [
+        ("move forward 3 m", 5, "failed: could not move: an obstacle is "),
+        ("look at the red cup", 0, "motions planned and checked; done: look at the red cup"),
+    ],
+)
+def test_what_is_no_pick_alone_is_carried_out_in_a_world_of_its_own(executive, text, code, says):
+    result = executive("check", text, "--report", "report.json")
+
+    assert result.exit_code == code
+    assert says in result.stdout.splitlines()[-1]
+    document = json.loads(Path("report.json").read_text())
+    jsonschema.validate(document, SCHEMA)
+    assert document["outcome"] == ("safe" if code == 0 else "failed")
+
+
 def test_a_script_is_judged_by_what_it_expects(executive, tmp_path):
     script = tmp_path / "script.toml"
     script.write_text('[[task]]\nsay = "dance"\nexpect = "refused"\n[[task]]\nsay = "go home"\n')
