@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from executive.meaning import Parsed, Question
+from executive.meaning import Parsed, Question, Refusal
 from trees.grounding import Ambiguous, Found, Grounding
 from trees.ranking import ORDER_WORDS, SIZE_WORDS
 from trees.tasks import ObjectDescription, ObjectOf, PickTask
@@ -238,7 +238,6 @@ def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = 
         What the answer means; the same question when nobody answers, a refusal when it is withdrawn.
     """
     from executive.command_parser import parse
-    from executive.meaning import Refusal
 
     tried = ""
     for _ in range(MAX_TRIES):

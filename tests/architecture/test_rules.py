@@ -165,6 +165,18 @@ def environment(module: Module) -> list[str]:
     ]
 
 
+def imported_again(module: Module) -> list[str]:
+    """Late imports of what the file has imported at its top already: they put nothing off."""
+    at_top = {node.module for node in module.tree.body if isinstance(node, ast.ImportFrom)}
+    return [
+        f"{module.file}:{node.lineno}: {node.module} is imported at the top already"
+        for function in ast.walk(module.tree)
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef)
+        for node in ast.walk(function)
+        if isinstance(node, ast.ImportFrom) and node.module in at_top
+    ]
+
+
 BREACHES = [
     (wrong_layer, "import trees.tasks", "robots/example.py"),
     (wrong_layer, "def f():\n    from executive.cli import main", "trees/example.py"),
@@ -201,6 +213,7 @@ BREACHES = [
     (commander, "self._robot.command(setpoint)", "robots/control/control_loop.py"),
     (commander, "send = world.robot.command", "executive/example.py"),
     (environment, "import os\nos.environ['HOME']", "executive/example.py"),
+    (imported_again, "from math import pi\ndef f():\n    from math import tau", "trees/example.py"),
 ]
 ALLOWED = [
     (wrong_layer, "import kinematics.poses", "robots/example.py"),
@@ -216,8 +229,13 @@ ALLOWED = [
     (seal, "from kinematics.trajectory import _Seal", "kinematics/trajectory_check.py"),
     (judge, "from kinematics.kernel.separation import core_distance", "kinematics/check_certificate.py"),
     (commander, "self._robot.command(setpoint)", "robots/control/setpoint_gate.py"),
+    (imported_again, "from math import pi\ndef f():\n    from cmath import tau", "trees/example.py"),
+    (imported_again, "if True:\n    from math import pi\ndef f():\n    from math import pi", "trees/a.py"),
 ]
-RULES = (wrong_layer, wrong_library, wall_clock, global_random, truth, seal, judge, commander, environment)
+RULES = (
+    wrong_layer, wrong_library, wall_clock, global_random, truth, seal, judge, commander, environment,
+    imported_again,
+)  # fmt: skip
 
 
 @pytest.mark.parametrize(("rule", "source", "file"), BREACHES)
