@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 
-import robots.control.events as control_events
 from kinematics.trajectory import Finding, FindingKind
 from robots.control.emergency_stop import EmergencyStop
 from robots.control.events import ControlEvent
 from robots.control.yield_settings import YieldReport
+
+_EVENTS: Mapping[str, type[ControlEvent]] = {kind.__name__: kind for kind in get_args(ControlEvent)}
 
 
 def report_of(message: Mapping[str, Any]) -> YieldReport:
@@ -34,13 +35,12 @@ def emergency_of(values: Mapping[str, Any]) -> EmergencyStop | None:
 
 def event_of(message: Mapping[str, Any]) -> ControlEvent | None:
     """The control layer's event of a message; None for one that this side does not know."""
-    kind = getattr(control_events, str(message["event"]), None)
+    kind = _EVENTS.get(str(message["event"]))
     values = {key: value for key, value in message.items() if key not in ("type", "event")}
     try:
-        event: ControlEvent | None = None if kind is None else kind(**values)
+        return None if kind is None else kind(**values)
     except TypeError:
         return None
-    return event
 
 
 def finding_of(values: list[Any]) -> Finding:
