@@ -17,10 +17,11 @@ from executive.events import Event
 from executive.exit_codes import ExitCode
 from executive.meaning import shortened
 from executive.outputs.junit import write_junit
-from executive.outputs.report import Report, SafetyCounts
+from executive.outputs.report import Report
 from executive.real_pace import RealPace
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
+from executive.safety_tally import SafetyTally
 from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
 from executive.settled_heap import settled_heap
 from kinematics.requests import CheckRequest
@@ -28,7 +29,6 @@ from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_document import write_trajectory
 from kinematics.trajectory_fit import stored_from
 from robots.clock import WallClock
-from robots.control.events import SetpointRefused, StopStarted
 from robots.description import load_description_for_tasks
 from robots.scene_description import SceneDescription
 from robots.scene_file import known_scenes, load_scene
@@ -49,20 +49,6 @@ class Performance:
     exit_code: ExitCode
     report: Report
     run_name: str
-
-
-@dataclass(slots=True)
-class _Tally:
-    """Counts what checker, gate and stop profile did, from their events."""
-
-    refused: int = 0
-    stops: tuple[str, ...] = ()
-
-    def add(self, event: Event) -> None:
-        if isinstance(event, SetpointRefused):
-            self.refused += 1
-        elif isinstance(event, StopStarted):
-            self.stops = (*self.stops, event.reason)
 
 
 def perform(
@@ -89,7 +75,7 @@ def perform(
     scene = _preflight(request)
     pictures = _pictures(request)
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
-    tally = _Tally()
+    tally = SafetyTally()
     with RunLog(request.record, _header(request), scene_path, request.script, chosen_config()) as log:
 
         def sink(event: Event) -> None:
@@ -112,7 +98,7 @@ def perform(
             message=line,
             events_sha256=log.digest.hexdigest(),
             tasks=[result for _, results_of in results for result in results_of],
-            safety=SafetyCounts(checked, tally.refused, tally.stops),
+            safety=tally.counts(checked),
             left_out=tuple(step for statement, _ in results for step in statement.skipped),
         )
         log.finish(report.to_json())

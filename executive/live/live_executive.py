@@ -23,8 +23,9 @@ from executive.live.walking_client import WalkingClient
 from executive.live.yielding_client import YieldingClient
 from executive.meaning import Parsed, StopCommand
 from executive.outputs.display import PlainDisplay
-from executive.outputs.report import Report, SafetyCounts
+from executive.outputs.report import Report
 from executive.run_log import RunLog
+from executive.safety_tally import SafetyTally
 from executive.script_run import run_statements, settled, verdict
 from executive.session import Session
 from executive.statement import Statement
@@ -82,7 +83,7 @@ class LiveExecutive:
         self._conversation = Conversation()
         self._log: RunLog | None = None
         self._display: PlainDisplay | None = None
-        self._stops: tuple[str, ...] = ()
+        self._tally = SafetyTally()
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
@@ -157,7 +158,7 @@ class LiveExecutive:
     # ---------------------------------------------------------------- an order
 
     def _carry_out(self, order: Order) -> None:
-        self._order, self._stops, self._cancelled = order, (), False
+        self._order, self._tally, self._cancelled = order, SafetyTally(), False
         self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
         said = order.said
         about = self._link.about
@@ -177,7 +178,7 @@ class LiveExecutive:
                     message=line,
                     events_sha256=log.digest.hexdigest(),
                     tasks=results,
-                    safety=SafetyCounts(self._planning.checked, 0, self._stops),
+                    safety=self._tally.counts(self._planning.checked),
                 )
                 log.finish(report.to_json())
             order.end(line, outcome, code)
@@ -227,8 +228,7 @@ class LiveExecutive:
             self._display.event(event)
         if is_offer(event):
             self._link.offer()
-        if type(event).__name__ == "StopStarted":
-            self._stops = (*self._stops, str(getattr(event, "reason", "")))
+        self._tally.add(event)
 
     def _show(self, tree: TaskTree) -> None:
         if self._display is not None:

@@ -56,18 +56,22 @@ class Far(LiveRig):
             self.publish()
 
 
+def go_on_while_waited_for(far, monkeypatch):
+    """Let the control process go on while it is waited for: so it answers the greeting."""
+    waited = Connection.wait
+
+    def wait(connection, seconds):
+        far.run(0.01)
+        return waited(connection, 0.0)
+
+    monkeypatch.setattr(Connection, "wait", wait)
+
+
 class Executive:
     """Link and toolbox parts, attached."""
 
     def __init__(self, far, monkeypatch, connection=Connection):
-        # the greeting is answered while it is waited for
-        waited = Connection.wait
-
-        def wait(connection, seconds):
-            far.run(0.01)
-            return waited(connection, 0.0)
-
-        monkeypatch.setattr(Connection, "wait", wait)
+        go_on_while_waited_for(far, monkeypatch)
         self.far, self.events, self.world = far, [], WorldModel()
         self.link = ControlLink(far.folder, far.model, connection)
         self.link.listen(self.events.append)

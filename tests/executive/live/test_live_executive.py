@@ -1,0 +1,60 @@
+"""One attachment: orders are carried out, and their reports tell what became of each."""
+
+import json
+
+import pytest
+
+from executive.live.desk import Order, Say
+from executive.live.live_executive import LiveExecutive
+from robots.control.events import SetpointRefused, StopStarted
+from tests.executive.live.conftest import Worker, go_on_while_waited_for
+from trees.world_model import WorldModel
+
+REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
+
+
+class Somebody:
+    """The other end of an order."""
+
+    def send(self, _message):
+        pass
+
+
+class Serving:
+    """An executive that is attached, and the reports of what it was told to do."""
+
+    def __init__(self, far, folder):
+        self.far, self.record = far, folder
+        self.live = LiveExecutive(far.folder, far.model, Worker(), WorldModel(), folder)
+
+    def carry_out(self, sentence):
+        before = set(self.record.glob("*/report.json"))
+        self.live._carry_out(Order(Say(sentence), Somebody()))
+        (report,) = set(self.record.glob("*/report.json")) - before
+        return json.loads(report.read_text())
+
+
+@pytest.fixture
+def serving(far, monkeypatch, tmp_path):
+    go_on_while_waited_for(far, monkeypatch)
+    made = Serving(far, tmp_path)
+    yield made
+    made.live.close()
+
+
+def test_the_report_counts_what_the_gate_refused_and_what_was_stopped(serving):
+    serving.far.server.note(REFUSED)
+    serving.far.server.note(StopStarted(0.0, 1, "by the test"))
+
+    safety = serving.carry_out("wait for 0.2 seconds")["safety"]
+
+    assert safety == {"checked_trajectories": 0, "refused_setpoints": 1, "stops": ["by the test"]}
+
+
+def test_the_next_report_counts_from_the_beginning(serving):
+    serving.far.server.note(REFUSED)
+    serving.carry_out("wait for 0.2 seconds")
+
+    safety = serving.carry_out("wait for 0.2 seconds")["safety"]
+
+    assert (safety["refused_setpoints"], safety["stops"]) == (0, [])
