@@ -160,7 +160,7 @@ class LiveExecutive:
     def _carry_out(self, order: Order) -> None:
         self._order, self._tally, self._cancelled = order, SafetyTally(), False
         self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
-        said = order.said
+        said, checked_before = order.said, self._planning.checked
         about = self._link.about
         header = {key: about[key] for key in ("robot", "scene", "seed")}
         text = said.text or f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
@@ -178,7 +178,7 @@ class LiveExecutive:
                     message=line,
                     events_sha256=log.digest.hexdigest(),
                     tasks=results,
-                    safety=self._tally.counts(self._planning.checked),
+                    safety=self._tally.counts(self._planning.checked - checked_before),
                 )
                 log.finish(report.to_json())
             order.end(line, outcome, code)

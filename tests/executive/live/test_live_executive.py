@@ -6,8 +6,12 @@ import pytest
 
 from executive.live.desk import Order, Say
 from executive.live.live_executive import LiveExecutive
+from executive.live.planning_service import Planned
+from kinematics.requests import CheckRequest
+from kinematics.scene import PlanningScene
 from robots.control.events import SetpointRefused, StopStarted
 from tests.executive.live.conftest import Worker, go_on_while_waited_for
+from tests.robots.live.conftest import swing
 from trees.world_model import WorldModel
 
 REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
@@ -25,7 +29,16 @@ class Serving:
 
     def __init__(self, far, folder):
         self.far, self.record = far, folder
-        self.live = LiveExecutive(far.folder, far.model, Worker(), WorldModel(), folder)
+        self.worker = Worker()
+        self.live = LiveExecutive(far.folder, far.model, self.worker, WorldModel(), folder)
+
+    def check(self, trajectory):
+        """Have both sides let a trajectory pass."""
+        job = self.live._planning.submit(CheckRequest(trajectory.trajectory, PlanningScene()))
+        self.worker.answer(Planned(trajectory, 0.1, "{}"))
+        while not job.done:
+            self.live._session.hold(0.02)
+        assert job.result() is trajectory
 
     def carry_out(self, sentence):
         before = set(self.record.glob("*/report.json"))
@@ -58,3 +71,9 @@ def test_the_next_report_counts_from_the_beginning(serving):
     safety = serving.carry_out("wait for 0.2 seconds")["safety"]
 
     assert (safety["refused_setpoints"], safety["stops"]) == (0, [])
+
+
+def test_what_was_checked_for_the_order_before_is_not_counted_again(serving, talos):
+    serving.check(swing(talos, talos.q_home))
+
+    assert serving.carry_out("wait for 0.2 seconds")["safety"]["checked_trajectories"] == 0
