@@ -12,6 +12,7 @@ from executive.events import Event, InputTaken, QuestionAsked, TaskRefused
 from executive.exit_codes import ExitCode
 from executive.feedback import result_line, result_line_of_all
 from executive.meaning import Parsed, Refusal
+from executive.script_order import first_unexpected, in_order, unexpected_code
 from executive.session import Session
 from executive.statement import Statement
 from executive.task_result import TaskResult
@@ -69,24 +70,10 @@ def run_statements(
     sink: Sink,
 ) -> list[Said]:
     """Carry statements out, until one does not end as expected and does not say to go on."""
-    results: list[Said] = []
-    for statement in statements:
-        said = _run(statement, session, attendant, on_question, sink)
-        results.append((statement, said))
-        if said[-1].outcome == "cancelled":
-            break
-        if said[-1].outcome != statement.expect and statement.on_failure != "continue":
-            break
-    return results
 
-
-def _run(
-    statement: Statement, session: Session, attendant: Attendant, on_question: OnQuestion, sink: Sink
-) -> list[TaskResult]:
-    if not statement.parsed.commands:
-        return [not_understood(statement, session.now_s, sink)]
-    results: list[TaskResult] = []
-    for _ in range(2 if statement.on_failure == "retry" else 1):
+    def carry_out(statement: Statement) -> Sequence[TaskResult]:
+        if not statement.parsed.commands:
+            return [not_understood(statement, session.now_s, sink)]
         errand = Errand(
             session,
             statement.parsed.commands,
@@ -94,10 +81,9 @@ def _run(
             on_question="fail" if statement.expect == "question" else on_question,
             provenance=statement.provenance,
         )
-        results += drive(errand.steps(), attendant, session)
-        if results[-1].outcome in (statement.expect, "cancelled"):
-            break
-    return results
+        return drive(errand.steps(), attendant, session)
+
+    return in_order(statements, carry_out)
 
 
 def not_understood(statement: Statement, now_s: float, sink: Sink) -> TaskResult:
@@ -114,11 +100,10 @@ def not_understood(statement: Statement, now_s: float, sink: Sink) -> TaskResult
 
 def verdict(statements: Sequence[Statement], results: Sequence[Said]) -> tuple[str, str, ExitCode]:
     """The line for people, the outcome, and the exit code of the first unexpected result."""
-    for statement, said in results:
-        last = said[-1]
-        if last.outcome != statement.expect:
-            code = last.exit_code if last.exit_code is not ExitCode.DONE else ExitCode.FAILED
-            return _line(statement, last), last.outcome, code
+    unexpected = first_unexpected(results)
+    if unexpected is not None:
+        statement, last = unexpected
+        return _line(statement, last), last.outcome, unexpected_code(last)
     statement, said = results[-1]
     line = _line(statement, said[-1]) if len(said) == 1 else result_line_of_all(said)
     if len(statements) > 1:

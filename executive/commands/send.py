@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,6 +15,7 @@ from executive.exit_codes import ExitCode
 
 if TYPE_CHECKING:
     from executive.live.desk import Say
+    from executive.statement import Statement
     from robots.live.runtime_folder import RuntimeFolder
 
 
@@ -34,28 +37,45 @@ def send(
         raise typer.BadParameter("either a sentence or --velocity")
     where = RuntimeFolder(folder or runtime_directory())
     if velocity is not None:
-        line, _, code = _say(where, Say("", 0.0, *velocity), quiet)
+        heard = _say(where, Say("", 0.0, *velocity), quiet)
+        line, code = heard.line, heard.exit_code
     elif not is_script(text):
-        line, _, code = _say(where, Say(text), quiet)
+        heard = _say(where, Say(text), quiet)
+        line, code = heard.line, heard.exit_code
     else:
-        line, code = "the script has no statement", int(ExitCode.INVALID)
-        for statement in load_script(Path(text)).statements:
-            said = Say(statement.parsed.text, statement.timeout_s or 0.0)
-            for _ in range(2 if statement.on_failure == "retry" else 1):
-                line, outcome, code = _say(where, said, quiet)
-                if outcome == statement.expect or code == ExitCode.CANCELLED:
-                    break
-            if outcome == statement.expect:
-                code = int(ExitCode.DONE)
-            elif statement.on_failure != "continue" or code == ExitCode.CANCELLED:
-                code = code or int(ExitCode.FAILED)
-                break
+        line, code = _say_all(where, load_script(Path(text)).statements, quiet)
     typer.echo(line)
     raise typer.Exit(code)
 
 
-def _say(where: RuntimeFolder, said: Say, quiet: bool) -> tuple[str, str, int]:
-    """Say one thing; returns the line, the outcome and the exit code."""
+@dataclass(frozen=True, slots=True)
+class _Heard:
+    """How it ended, as the served executive said: the line for people, the outcome, and the exit code."""
+
+    line: str
+    outcome: str
+    exit_code: ExitCode
+
+
+def _say_all(where: RuntimeFolder, statements: Sequence[Statement], quiet: bool) -> tuple[str, ExitCode]:
+    """Say a script's statements; the line and the exit code of the first that did not end as expected."""
+    from executive.live.desk import Say
+    from executive.script_order import first_unexpected, in_order, unexpected_code
+
+    def carry_out(statement: Statement) -> list[_Heard]:
+        return [_say(where, Say(statement.parsed.text, statement.timeout_s or 0.0), quiet)]
+
+    results = in_order(statements, carry_out)
+    unexpected = first_unexpected(results)
+    if unexpected is not None:
+        _, heard = unexpected
+        return heard.line, unexpected_code(heard)
+    _, said = results[-1]
+    return said[-1].line, ExitCode.DONE
+
+
+def _say(where: RuntimeFolder, said: Say, quiet: bool) -> _Heard:
+    """Say one thing, and hear how it ended."""
     from executive.live.caller import Caller
     from executive.live.desk import Cancel, write_desk_message
     from executive.live.hearing import HungError, commander_of, hear_out
@@ -77,7 +97,7 @@ def _say(where: RuntimeFolder, said: Say, quiet: bool) -> tuple[str, str, int]:
         try:
             hear_out(caller, take, lambda: commander_of(where))
         except HungError as hung:
-            return f"failed: {hung}", "failed", int(ExitCode.FAILED)
+            return _Heard(f"failed: {hung}", "failed", ExitCode.FAILED)
         except KeyboardInterrupt:
             interrupts += 1
             if interrupts == 1:
@@ -86,5 +106,5 @@ def _say(where: RuntimeFolder, said: Say, quiet: bool) -> tuple[str, str, int]:
             else:
                 Caller(where.control_socket).ask(write_control_message(Stop(1, "Ctrl-C, twice")))
     if result["type"] == "error":
-        return f"refused: {result['reason']}", "refused", int(ExitCode.INVALID)
-    return str(result["text"]), str(result["outcome"]), int(result["exit_code"])
+        return _Heard(f"refused: {result['reason']}", "refused", ExitCode.INVALID)
+    return _Heard(str(result["text"]), str(result["outcome"]), ExitCode(int(result["exit_code"])))
