@@ -7,7 +7,7 @@ understood; then the question is asked again. Every word of it counts: what is l
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 
 from executive.meaning import Parsed, Question, Refusal
@@ -62,8 +62,8 @@ class Unclear:
 
 
 Answer = Chosen | Withdrawn | Unclear
-Ask = Callable[[OpenQuestion], str | None]
-"""Puts a question to whoever can answer; None when nobody did."""
+Clarifying = Generator[OpenQuestion, str | None, Parsed]
+"""A question where one is open; takes its answer, or None when there is none."""
 
 _WITHDRAWAL_LINES = """
 never mind
@@ -224,14 +224,13 @@ def _one_word(plain: str) -> ObjectDescription | None:
     return ObjectDescription(size=said[0]) if said[0] in SIZE_WORDS else None
 
 
-def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = None) -> Parsed:
+def clarified(parsed: Parsed, meanings: Mapping[str, Parsed] | None = None) -> Clarifying:
     """Put the question of a sentence that is not clear in itself; the answer takes its place.
 
     An answer is one of the choices, which are sentences, a sentence of its own, or what was missing in it.
 
     Args:
         parsed: What has a question.
-        ask: Whom to ask.
         meanings: What choices mean that are no sentences, such as "yes".
 
     Returns:
@@ -244,7 +243,7 @@ def clarified(parsed: Parsed, ask: Ask, meanings: Mapping[str, Parsed] | None = 
         question = parsed.question
         if question is None:
             return parsed
-        text = ask(OpenQuestion(question.text, question.choices, tried))
+        text = yield OpenQuestion(question.text, question.choices, tried)
         if text is None:
             return parsed
         match understood_answer(text, question.choices):

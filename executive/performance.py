@@ -22,8 +22,9 @@ from executive.real_pace import RealPace
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.safety_tally import SafetyTally
-from executive.script_run import Said, may_start, not_understood, run_statements, settled, verdict
+from executive.script_run import Said, may_start, not_understood, run_statements, verdict
 from executive.settled_heap import settled_heap
+from executive.settling import settled
 from kinematics.requests import CheckRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_document import write_trajectory

@@ -15,7 +15,7 @@ from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand, wording
 from executive.references import references
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
-from executive.script_run import settled
+from executive.settling import settled
 from executive.statement import Statement
 from executive.task_result import TaskResult, chain
 from executive.task_script import script_for

@@ -1,59 +1,22 @@
-"""Statements, one after the other: settle what is unclear, carry out, judge by what was expected."""
+"""Statements whose words are settled, one after the other: carry out, judge by what was expected."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 
 from executive.attendant import Attendant
-from executive.clarification import OpenQuestion, clarified
-from executive.errand import Errand, drive, without_skill
-from executive.events import Event, InputTaken, QuestionAsked, TaskRefused
+from executive.errand import Errand, drive
+from executive.events import EventSink, QuestionAsked, TaskRefused
 from executive.exit_codes import ExitCode
 from executive.feedback import result_line, result_line_of_all
-from executive.meaning import Parsed, Refusal
 from executive.script_order import first_unexpected, in_order, unexpected_code
 from executive.session import Session
 from executive.statement import Statement
 from executive.task_result import TaskResult
 from executive.trust import OnQuestion
-from trees.build import NoSkillError
 
 Said = tuple[Statement, list[TaskResult]]
 """A statement with the results of its tasks."""
-
-Sink = Callable[[Event], None]
-
-
-def settled(statement: Statement, attendant: Attendant, on_question: OnQuestion, sink: Sink) -> Statement:
-    """Ask what is unclear in the words themselves, and refuse what is no skill; nothing moves yet."""
-    if statement.parsed.question is not None and statement.expect != "question":
-        statement = _asked(statement, attendant, on_question, sink)
-    lacking = without_skill(statement.parsed.commands)
-    if lacking is not None:
-        refusal = Refusal(str(NoSkillError(lacking)))
-        statement = replace(statement, parsed=Parsed(statement.parsed.text, refusal=refusal))
-    return statement
-
-
-def _asked(statement: Statement, attendant: Attendant, on_question: OnQuestion, sink: Sink) -> Statement:
-    text = statement.parsed.text
-
-    def ask(question: OpenQuestion) -> str | None:
-        sink(QuestionAsked(0.0, text, question.text, question.choices))
-        if on_question == "first" and question.choices:
-            answer: str | None = question.choices[0]
-        else:
-            answer = attendant.answer(question) if on_question == "ask" else None
-        sink(InputTaken(0.0, "answer", answer or ""))
-        return answer
-
-    if statement.if_confirmed is None:
-        return replace(statement, parsed=clarified(statement.parsed, ask))
-    confirmed = clarified(statement.parsed, ask, {"yes": statement.if_confirmed.parsed})
-    if confirmed is statement.if_confirmed.parsed:
-        return statement.meaning(statement.if_confirmed)
-    return replace(statement, parsed=confirmed)
 
 
 def may_start(statement: Statement) -> bool:
@@ -67,7 +30,7 @@ def run_statements(
     session: Session,
     attendant: Attendant,
     on_question: OnQuestion,
-    sink: Sink,
+    sink: EventSink,
 ) -> list[Said]:
     """Carry statements out, until one does not end as expected and does not say to go on."""
 
@@ -86,7 +49,7 @@ def run_statements(
     return in_order(statements, carry_out)
 
 
-def not_understood(statement: Statement, now_s: float, sink: Sink) -> TaskResult:
+def not_understood(statement: Statement, now_s: float, sink: EventSink) -> TaskResult:
     """The result of a statement that was not turned into tasks."""
     parsed = statement.parsed
     text = parsed.to_json()["text"]

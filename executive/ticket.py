@@ -16,14 +16,13 @@ from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING, Any
 
 from executive.clarification import OpenQuestion
-from executive.errand import Errand, Steps, without_skill
-from executive.events import Event, InputTaken, QuestionAsked
-from executive.meaning import Refusal
+from executive.errand import Errand, Steps
+from executive.events import Event
 from executive.script_run import not_understood
+from executive.settling import settling
 from executive.statement import Statement
 from executive.task_result import TaskResult
 from executive.trust import OnQuestion
-from trees.build import NoSkillError
 
 if TYPE_CHECKING:
     from executive.session import Session
@@ -35,7 +34,7 @@ class Ticket:
     """One request. Made by ``Session.submit``.
 
     Attributes:
-        statement: What was understood.
+        statement: What was understood; once it is under way, with what its answers mean.
     """
 
     def __init__(
@@ -142,25 +141,13 @@ class Ticket:
             hear(event)
 
     def _begin(self) -> Steps:
-        """The statement's question first, if it has one; then its commands."""
-        session, statement = self._session, self.statement
-        if statement.if_confirmed is not None and statement.parsed.question is not None:
-            question = statement.parsed.question
-            session.tell(QuestionAsked(session.now_s, statement.parsed.text, question.text, question.choices))
-            text = (
-                (yield OpenQuestion(question.text, question.choices)) if self._on_question == "ask" else None
-            )
-            session.tell(InputTaken(session.now_s, "answer", text or ""))
-            if text is not None and text.strip().lower() in ("yes", "y", "1"):
-                statement = self.statement = statement.meaning(statement.if_confirmed)
+        """The statement's questions first, if it has any; then its commands."""
+        session = self._session
+        statement = yield from settling(
+            self.statement, self._on_question, session.tell, lambda: session.now_s
+        )
+        self.statement = statement
         if not statement.parsed.commands:
-            return (not_understood(statement, session.now_s, session.tell),)
-        lacking = without_skill(statement.parsed.commands)
-        if lacking is not None:
-            refusal = Refusal(str(NoSkillError(lacking)))
-            self.statement = statement = Statement(
-                type(statement.parsed)(statement.parsed.text, refusal=refusal)
-            )
             return (not_understood(statement, session.now_s, session.tell),)
         errand = Errand(
             session,

@@ -26,8 +26,9 @@ from executive.outputs.display import PlainDisplay
 from executive.outputs.report import Report
 from executive.run_log import RunLog
 from executive.safety_tally import SafetyTally
-from executive.script_run import run_statements, settled, verdict
+from executive.script_run import run_statements, verdict
 from executive.session import Session
+from executive.settling import settled
 from executive.statement import Statement
 from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
@@ -190,7 +191,7 @@ class LiveExecutive:
         statement = _statement(said, self._conversation, self._trust)
         self._steps.busy = True
         attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
-        statement = settled(statement, attendant, "ask", self._note)
+        statement = settled(statement, attendant, "ask", self._note, lambda: self._link.now_s)
         if self._cancelled:
             return "cancelled: before anything moved", "cancelled", ExitCode.CANCELLED, []
         results = run_statements([statement], self._session, attendant, "ask", self._note)

@@ -57,34 +57,39 @@ def test_a_question_is_told_with_numbered_choices():
 
 
 class Asked:
+    """Somebody who gives these answers, and then no more; remembers what was asked."""
+
     def __init__(self, *answers):
         self.answers, self.questions = list(answers), []
 
-    def __call__(self, question):
-        self.questions.append(question)
-        return self.answers.pop(0) if self.answers else None
+    def about(self, parsed):
+        steps, answer = clarified(parsed), None
+        while True:
+            try:
+                self.questions.append(steps.send(answer))
+            except StopIteration as end:
+                return end.value
+            answer = self.answers.pop(0) if self.answers else None
 
 
 UNCLEAR = Parsed("go there", question=Question("where to?", ("go home", "pick up the red cup")))
 
 
 def test_a_sentence_that_is_unclear_in_itself_is_replaced_by_the_choice():
-    assert clarified(UNCLEAR, Asked("2")).commands == parse("pick up the red cup").commands
+    assert Asked("2").about(UNCLEAR).commands == parse("pick up the red cup").commands
 
 
 def test_a_sentence_of_its_own_answers_as_well():
-    assert (
-        clarified(UNCLEAR, Asked("pick up the blue box")).commands == parse("pick up the blue box").commands
-    )
+    assert Asked("pick up the blue box").about(UNCLEAR).commands == parse("pick up the blue box").commands
 
 
 def test_an_answer_that_is_not_understood_is_asked_again_with_the_reason():
     asked = Asked("the moon", "1")
 
-    assert clarified(UNCLEAR, asked).commands == parse("go home").commands
+    assert asked.about(UNCLEAR).commands == parse("go home").commands
     assert asked.questions[1].tried == "'the moon' is none of the choices"
 
 
 def test_no_answer_leaves_the_question_open_and_a_withdrawal_refuses():
-    assert clarified(UNCLEAR, Asked()).outcome == "question"
-    assert clarified(UNCLEAR, Asked("never mind")).outcome == "refused"
+    assert Asked().about(UNCLEAR).outcome == "question"
+    assert Asked("never mind").about(UNCLEAR).outcome == "refused"

@@ -6,10 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from executive.events import TaskAccepted, TaskEnded
+from executive.events import InputTaken, QuestionAsked, TaskAccepted, TaskEnded
 from executive.trust import Trust
 
 GUIDE = Path(__file__).parents[2] / "docs" / "python.md"
+DOUBTFUL = [{"command": "go home", "confidence": 0.4}]
+CONFIRM = "step 1, 'go home', has confidence 0.40, below 0.80: shall it be done?"
 
 
 @pytest.mark.requirement("S9")
@@ -92,12 +94,66 @@ def test_steps_may_be_python_values(fake_stage):
 
 
 @pytest.mark.requirement("L8")
-@pytest.mark.parametrize(("answer", "outcome"), [("yes", "done"), ("no", "question"), (None, "question")])
+@pytest.mark.parametrize(
+    ("answer", "outcome"),
+    [
+        ("yes", "done"), ("Yes.", "done"), ("sure", "done"), ("ok", "done"), ("go ahead", "done"),
+        ("1", "done"), ("no", "refused"), ("the moon", "question"), (None, "question"),
+    ],
+)  # fmt: skip
 def test_a_step_of_low_confidence_is_asked_about(fake_stage, answer, outcome):
-    ticket = fake_stage().session.submit([{"command": "go home", "confidence": 0.4}], trust=Trust(0.8))
+    ticket = fake_stage().session.submit(DOUBTFUL, trust=Trust(0.8))
     ticket.on_question(lambda question: answer)
 
     assert ticket.result()[0].outcome == outcome
+
+
+@pytest.mark.requirement("L8")
+@pytest.mark.parametrize(("on_question", "outcome"), [("first", "done"), ("fail", "question")])
+def test_what_becomes_of_a_question_about_low_confidence_can_be_said_beforehand(
+    fake_stage, on_question, outcome
+):
+    on = fake_stage()
+    ticket = on.session.submit(DOUBTFUL, trust=Trust(0.8), on_question=on_question)
+    ticket.on_question(lambda question: pytest.fail(f"asked {question.text!r}"))
+
+    assert ticket.result()[0].outcome == outcome
+    assert [event.question for event in on.of(QuestionAsked)] == [CONFIRM]
+
+
+@pytest.mark.requirement("L6")
+def test_a_question_about_the_words_themselves_holds_the_ticket_until_it_is_answered(fake_stage):
+    on = fake_stage()
+    ticket = on.session.submit("pick up")
+    while ticket.advance():
+        pass
+
+    assert ticket.question.text == "pick up what?"
+    assert not on.of(TaskAccepted)
+    ticket.answer("the red cup")
+    assert ticket.result()[0].acted_on == "red cup"
+    assert [event.value for event in on.of(InputTaken)] == ["the red cup"]
+
+
+@pytest.mark.requirement("L6")
+def test_an_answer_to_the_words_that_is_not_understood_is_asked_again_with_the_reason(fake_stage):
+    asked = []
+    ticket = fake_stage().session.submit("pick up")
+    ticket.on_question(lambda question: asked.append(question) or ("zorbl", "the blue cup")[len(asked) - 1])
+
+    assert ticket.result()[0].acted_on == "blue cup"
+    assert [question.tried for question in asked] == ["", "'zorbl' is none of the choices"]
+
+
+@pytest.mark.requirement("L6")
+@pytest.mark.parametrize(("answer", "outcome"), [("never mind", "refused"), (None, "question")])
+def test_a_question_about_the_words_can_be_withdrawn_or_left_open(fake_stage, answer, outcome):
+    on = fake_stage()
+    ticket = on.session.submit("pick up something")
+    ticket.on_question(lambda question: answer)
+
+    assert ticket.result()[0].outcome == outcome
+    assert not on.of(TaskAccepted)
 
 
 @pytest.mark.requirement("L5")
