@@ -164,6 +164,10 @@ class Session:
         """Ask for the running task to be halted; safe to call from a signal handler."""
         self._cancel_reason = reason
 
+    def forget_cancel(self) -> None:
+        """What a cancel was for has ended: one that has halted nothing does not reach what comes next."""
+        self._cancel_reason = None
+
     def pause(self, reason: str) -> None:
         """Ask for the running task to be held where it is; safe to call from a signal handler.
 

@@ -104,6 +104,7 @@ class Ticket:
                 self._question = self._steps.send(answer)
             except StopIteration as end:
                 self._results = end.value
+                self._session.forget_cancel()
                 return False
         if self._question is not None and self._answerer is not None:
             self.answer(self._answerer(self._question))

@@ -83,6 +83,31 @@ def test_a_ticket_can_be_cancelled_on_its_way_and_the_next_one_works(fake_stage)
     assert on.session.submit("go home").result()[0].outcome == "done"
 
 
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("text", ["pick up", "pick up the cup"])
+def test_a_cancel_while_a_question_is_open_does_not_reach_the_next_ticket(fake_stage, text):
+    on = fake_stage()
+    ticket = on.session.submit(text)
+    while ticket.advance():
+        pass
+
+    ticket.cancel("changed my mind")
+    ticket.result()
+
+    assert on.session.submit("go home").result()[0].outcome == "done"
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_of_what_is_refused_anyway_does_not_reach_the_next_ticket(fake_stage):
+    on = fake_stage()
+    ticket = on.session.submit("pick up the zorbl")
+
+    ticket.cancel("changed my mind")
+    ticket.result()
+
+    assert on.session.submit("go home").result()[0].outcome == "done"
+
+
 @pytest.mark.requirement("L7", "L8")
 def test_steps_may_be_python_values(fake_stage):
     steps = [{"action": "pick", "object": {"kind": "cup", "color": "red"}, "confidence": 0.95}]
