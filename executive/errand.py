@@ -36,6 +36,7 @@ from trees.grounding import exactly
 from trees.regions import START
 from trees.tasks import (
     Destination,
+    HandOverTask,
     ObjectDescription,
     ObjectOf,
     PlaceTask,
@@ -152,6 +153,8 @@ class Errand:
             return False
         if failure.is_unseen:
             return unseen and _may_be_elsewhere(command.source, known)
+        if failure.wants_nearer:
+            return True
         if failure.is_no_grasp and _is_far(command.object, known):
             return True
         if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
@@ -160,8 +163,8 @@ class Errand:
         return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
 
     def _carries(self, command: Command) -> bool:
-        """Whether something is in a hand by now and only has to go somewhere."""
-        return isinstance(command, PlaceTask) and self._beliefs.known().in_hand(command)
+        """Whether something is in a hand by now and only has to go somewhere, or to somebody."""
+        return isinstance(command, PlaceTask | HandOverTask) and self._beliefs.known().in_hand(command)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""

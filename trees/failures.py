@@ -101,6 +101,12 @@ class Failure:
         return root.kind is FailureKind.INFEASIBLE and "grasps_considered" in root.numbers
 
     @property
+    def wants_nearer(self) -> bool:
+        """Whether somebody stands too far away for a hand-over, or another one nearer: tells ``person_m``."""
+        root = self.root
+        return root.kind is FailureKind.INFEASIBLE and "person_m" in root.numbers
+
+    @property
     def choices(self) -> tuple[str, ...]:
         """What a person has to choose from, when several things fit; at the root of the chain."""
         return self._listed("choices")

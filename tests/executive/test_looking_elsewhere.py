@@ -171,6 +171,14 @@ def test_what_cannot_be_put_down_from_here_is_taken_to_the_furniture():
     assert notes.told == ["put the cup on the shelf", "walk to the shelf", "put the cup on the shelf"]
 
 
+@pytest.mark.requirement("M3")
+def test_who_stands_too_far_away_to_take_it_is_walked_to():
+    notes = Notes(Failure.infeasible("Ana stands 2.2 m away", person_m=2.2))
+
+    assert carried_out(notes, "give the cup to Ana", WithTheCup)[-1] == "done"
+    assert notes.told == ["give the cup to Ana", "walk to Ana", "give the cup to Ana"]
+
+
 def test_what_cannot_be_put_down_where_the_robot_stands_is_told_so():
     notes = Notes(Failure.infeasible("there is no spot on the table"))
 

@@ -16,6 +16,7 @@ from trees.failures import Failure
 from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.look_around import LookAround
+from trees.people_near import nearer_than
 from trees.ports import ports
 from trees.steps import Placement
 
@@ -30,6 +31,8 @@ _CARRIED_M = 0.25
 class VerifyTaken(LookAround):
     """What was given is seen in the air, away from the hand, or stands far from where it was let go.
 
+    It is nearest to the person whom it was meant for: another one may have taken it.
+
     Nothing hangs in the air by itself: the person has it, however far the person's arm reaches. A person who
     holds it just above a table, or has put it there, has taken it as well.
     """
@@ -38,7 +41,7 @@ class VerifyTaken(LookAround):
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the hand was opened while the person pulled, and drawn back since",
-        postcondition="the object was seen where only a person carries it, or has; the gripper is empty",
+        postcondition="the object was seen where only that person carries it, or has; the gripper is empty",
         deadline_s=2.0,
     )
 
@@ -65,6 +68,9 @@ class VerifyTaken(LookAround):
             if (stands_on is not None and not self._carried(item)) or height_m < _DROPPED_BELOW_M:
                 where = "" if stands_on is None else f" onto the {stands_on.name}"
                 return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
+            if (other := nearer_than(person, item.odom_T_object[:3, 3], scene)) is not None:
+                message = f"the {held.name} was taken by {other}, not by {person}"
+                return Failure.postcondition(message, height_m=height_m)
             self.feedback_message = f"seen {height_m:.2f} m above the floor"
             return DONE
         return Failure.postcondition(f"the {held.name} was let go, and is not seen with {person}")

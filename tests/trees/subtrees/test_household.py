@@ -674,6 +674,36 @@ def test_a_gift_that_is_nowhere_to_be_seen_is_not_claimed(stage_with):
     assert "was let go, and is not seen with Ana" in tree.failure.message
 
 
+@pytest.mark.requirement("M2", "M3")
+def test_what_somebody_else_took_is_not_claimed(stage_with):
+    stage = stage_with(table(), cup(), ANA, person("Ben", (1.15, -0.55)))
+    stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
+    stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.35, -0.25, 0.25)))
+
+    tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
+
+    assert tree.status == "failure"
+    assert "the red cup was taken by Ben, not by Ana" in tree.failure.message
+
+
+@pytest.mark.requirement("M3")
+@pytest.mark.parametrize(
+    ("people", "told"),
+    [
+        ((person("Ana", (2.2, 0.1)),), "Ana stands 2.2 m away"),
+        ((person("Ana", (1.4, 0.7)), person("Ben", (0.9, -0.2))), "Ben stands nearer to it than Ana"),
+    ],
+)
+def test_nothing_is_held_out_to_who_does_not_reach_it_or_before_somebody_else(stage_with, people, told):
+    stage = stage_with(table(), cup(), *people)
+
+    tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
+
+    assert tree.failure.root.message == told
+    assert tree.failure.wants_nearer
+    assert stage.fake.world.carried_by("red cup") == "right"
+
+
 def test_another_cup_like_the_gift_is_not_taken_for_a_dropped_one(stage_with):
     stage = stage_with(table(), cup(), cup("red cup 2", "red", (0.45, -0.45)), ANA)
     stage.play(stage.pick(PickTask("pick it up", ObjectDescription("cup", "red", ordinal="leftmost"))))
