@@ -676,9 +676,9 @@ def test_a_gift_that_is_nowhere_to_be_seen_is_not_claimed(stage_with):
 
 @pytest.mark.requirement("M2", "M3")
 def test_what_somebody_else_took_is_not_claimed(stage_with):
-    stage = stage_with(table(), cup(), ANA, person("Ben", (1.15, -0.55)))
+    stage = stage_with(table(), cup(), ANA, person("Ben", (1.25, -0.7)))
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
-    stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.35, -0.25, 0.25)))
+    stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.45, -0.35, 0.25)))
 
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
 
