@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from robots.perception.standing import standing_on_tops
 from trees.glimpse_of import glimpse_of
-from trees.handles import without_moved_parts
 from trees.in_hand import not_in_hand
 from trees.in_plain_sight import in_plain_sight
 from trees.look_leaf import View, estimates_of
+from trees.moved_parts import without_moved_parts
 from trees.scene_update import SceneUpdate, updated_scene
 from trees.toolbox import Toolbox
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.opening_path import DoorArc, DrawerLine, OpeningPath
@@ -49,6 +50,10 @@ CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}
 _PANEL_TO_BODY_M = 0.02
 _PAIRED_M = 1.0
 """A handle belongs to the nearest front within this."""
+SAME_FRONT_M = 0.2
+"""A front that is farther than this from a handle's way is another one."""
+_ONE_BODY_M = 0.1
+"""Solids of one piece are as near to its front but for this."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,23 +89,6 @@ class HandleTarget:
         return math.degrees(opening) if self.kind == DOOR else opening
 
 
-def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate]) -> PlanningScene:
-    """A scene without the doors, drawers, handles and insides that a look has seen anew.
-
-    Unlike other furniture they move: a door that was opened would stand in the scene twice.
-    """
-    moving = (*PART_KINDS, *INSIDE_KINDS)
-    fresh = [item for item in estimates if item.kind in moving]
-    for name, known in list(scene.objects.items()):
-        if kind_of(name) in moving and any(
-            item.kind == kind_of(name)
-            and np.linalg.norm(item.odom_T_object[:3, 3] - known.world_T_object[:3, 3]) <= _PAIRED_M
-            for item in fresh
-        ):
-            scene = scene.without_object(name)
-    return scene
-
-
 def without_inside(scene: PlanningScene) -> PlanningScene:
     """A scene without what an open drawer shows behind its front: it goes wherever the handle is led."""
     for name in list(scene.objects):
@@ -132,18 +120,55 @@ def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = Non
     return found
 
 
+def misfit_m(target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape) -> float:
+    """How far a front is from where that of a handle can be, however far it is open.
+
+    Args:
+        target: The handle.
+        centre_m: Of the front, shape (3,).
+        shape: The front's.
+    """
+    path = target.path
+    if isinstance(path, DoorArc):
+        half_m = 0.5 * shape.size_m[1] if isinstance(shape, Box) else 0.0
+        return abs(float(np.linalg.norm(centre_m[:2] - path.hinge_m)) - half_m)
+    closed = path.at(0.0)
+    aside = centre_m - closed.position_m
+    return math.hypot(float(aside @ closed.across), float(aside[2]))
+
+
+def same_front(
+    target: HandleTarget, fronts: Iterable[HandleTarget], scene: PlanningScene
+) -> HandleTarget | None:
+    """Of the fronts that a look saw that of a handle, if it is there."""
+    away = [
+        (misfit_m(target, item.world_T_object[:3, 3], item.shape), one.part, one)
+        for one in fronts
+        if one.kind == target.kind and (item := scene.objects.get(one.part)) is not None
+    ]
+    nearest = min(away, default=None)
+    return nearest[2] if nearest is not None and nearest[0] <= SAME_FRONT_M else None
+
+
 def opening_in(
-    estimates: Iterable[ObjectEstimate], kind: str, known: PlanningScene | None = None
+    estimates: Iterable[ObjectEstimate],
+    kind: str,
+    known: PlanningScene | None = None,
+    target: HandleTarget | None = None,
 ) -> float | None:
-    """How far the only door or drawer of a look is open; None when it was not seen, or its body never.
+    """How far a door or drawer of a look is open; None when it was not seen, or its body never.
 
     Args:
         estimates: What the look saw.
         kind: "door" or "drawer".
         known: Where the body is believed to be, for looks that do not see it: it does not move.
+        target: Whose handle it is: another's front does not count; None for the only one.
     """
     listed = list(estimates)
     fronts = [item for item in listed if item.kind == kind]
+    if target is not None:
+        away = [(misfit_m(target, item.odom_T_object[:3, 3], item.shape), item) for item in fronts]
+        fronts = [item for off_m, item in sorted(away, key=lambda one: one[0]) if off_m <= SAME_FRONT_M]
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
     if not bodies and known is not None:
         believed = [item for name, item in known.objects.items() if kind_of(name) == BODY_OF[kind]]
@@ -153,9 +178,30 @@ def opening_in(
     return _opening(kind, fronts[0], bodies)
 
 
+def top_of_nearest(
+    place_m: NDArray[np.float64], bodies: list[tuple[Transform, Shape]]
+) -> tuple[Transform, Shape]:
+    """Of all solids of chests, or of fridges, the top of the one that is nearest to a front.
+
+    Args:
+        place_m: Of the front, shape (2,).
+        bodies: Poses and shapes of the solids, at least one.
+    """
+    gaps = [_gap_m(place_m, pose, shape) for pose, shape in bodies]
+    near = [body for gap_m, body in zip(gaps, bodies, strict=True) if gap_m <= min(gaps) + _ONE_BODY_M]
+    return max(near, key=lambda item: float(item[0][2, 3]))
+
+
+def _gap_m(place_m: NDArray[np.float64], pose: Transform, shape: Shape) -> float:
+    """From a place on the floor to a solid that stands on it."""
+    x, y = (pose[:2, :2].T @ (place_m - pose[:2, 3])).tolist()
+    half_x, half_y = (0.5 * shape.size_m[0], 0.5 * shape.size_m[1]) if isinstance(shape, Box) else (0.0, 0.0)
+    return math.hypot(max(abs(x) - half_x, 0.0), max(abs(y) - half_y, 0.0))
+
+
 def _opening(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
     """From the poses of a front and of what it closes; both have x pointing inwards."""
-    body, shape = max(bodies, key=lambda item: float(item[0][2, 3]))  # its top
+    body, shape = top_of_nearest(front.odom_T_object[:2, 3], bodies)
     yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
         turned = poses.yaw_of(front.odom_T_object[:3, :3]) - yaw

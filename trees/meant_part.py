@@ -5,39 +5,89 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from trees.believed_thing import surroundings
+from robots.scene_description import Region
+from trees.believed_thing import BelievedThing, Surroundings, surroundings
 from trees.failures import Failure
-from trees.grounding import Ambiguous, Found, Missing, ground
-from trees.handles import HandleTarget
+from trees.grounding import Ambiguous, Found, Missing, choices_among, ground
+from trees.handles import OPEN_ENOUGH, SHUT, HandleTarget
 from trees.odometry import feet_pose
 from trees.questions import which_is_meant
-from trees.tasks import ObjectDescription
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
+_ASIDE_M = 0.25
+"""What stands so far to the right is not "the left one", if there is no other."""
+_NOT_ALONE = frozenset({"bottom", "lowest", "lower", "middle", "central", "last"})
+"""What nobody calls the only one."""
 
-def meant_part(wanted: object, fitting: Sequence[HandleTarget], toolbox: Toolbox) -> HandleTarget | Failure:
+
+def meant_part(
+    task: OpenTask | CloseTask, fitting: Sequence[HandleTarget], toolbox: Toolbox
+) -> HandleTarget | Failure:
     """The one that is described: "the top drawer", "the left door"; a question where several are.
 
+    Of several that nothing tells apart it is the only one that is not open, or shut, already.
+
     Args:
-        wanted: What the task is about.
+        task: What is to be done.
         fitting: At least one; each is in the planning scene.
         toolbox: Tells where the robot stands, and what is around it.
     """
-    if len(fitting) == 1:
-        return fitting[0]
-    here, gap_m = feet_pose(toolbox).transform(), toolbox.policy.support_gap_m
-    around = surroundings(toolbox.world.scene, here, gap_m)
-    parts = {item.part: item for item in fitting}
+    wanted = task.object
     described = wanted if isinstance(wanted, ObjectDescription) else ObjectDescription()
-    answer = ground(
-        replace(described, name=None),
-        around,
-        among=[thing for thing in around.things if thing.name in parts],
-    )
-    match answer:
+    described = replace(described, name=None)
+    around = surroundings(toolbox.world.scene, feet_pose(toolbox).transform(), toolbox.policy.support_gap_m)
+    parts = {item.part: item for item in fitting}
+    if described == ObjectDescription(described.kind):
+        undone = {item.part: item for item in fitting if not is_so(task, item)}
+        parts = undone or {item.part: item for item in fitting[:1]}
+    room = _room_of(described, toolbox)
+    if room is not None:
+        described = replace(described, relation=None)
+        parts = {name: item for name, item in parts.items() if _is_in(room, name, toolbox)}
+    among = [thing for thing in around.things if thing.name in parts]
+    match _told(described, around, among):
         case Ambiguous() as unclear:
             return which_is_meant(unclear)
         case Missing(message):
             return Failure.postcondition(message)
         case Found(names):
             return parts[names[0]]
+
+
+def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:
+    """Whether a door or drawer is as the task wants it."""
+    if isinstance(task, OpenTask):
+        return item.opening >= OPEN_ENOUGH[item.kind]
+    return item.opening <= SHUT[item.kind]
+
+
+def _told(
+    described: ObjectDescription, around: Surroundings, among: list[BelievedThing]
+) -> Found | Missing | Ambiguous:
+    """As for objects; but colours of furniture are not seen, and the only one is not called the last."""
+    if not among:
+        return Missing(f"no {described} seen")
+    if described.color is not None:
+        question = f"which one is {described.color}? that is not seen of what opens"
+        return Ambiguous(question, choices_among(among))
+    if len(among) == 1 and described.ordinal is not None:
+        y_m = float(among[0].place_m[1])
+        beside = {"leftmost": y_m < -_ASIDE_M, "rightmost": y_m > _ASIDE_M}
+        if described.ordinal in _NOT_ALONE or beside.get(described.ordinal, False):
+            where = f", and it is on the {'left' if y_m > 0.0 else 'right'}" if abs(y_m) > _ASIDE_M else ""
+            return Missing(f"only one {among[0].kind} seen{where}")
+    return ground(described, around, among=among)
+
+
+def _room_of(described: ObjectDescription, toolbox: Toolbox) -> Region | None:
+    """The room of the map that it is said to be in."""
+    relation = described.relation
+    if relation is None or not isinstance(relation.to, str):
+        return None
+    return toolbox.places.get(relation.to)
+
+
+def _is_in(room: Region, part: str, toolbox: Toolbox) -> bool:
+    x_m, y_m = toolbox.world.scene.objects[part].world_T_object[:2, 3].tolist()
+    return room.contains(x_m, y_m)

@@ -15,7 +15,7 @@ from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
-from trees.handles import BODY_OF, DOOR, HandleTarget, handles_in
+from trees.handles import BODY_OF, DOOR, HandleTarget, handles_in, top_of_nearest
 from trees.scene_update import kind_of
 
 PUSH_TO_RAD = -0.12
@@ -60,12 +60,14 @@ def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Ha
 
     None for a door that is nearly closed, and might hang on either side.
     """
-    body = max(bodies, key=lambda item: float(item.odom_T_object[2, 3]))  # its top
-    if not (isinstance(body.shape, Box) and isinstance(panel.shape, Box)):
+    body, shape = top_of_nearest(
+        panel.odom_T_object[:2, 3], [(item.odom_T_object, item.shape) for item in bodies]
+    )
+    if not (isinstance(shape, Box) and isinstance(panel.shape, Box)):
         return None
-    depth_m, wide_m, _ = body.shape.size_m
-    inwards, left = body.odom_T_object[:2, 0], body.odom_T_object[:2, 1]
-    centre, middle = body.odom_T_object[:2, 3], panel.odom_T_object[:2, 3]
+    depth_m, wide_m, _ = shape.size_m
+    inwards, left = body[:2, 0], body[:2, 1]
+    centre, middle = body[:2, 3], panel.odom_T_object[:2, 3]
     half = 0.5 * panel.shape.size_m[1] * panel.odom_T_object[:2, 1]
     _, side, hinge = min(
         (
@@ -79,7 +81,7 @@ def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Ha
         ),
         key=lambda item: item[0],
     )
-    yaw = poses.yaw_of(body.odom_T_object[:3, :3])
+    yaw = poses.yaw_of(body[:3, :3])
     turned = yaw - poses.yaw_of(panel.odom_T_object[:3, :3])
     for opening in (side * turned, side * turned + math.pi):
         opening = (opening + math.pi) % (2.0 * math.pi) - math.pi

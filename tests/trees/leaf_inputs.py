@@ -19,6 +19,7 @@ from trees.held import HeldObject
 from trees.held_handle import HeldHandle
 from trees.leaves.approach_handle import ApproachHandle
 from trees.leaves.ask_for_swap import AskForSwap
+from trees.leaves.choose_handle import ChooseHandle
 from trees.leaves.choose_stand import ChooseStand
 from trees.leaves.choose_stand_to_put import ChooseStandToPut
 from trees.leaves.find_board_room import FindBoardRoom
@@ -219,6 +220,7 @@ def cup_in_hand(stage):
 GIVEN = {
     ApproachHandle: hand_before_handle,
     AskForSwap: cup_in_hand,
+    ChooseHandle: open_fridge,
     ChooseStand: cup_to_stand_for,
     ChooseStandToPut: to_put_inside,
     FindBoardRoom: to_put_inside,

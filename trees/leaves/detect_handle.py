@@ -13,23 +13,26 @@ from trees.articles import with_article
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.folded_look import folded_look
-from trees.handles import MEANT_BY, HandleTarget, handles_in
+from trees.handles import MEANT_BY, HandleTarget, handles_in, same_front
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View
 from trees.meant_part import meant_part
 from trees.odometry import feet_pose
-from trees.ports import ports
+from trees.ports import optional, ports
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.toolbox import Toolbox
 
 
 class DetectHandle(LookLeaf):
     """Fuse a few frames into the world model, and find the handle of what the task names.
 
-    A search looks from gaze to gaze: that it is not seen from one of them is an answer.
+    A search looks from gaze to gaze: that it is not seen from one of them is an answer. What was chosen
+    before is seen again, and no other one; the only one in a look is taken till ``ChooseHandle`` has seen
+    the rest.
     """
 
     ASKS = True
-    INPUT_PORTS = ports(task=object)
+    INPUT_PORTS = ports(task=object, known=optional(HandleTarget))
     OUTPUT_PORTS = ports(handle=HandleTarget)
     CONTRACT = Contract(
         precondition="the head is at rest",
@@ -37,6 +40,10 @@ class DetectHandle(LookLeaf):
         "world model",
         deadline_s=2.0,
     )
+
+    def __init__(self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None) -> None:
+        """Make the leaf; what was chosen before is the "handle" where no wiring says otherwise."""
+        super().__init__(name, toolbox, {"known": "handle", **(wiring or {})})
 
     def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
         """What of a look can be moved."""
@@ -58,9 +65,17 @@ class DetectHandle(LookLeaf):
             return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
         named = wanted.name if isinstance(wanted, ObjectDescription) else None
         chosen = before.objects.get(named) if named is not None else None
+        known: HandleTarget | None = self.optional("known")
         if chosen is not None:  # an answer: names may have changed with this look, places have not
             handle = min(fitting, key=lambda item: self._away_m(item, chosen))
-        elif isinstance(meant := meant_part(wanted, fitting, self.toolbox), Failure):
+        elif known is not None:
+            same = same_front(known, fitting, update.scene)
+            if same is None:
+                return Failure.postcondition(f"the {known.kind} that is meant is not seen from here")
+            handle = same
+        elif len(fitting) == 1:
+            (handle,) = fitting
+        elif isinstance(meant := meant_part(task, fitting, self.toolbox), Failure):
             return meant
         else:
             handle = meant

@@ -7,17 +7,15 @@ from collections.abc import Mapping
 
 from py_trees.common import Status
 
-from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handle_standing import handle_standing_place
-from trees.handles import BODY_OF, MEANT_BY, PART_KINDS, HandleTarget, handles_in
+from trees.handles import MEANT_BY, HandleTarget
+from trees.known_parts import known_parts
 from trees.leaf import DONE, Leaf
 from trees.meant_part import meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.pushed_front import fronts_in
-from trees.scene_update import kind_of
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
@@ -62,12 +60,11 @@ class RecallHandle(Leaf):
         noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
         kind = MEANT_BY.get(noun) if noun is not None else None
         body = feet_pose(toolbox)
-        known = self._known()
-        targets = fronts_in(known) if self._pushed else handles_in(known, body)
+        targets = known_parts(toolbox.world.scene, body, self._pushed)
         fitting = [item for item in targets if kind in (None, item.kind)]
         if not fitting:
             return Failure.postcondition(f"no {noun or 'door or drawer'} was seen before")
-        chosen = meant_part(wanted, fitting, toolbox)
+        chosen = meant_part(task, fitting, toolbox)
         if isinstance(chosen, Failure):
             return Failure.postcondition(f"which {noun} was meant has to be seen")
         place = body.to(handle_standing_place(chosen, body))
@@ -78,13 +75,3 @@ class RecallHandle(Leaf):
         self._set_output("handle", chosen)
         self.feedback_message = f"{chosen.part} where it was seen"
         return DONE
-
-    def _known(self) -> Mapping[str, ObjectEstimate]:
-        parts = {*PART_KINDS, *BODY_OF.values()}
-        return {
-            name: ObjectEstimate(
-                "furniture", kind_of(name), None, item.world_T_object, item.shape, 0.5, 0, 0.0
-            )
-            for name, item in self.toolbox.world.scene.objects.items()
-            if kind_of(name) in parts
-        }

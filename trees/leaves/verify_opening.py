@@ -32,7 +32,7 @@ class VerifyOpening(LookLeaf):
         target: HandleTarget = self.get_input("handle")
         # what a pushing hand felt of its way is not the door's
         felt = None if target.pushed else self.optional("opening")
-        seen = opening_in(estimates_of(views), target.kind, self.toolbox.world.scene)
+        seen = opening_in(estimates_of(views), target.kind, self.toolbox.world.scene, target)
         best = seen if seen is not None else felt
         if best is None:
             return Failure.postcondition(f"the {target.part} is out of sight")

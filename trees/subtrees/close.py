@@ -33,6 +33,7 @@ from trees.subtrees.open import (
     open_or_close,
     planned,
     sequence,
+    settle_which,
     tidying_helps,
     time_limit_s,
     verify,
@@ -49,7 +50,8 @@ def close(toolbox: Toolbox) -> Behaviour:
 def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    main = sequence("push the front", _search_about(toolbox), come, attempts)
+    settled = settle_which(toolbox, DetectFront, pushed=True)
+    main = sequence("push the front", _search_about(toolbox), settled, come, attempts)
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
     return sequence("push", NamesDoor("names a door", toolbox), tidy)

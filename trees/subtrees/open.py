@@ -14,6 +14,7 @@ from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
 from trees.leaves.approach_handle import ApproachHandle
 from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.choose_handle import ChooseHandle
 from trees.leaves.detect_handle import DetectHandle
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome
@@ -22,10 +23,12 @@ from trees.leaves.is_it_so import IsItSo
 from trees.leaves.lead_handle import LeadHandle, is_stuck, slips_off
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_at_handle import LookAtHandle
+from trees.leaves.names_door import NamesDoor
 from trees.leaves.plan_handle import PlanHandle
 from trees.leaves.reach_watching import ReachWatching
 from trees.leaves.release import Release
 from trees.leaves.step_back import StepBack
+from trees.leaves.survey import Survey
 from trees.leaves.verify_opening import VerifyOpening
 from trees.policy import Gaze
 from trees.retry import Retry
@@ -47,6 +50,8 @@ GAZES = (
     Gaze("beside right", tilt_rad=0.7, pan_rad=-1.2),
 )
 """Handles are before the chest, up to an arm's length to the sides."""
+_BESIDE, _BELOW_BESIDE = GAZES[4:6], GAZES[6:8]
+"""With what was seen ahead: no door, and no drawer that is open before the body, is left out."""
 
 
 def open_or_close(toolbox: Toolbox) -> Behaviour:
@@ -57,7 +62,8 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     do.transparent = True
     ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])
     ways.transparent = True
-    main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), ways])
+    settled = settle_which(toolbox, DetectHandle, pushed=False)
+    main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), settled, ways])
     main.transparent = True
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     return CleanUp("open or close", timed, _leave(toolbox), worth_it=tidying_helps)
@@ -101,6 +107,29 @@ def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternati
         ),
     ]
     return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+
+
+def settle_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
+    """Look to both sides of the robot, choose among all that is known by then, and look at the chosen one."""
+    doors, drawers = _looks_beside(toolbox, _BESIDE), _looks_beside(toolbox, _BELOW_BESIDE)
+    ways = [sequence("doors", NamesDoor("is it a door", toolbox), *doors), sequence("drawers", *drawers)]
+    beside = Alternatives("look beside", ways, hopeless=defect)
+    there = sequence("look there", LookAtHandle("look", toolbox, between=0.0), detect("detect", toolbox))
+    choose = ChooseHandle("choose", toolbox, pushed=pushed)
+    return sequence("see which", beside, choose, BestEffort(there))
+
+
+def _looks_beside(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
+    return [
+        BestEffort(
+            sequence(
+                f"look {gaze.name}",
+                LookAt("look", toolbox, gaze),
+                Survey("survey", toolbox, {"sightings_now": "sightings"}),
+            )
+        )
+        for gaze in gazes
+    ]
 
 
 def planned(name: str, toolbox: Toolbox) -> Behaviour:

@@ -11,6 +11,7 @@ from robots.furniture import floor_pose, solids
 from robots.perception.truth_view import TrueObject
 from robots.scene_file import load_scene
 from trees.failures import CHOICES_JOINED_BY
+from trees.leaves.choose_handle import ChooseHandle
 from trees.leaves.detect_handle import DetectHandle
 from trees.tasks import ObjectDescription, OpenTask, Relation
 
@@ -68,3 +69,59 @@ def test_one_of_two_is_asked_for_and_the_answer_means_it_after_another_look(two)
         _, status = detect(two, ObjectDescription("drawer", name=name))
         assert status is Status.SUCCESS
         assert two.place_y(two.output("handle").part) == pytest.approx(place_m, abs=0.05)
+
+
+def choose(stage, wanted):
+    leaf = ChooseHandle("choose", stage.toolbox, pushed=False)
+    return leaf, stage.run(leaf, task=OpenTask("open it", wanted))
+
+
+@pytest.mark.requirement("M2", "L6")
+def test_what_is_beside_the_first_one_is_chosen_among_as_well(two):
+    _, status = detect(two, ObjectDescription("drawer", ordinal="rightmost"))
+    assert status is Status.SUCCESS
+
+    _, status = choose(two, ObjectDescription("drawer", ordinal="leftmost"))
+
+    assert status is Status.SUCCESS
+    assert two.place_y(two.output("handle").part) == pytest.approx(LEFT_M, abs=0.05)
+    leaf, status = choose(two, ObjectDescription("drawer"))
+    assert leaf.failure.numbers["choices"] == CHOICES_JOINED_BY.join(["left drawer", "right drawer"])
+
+
+@pytest.mark.requirement("F1", "L5")
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ({"ordinal": "rightmost"}, "only one drawer seen, and it is on the left"),
+        ({"ordinal": "bottom"}, "only one drawer seen"),
+        ({"ordinal": "second"}, "no second drawer seen"),
+        ({"color": "blue"}, "which one is blue? that is not seen of what opens"),
+        ({"material": "wood"}, "which one is made of wood? that cannot be seen"),
+        ({"relation": Relation("in", "kitchen")}, "no kitchen seen"),
+    ],
+)
+def test_no_word_about_the_only_one_is_dropped(stage_with, said, told):
+    stage = stage_with(*chest(LEFT_M))
+    _, status = detect(stage, ObjectDescription("drawer", **said))
+    assert status is Status.SUCCESS
+
+    leaf, status = choose(stage, ObjectDescription("drawer", **said))
+
+    assert status is Status.FAILURE
+    assert told in leaf.failure.message
+    _, status = choose(stage, ObjectDescription("drawer", ordinal="leftmost"))
+    assert status is Status.SUCCESS
+
+
+@pytest.mark.requirement("M2")
+def test_once_chosen_no_other_one_is_taken_for_it(two, stage_with):
+    detect(two, ObjectDescription("drawer", ordinal="leftmost"))
+    chosen = two.output("handle")
+    alone = stage_with(*chest(RIGHT_M))
+    leaf = DetectHandle("look again", alone.toolbox)
+
+    status = alone.run(leaf, task=OpenTask("open it", ObjectDescription("drawer")), handle=chosen)
+
+    assert status is Status.FAILURE
+    assert leaf.failure.message == "the drawer that is meant is not seen from here"

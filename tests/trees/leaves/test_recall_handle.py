@@ -85,9 +85,15 @@ def test_of_two_the_one_that_was_said_is_gone_back_to(recall):
 
 
 def test_which_of_two_was_meant_is_asked_where_they_are_seen(recall):
-    two = [*seen_once("drawers", FAR_M, 0.9, 0.0), *seen_once("drawers", FAR_M, -0.9, 0.0)]
+    two = [*seen_once("drawers", FAR_M, 0.9, 0.2), *seen_once("drawers", FAR_M, -0.9, 0.2)]
 
     assert not recall(two, kind="drawer").choices
+
+
+def test_of_two_the_open_one_is_closed(recall):
+    two = [*seen_once("drawers", FAR_M, 0.9, 0.0), *seen_once("drawers", FAR_M, -0.9, 0.2)]
+
+    assert recall(two, kind="drawer").path.closed_m[1] < -0.5
 
 
 def test_what_is_far_to_the_side_is_gone_back_to(recall):

@@ -1,0 +1,35 @@
+"""Doors, drawers and what they belong to, as the world model remembers them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kinematics.scene import PlanningScene
+from kinematics.walking.planar import PlanarPose
+from robots.perception.object_estimate import ObjectEstimate
+from trees.handles import BODY_OF, PART_KINDS, HandleTarget, handles_in
+from trees.pushed_front import fronts_in
+from trees.scene_update import kind_of
+
+
+def known_parts(scene: PlanningScene, body: PlanarPose, pushed: bool) -> list[HandleTarget]:
+    """Every door and drawer that was seen, now or before.
+
+    Args:
+        scene: What is believed.
+        body: Where the robot stands.
+        pushed: Whether a door's front is enough, without its handle.
+    """
+    seen = _remembered(scene)
+    by_handle = {target.part: target for target in handles_in(seen, body)}
+    fronts = {target.part: target for target in fronts_in(seen)} if pushed else {}
+    return list({**by_handle, **fronts}.values())
+
+
+def _remembered(scene: PlanningScene) -> Mapping[str, ObjectEstimate]:
+    parts = {*PART_KINDS, *BODY_OF.values()}
+    return {
+        name: ObjectEstimate("furniture", kind_of(name), None, item.world_T_object, item.shape, 0.5, 0, 0.0)
+        for name, item in scene.objects.items()
+        if kind_of(name) in parts
+    }
