@@ -19,7 +19,7 @@ from kinematics.walking.pattern_sample import PatternSample, Phase
 from kinematics.walking.planar import PlanarPose, wrapped
 from kinematics.walking.settings import WalkingSettings
 from kinematics.walking.sole_points import SolePoints
-from kinematics.walking.steering import Halt, SlippingTurn, Steering, VelocitySteering
+from kinematics.walking.steering import Halt, SlippingTurn, Steering, TurnSteering, VelocitySteering
 from kinematics.walking.step_on import SHIFT_S, SteppingOn, stepping_on
 from kinematics.walking.swing import Swing
 from kinematics.walking.zmp_route import ZmpRoute
@@ -287,7 +287,7 @@ class WalkingPattern:
 
     def _plan(self) -> list[Footstep]:
         steering = self._steering
-        if isinstance(steering, VelocitySteering) and steering.angular_rad_s != 0.0:
+        if isinstance(steering, VelocitySteering | TurnSteering) and steering.angular_rad_s != 0.0:
             steering = SlippingTurn(steering, self._slip_rad)
         return self._planner.plan(
             self._standing, self.feet, self._body, steering, self._before, self.odom_T_plan, HORIZON

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from kinematics.walking.planar import PlanarPose
+from kinematics.walking.planar import PlanarPose, wrapped
 from kinematics.walking.settings import WalkingSettings
 
 _STILL = 1e-6
@@ -91,6 +91,30 @@ class VelocitySteering:
 
 
 @dataclass(frozen=True, slots=True)
+class TurnSteering:
+    """Turn on the spot to a heading, the way round that the speed says; less than half a turn is left.
+
+    Attributes:
+        settings: The robot's.
+        angular_rad_s: The speed, to the left.
+        heading_rad: Where to, in the odometry frame.
+    """
+
+    settings: WalkingSettings
+    angular_rad_s: float
+    heading_rad: float
+
+    def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:
+        """A step of that speed, or what is left."""
+        way = math.copysign(1.0, self.angular_rad_s)
+        left_rad = way * wrapped(self.heading_rad - body.yaw_rad)
+        step = VelocitySteering(self.settings, 0.0, self.angular_rad_s).advance(body, before)
+        if step is None or left_rad < _ARRIVED_RAD:
+            return None
+        return PlanarPose(yaw_rad=way * min(abs(step.yaw_rad), left_rad))
+
+
+@dataclass(frozen=True, slots=True)
 class SlippingTurn:
     """A velocity, reached although soles twist on the floor while the body turns.
 
@@ -99,7 +123,7 @@ class SlippingTurn:
         slip_rad: How far the soles have twisted of late with each step, to the left; so much less is planned.
     """
 
-    wanted: VelocitySteering
+    wanted: VelocitySteering | TurnSteering
     slip_rad: float
 
     def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:

@@ -8,7 +8,13 @@ from typing import Any
 from kinematics.json_reader import Node, parse_document
 from kinematics.walking.planar import PlanarPose
 from kinematics.walking.settings import WalkingSettings
-from kinematics.walking.steering import PathSteering, Steering, StretchSteering, VelocitySteering
+from kinematics.walking.steering import (
+    PathSteering,
+    Steering,
+    StretchSteering,
+    TurnSteering,
+    VelocitySteering,
+)
 
 _MOST_POSES = 2_000
 _MOST_M = 1e3
@@ -26,6 +32,8 @@ def write_steering(steering: Steering) -> str:
     match steering:
         case VelocitySteering(_, linear_m_s, angular_rad_s):
             values = {"kind": "velocity", "linear_m_s": linear_m_s, "angular_rad_s": angular_rad_s}
+        case TurnSteering(_, angular_rad_s, heading_rad):
+            values = {"kind": "turn", "angular_rad_s": angular_rad_s, "heading_rad": heading_rad}
         case StretchSteering(_, start, linear_m_s, distance_m):
             values = {"kind": "stretch", "start": _pose_json(start), "linear_m_s": linear_m_s}
             values["distance_m"] = distance_m
@@ -43,11 +51,15 @@ def read_steering(text: str, settings: WalkingSettings) -> Steering:
         KinematicsError: It is none; with the place and the reason.
     """
     root = parse_document(text)
-    kind = root.key("kind").choice(("velocity", "stretch", "path"))
+    kind = root.key("kind").choice(("velocity", "turn", "stretch", "path"))
     if kind == "velocity":
         root.only(("kind", "linear_m_s", "angular_rad_s"))
         linear_m_s = root.key("linear_m_s").number(_MOST_SPEED)
         return VelocitySteering(settings, linear_m_s, root.key("angular_rad_s").number(_MOST_SPEED))
+    if kind == "turn":
+        root.only(("kind", "angular_rad_s", "heading_rad"))
+        angular_rad_s = root.key("angular_rad_s").number(_MOST_SPEED)
+        return TurnSteering(settings, angular_rad_s, root.key("heading_rad").number(_MOST_M))
     if kind == "stretch":
         root.only(("kind", "start", "linear_m_s", "distance_m"))
         return StretchSteering(
