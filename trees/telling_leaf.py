@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from statistics import fmean
 
+import numpy as np
 from py_trees.common import Status
 
 from kinematics.poses import Transform
@@ -20,6 +21,7 @@ from trees.furniture_called import called_so, is_said_of
 from trees.gap_to_furniture import gap_to_furniture_m
 from trees.grounding import Ambiguous, Missing, ground
 from trees.handles import INSIDE_KINDS, PART_KINDS
+from trees.hidden_places import HIDDEN_WORTH, hidden_places
 from trees.leaf import DONE, Leaf
 from trees.one_piece import belong_together
 from trees.questions import which_is_meant
@@ -35,6 +37,9 @@ _SURE = 0.5
 _OVERLOOKED_M = 1.2
 """What stands on furniture that is farther away than this may be in no look of a survey: those see what is
 within reach of the arms, and the robot stands up to a metre before what is tall."""
+
+_MANY_PLACES = 24
+"""Of the grid of ``hidden_places``, at two heights: room for two cups side by side."""
 
 _NO_FURNITURE = frozenset({"wall", *PART_KINDS, *INSIDE_KINDS})
 """Nobody asks what these are: walls, and parts of furniture."""
@@ -106,6 +111,22 @@ class TellingLeaf(Leaf):
             return None
         message = f"the {self.called_here(source, around)} is too far away to see all that is on it"
         return Failure.postcondition(message, seen="it from afar", gap_m=gap_m)
+
+    def much_is_hidden(self) -> bool:
+        """Whether, on the furniture that the task is about, something may stand behind what was seen."""
+        source, toolbox = self.get_input("task").source, self.toolbox
+        if not isinstance(source, str) or self.region(source) is not None:
+            return False
+        scene, policy = toolbox.world.scene, toolbox.policy
+        meant = called_so(source, self.around().furniture_words)
+        others = [
+            name for name, item in scene.objects.items() if not item.movable and kind_of(name) not in meant
+        ]
+        for name in others:  # they stand in no line of sight to what is on a top before them
+            scene = scene.without_object(name)
+        camera = toolbox.model.description.camera
+        _, worth = hidden_places(scene, toolbox.world.glimpses, camera, policy.blocked_by_hand_m)
+        return int(np.count_nonzero(worth == HIDDEN_WORTH)) >= _MANY_PLACES
 
     def called_here(self, source: Destination | None, around: Surroundings) -> Destination | None:
         """What furniture is called by what was seen: of "the table" perhaps "coffee table"."""

@@ -50,6 +50,8 @@ class TellCount(TellingLeaf):
             said = f"in the {task.source} I see"
         elif seen_from_here or task.object.kind == PERSON or (self.toolbox.places and task.source is None):
             said = "from here I see"
+        elif self.much_is_hidden():
+            said = f"not all of the {self.called_here(task.source, around)} is to be seen; there I see"
         return self.say(f"{said} {plural(noun, count)}", {"count": count, **self.confidence(names)})
 
     def _is_big(self, wanted: ObjectDescription) -> bool:

@@ -16,6 +16,7 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.locate import Locate
 from trees.leaves.look_at import LookAt
 from trees.leaves.look_past import LookPast
+from trees.leaves.much_is_hidden import MuchIsHidden
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.survey import Survey
 from trees.leaves.tell import TellCount, TellDescription
@@ -37,6 +38,8 @@ from trees.toolbox import Toolbox
 
 _TURNS = 2
 """Turns of 1.9 rad: with a look to both sides after each, nothing around the robot is left out."""
+_LOOKS_PAST = 2
+"""Of a question about what stands on something; to find a thing there are more of them."""
 _ELSEWHERE = "look elsewhere"
 _OUTLOOKS = 1
 """With one a search in vain takes 176 s of simulated time in the flat: who asks wants an answer."""
@@ -108,8 +111,15 @@ def _looks(toolbox: Toolbox) -> list[Behaviour]:
         BestEffort(Sequence("look farther", memory=True, children=farther)),
         BestEffort(Sequence("look all around", memory=True, children=_all_around(toolbox))),
         *_surveys(toolbox, policy.inventory_gazes),
+        *(BestEffort(_past_what_hides(k, toolbox)) for k in range(1, _LOOKS_PAST + 1)),
         GoHome("go home", toolbox),
     ]
+
+
+def _past_what_hides(k: int, toolbox: Toolbox) -> Behaviour:
+    survey = Survey("survey", toolbox, {"sightings_now": "sightings"})
+    hidden = MuchIsHidden("is much hidden", toolbox)
+    return Sequence(f"look past {k}", memory=True, children=[hidden, LookPast("peer", toolbox), survey])
 
 
 def _all_around(toolbox: Toolbox) -> list[Behaviour]:

@@ -97,6 +97,19 @@ def test_of_a_table_far_away_not_all_that_is_on_it_is_told(new_stage, task):
     assert run(standing, task).status == "success"
 
 
+@pytest.mark.requirement("M2")
+def test_where_a_part_of_the_table_is_hidden_it_is_not_said_that_this_is_all(stage_with):
+    tall = TrueObject(
+        "big box", "object", "box", None, Box((0.05, 0.4, 0.4)), poses.translation(0.6, 0.0, 1.1)
+    )
+    stage = stage_with(table(), cup(), tall)
+
+    tree = run(stage, CountTask("how many cups", ObjectDescription("cup"), source="table"))
+
+    assert tree.status == "success"
+    assert said(stage) == ["not all of the table is to be seen; there I see one cup"]
+
+
 def test_nothing_is_on_no_counter_even_where_nothing_is_seen_at_all(stage_with):
     tree = run(stage_with(), DescribeTask("what is on the counter", source="counter"))
 
