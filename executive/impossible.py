@@ -1,4 +1,4 @@
-"""What no search would help with, told before anything moves: a room off the map, the floor as a table."""
+"""What no search would help with, told before anything moves: a room off the map, the floor, under a table."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from executive.meaning import Command
 from executive.preparing import Bringing
 from executive.room_words import missing_room
 from trees.report_words import listed
-from trees.tasks import ObjectDescription
+from trees.tasks import ObjectDescription, PlaceTask
 
 _FLOOR = "floor"
 _SLOTS = ("source", "on", "to")
@@ -39,6 +39,8 @@ def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossibl
     for command in commands:
         if isinstance(command, Bringing) and any(map(_is_floor, _places(command))):
             return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
+        if isinstance(command, PlaceTask) and (below := _below(command)) is not None:
+            return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")
     return None
 
 
@@ -47,6 +49,14 @@ def _places(command: Bringing) -> list[object]:
     own = command.object.relation if isinstance(command.object, ObjectDescription) else None
     is_on = [own.to] if own is not None and own.kind == "on" else []
     return [*(getattr(command, slot, None) for slot in _SLOTS), *is_on]
+
+
+def _below(place: PlaceTask) -> str | None:
+    """What it would have to be put below: "under the table"."""
+    relation = (
+        place.to.relation if isinstance(place.to, ObjectDescription) and place.to.kind is None else None
+    )
+    return str(relation) if relation is not None and relation.kind == "under" else None
 
 
 def _is_floor(place: object) -> bool:
