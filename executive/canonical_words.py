@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from functools import lru_cache
+from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory
 from executive.language.commands.limits import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
+from executive.language.noun_phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
+from robots.scene_words import nearest_word
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
 
-_FREE = ("name", "size", "material", "ordinal")
-"""Slots of an object whose words are judged where the object is looked for; there they lead to a question."""
+_TOLD_BY: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "size": ("SIZE", "COMPARED"),
+        "material": ("MATERIAL",),
+        "ordinal": ("ORDINAL", "ANOTHER", "NEAREST", "LEFT_RIGHT"),
+    }
+)
+"""The word classes of what tells a thing from others of its kind. Names are the scene's: it judges them."""
+_SIDES: Mapping[str, str] = MappingProxyType({"left": "leftmost", "right": "rightmost"})
+_FROM_SIDE = re.compile(r"(?P<rank>\w+) from (the )?(?P<side>left|right)( side)?")
 _DESTINATIONS = ("source", "to", "on", "person")
 _NOUNS = ("KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE", "PERSON", "ROOM")
 _GOALS = ("FURNITURE", "CONTAINER", "DOOR", "ROOM", "PERSON", "NAME")
@@ -78,8 +90,34 @@ def _object(wanted: ObjectDescription) -> ObjectDescription:
         kind=None if wanted.kind is None else _canonical(wanted.kind, _NOUNS),
         color=None if wanted.color is None else _canonical(wanted.color, ("COLOR",)),
         relation=relation,
-        **{name: None if (said := getattr(wanted, name)) is None else said.lower() for name in _FREE[1:]},
+        **{slot: _told(slot, said) for slot in _TOLD_BY if (said := getattr(wanted, slot)) is not None},
     )
+
+
+def _told(slot: str, word: str) -> str:
+    """A size, a material or an order as sentences have it.
+
+    Raises:
+        UnknownWordError: Sentences know no such word in this place.
+    """
+    plain = " ".join(word.lower().replace("_", " ").replace("-", " ").split())
+    counted = _FROM_SIDE.fullmatch(plain) if slot == "ordinal" else None
+    if counted is not None and (rank := _of_slot(slot, counted["rank"])) in COUNTED_FROM:
+        if rank == "first":
+            return _SIDES[counted["side"]]
+        return rank if counted["side"] == "left" else f"{rank}_from_right"
+    meaning = _of_slot(slot, plain)
+    if meaning is None:
+        near = nearest_word(plain, [one for name in _TOLD_BY[slot] for one in vocabulary().phrases(name)])
+        raise UnknownWordError(f"the {slot} {word[:40]!r} is not known; the nearest is {near!r}", word[:40])
+    return _SIDES.get(meaning, meaning)
+
+
+def _of_slot(slot: str, plain: str) -> str | None:
+    words = plain.split()
+    length, readings = vocabulary().match(words)
+    fitting = [one.meaning for one in readings if one.word_class in _TOLD_BY[slot]]
+    return fitting[0] if fitting and length == len(words) else None
 
 
 def _destination(word: str) -> str:

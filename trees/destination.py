@@ -30,6 +30,7 @@ from trees.grounding import (
     ground_furniture,
     says_which,
 )
+from trees.names_of_things import may_name_a
 from trees.people import compares_people, person_meant
 from trees.questions import which_is_meant
 from trees.report_words import kinds_in
@@ -130,6 +131,8 @@ def resolve(
     else:
         word = wanted if isinstance(wanted, str) else "in_front" if wanted is None else wanted.name or PERSON
         fitting = _named(word, seen, around)
+        if isinstance(wanted, ObjectDescription) and wanted.name and wanted.kind is not None:
+            fitting = {name: item for name, item in fitting.items() if _may_be_a(wanted.kind, name, item)}
     if not fitting:
         return Failure.postcondition(f"no {words_of(wanted)} seen", seen=kinds_in(seen))
     if len(fitting) > 1:
@@ -212,6 +215,10 @@ def _named(word: str, seen: Mapping[str, ObjectEstimate], around: Surroundings) 
     same = [name for name in people if name.casefold() == word.casefold()]
     things = [name for name, item in seen.items() if item.category == "object" and word in (name, item.kind)]
     return {name: seen[name] for name in same or _furniture_called(word, seen) or things}
+
+
+def _may_be_a(kind: str, name: str, item: ObjectEstimate) -> bool:
+    return kind == item.kind or may_name_a(kind.casefold(), name)
 
 
 def _face_m2(item: SceneObject) -> float:

@@ -1,13 +1,12 @@
 """Which of the things around the robot a description means: one, several, or none.
 
-Nothing that was said is left out: what perception cannot tell (a material, somebody's name for a thing)
+Nothing that was said is left out: what perception cannot tell (a material, whose a thing is)
 leads to a question among those that fit otherwise.
 """
 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -18,6 +17,7 @@ from trees.believed_thing import BelievedThing, Surroundings, split_words
 from trees.choice_words import from_the_left, told_apart
 from trees.doubts import NoneFitsError, UntellableError
 from trees.furniture_called import called_so, may_be_called
+from trees.names_of_things import named
 from trees.one_piece import belong_together
 from trees.ranking import least, ordered, sized, there_are
 from trees.scene_update import kind_of
@@ -204,7 +204,7 @@ def _fitting(
     if source is not None:
         fitting = _at(source, fitting, around, str(replace(wanted, relation=None)))
     if wanted.name is not None:
-        fitting = _named(wanted.name, fitting, around)
+        fitting = named(wanted.name, fitting, around.held)
     if wanted.ordinal == "other":
         fitting = _other(fitting, around, noun)
     if wanted.size is not None:
@@ -368,19 +368,7 @@ def is_called(furniture: str, said: str) -> bool:
     return said.lower() == furniture.lower() or may_be_called(said, kind_of(furniture))
 
 
-# --- names and memories --------------------------------------------------------------------------
-
-
-def _named(name: str, fitting: list[BelievedThing], around: Surroundings) -> list[BelievedThing]:
-    kept = [thing for thing in fitting if thing.name == name]
-    if kept:
-        return kept
-    if name in around.held:
-        raise NoneFitsError(f"the {kind_of(name)} is in the hand", False)
-    if re.search(r"\d$", name) or any(thing.words == name for thing in fitting):
-        # a name that the scene gave, of something that has moved since
-        return [thing for thing in fitting if thing.words == kind_of(name)] or fitting
-    raise UntellableError(f"which one is {name}? names cannot be seen", from_the_left(fitting))
+# --- memories ------------------------------------------------------------------------------------
 
 
 def _other(fitting: list[BelievedThing], around: Surroundings, noun: str) -> list[BelievedThing]:

@@ -9,7 +9,8 @@ from robots.scene_description import Region
 from trees.believed_thing import BelievedThing, Surroundings, surroundings
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, Missing, choices_among, ground
-from trees.handles import OPEN_ENOUGH, SHUT, HandleTarget
+from trees.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
+from trees.names_of_things import may_name_a
 from trees.odometry import feet_pose
 from trees.questions import which_is_meant
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -33,9 +34,9 @@ def meant_part(
         fitting: At least one; each is in the planning scene.
         toolbox: Tells where the robot stands, and what is around it.
     """
-    wanted = task.object
-    described = wanted if isinstance(wanted, ObjectDescription) else ObjectDescription()
-    described = replace(described, name=None)
+    if (wrong := misnamed(task, fitting)) is not None:
+        return wrong
+    described = replace(_described(task), name=None)
     around = surroundings(toolbox.world.scene, feet_pose(toolbox).transform(), toolbox.policy.support_gap_m)
     parts = {item.part: item for item in fitting}
     if described == ObjectDescription(described.kind):
@@ -53,6 +54,21 @@ def meant_part(
             return Failure.postcondition(message)
         case Found(names):
             return parts[names[0]]
+
+
+def misnamed(task: OpenTask | CloseTask, fitting: Sequence[HandleTarget]) -> Failure | None:
+    """Why none of them is meant: a name that contradicts the kind is another thing's."""
+    wanted = _described(task)
+    if wanted.name is None or any(item.part == wanted.name for item in fitting):
+        return None
+    kinds = MEANT_BY if wanted.kind is None else (wanted.kind,)
+    if any(may_name_a(kind, wanted.name) for kind in kinds):
+        return None
+    return Failure.postcondition(f"no {wanted.name} seen")
+
+
+def _described(task: OpenTask | CloseTask) -> ObjectDescription:
+    return task.object if isinstance(task.object, ObjectDescription) else ObjectDescription()
 
 
 def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:

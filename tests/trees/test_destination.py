@@ -101,3 +101,15 @@ def test_somebody_who_was_seen_before_is_meant_as_well():
     found = resolve(person("leftmost"), {"Ana": seen["Ana"]}, around, recalled={"Ben": ben})
 
     assert found == ben
+
+
+@pytest.mark.requirement("F1")
+@pytest.mark.parametrize(
+    ("kind", "is_there"), [("person", True), (None, True), ("Ana", True), ("cup", False)]
+)
+def test_what_has_the_name_and_is_of_another_kind_is_not_taken_for_it(kind, is_there):
+    seen, around = look(AHEAD)
+
+    resolved = resolve(ObjectDescription(kind, name="Ana"), seen, around)
+
+    assert isinstance(resolved, Place) is is_there

@@ -61,6 +61,7 @@ def missing(description, *things, source=None, count=1, **options):
 
 RED, BLUE = thing("red cup", 0.7, 0.2), thing("blue cup", 0.6, -0.2)
 TWIN = thing("red cup 2", 0.7, -0.1)
+BOX = thing("blue box", 0.7, -0.4)
 BOTTLE = thing("green bottle", 0.7, 0.0)
 
 
@@ -166,12 +167,22 @@ def test_a_name_that_nobody_can_see_is_asked():
     assert asked(cup(name="Ana's cup"), RED, BLUE).message == "which one is Ana's cup? names cannot be seen"
 
 
+@pytest.mark.requirement("F1")
+@pytest.mark.parametrize("name", ["blue box", "blue box 2", "nobody", "blue cup", "Ana's box", "table"])
+def test_what_has_another_name_is_never_taken_for_what_is_named(name):
+    assert missing(cup(name=name), RED, BOX) == f"no {name} seen"
+
+
 def test_a_name_of_the_scene_means_that_very_thing():
     assert found(exactly("red cup 2"), RED, TWIN, BLUE) == "red cup 2"
 
 
 def test_a_named_thing_that_was_renamed_is_the_only_one_alike():
     assert found(exactly("red cup 3"), TWIN, BLUE) == "red cup 2"
+
+
+def test_a_named_thing_whose_colour_was_not_told_may_show_it_now():
+    assert found(exactly("cup 3"), TWIN, BOX) == "red cup 2"
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from trees.folded_look import folded_look
 from trees.handles import MEANT_BY, HandleTarget, handles_in, same_front
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View
-from trees.meant_part import meant_part
+from trees.meant_part import meant_part, misnamed
 from trees.odometry import feet_pose
 from trees.ports import optional, ports
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -73,6 +73,8 @@ class DetectHandle(LookLeaf):
             if same is None:
                 return Failure.postcondition(f"the {known.kind} that is meant is not seen from here")
             handle = same
+        elif (wrong := misnamed(task, fitting)) is not None:
+            return wrong
         elif len(fitting) == 1:
             (handle,) = fitting
         elif isinstance(meant := meant_part(task, fitting, self.toolbox), Failure):

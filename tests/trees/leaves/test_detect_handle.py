@@ -125,3 +125,18 @@ def test_once_chosen_no_other_one_is_taken_for_it(two, stage_with):
 
     assert status is Status.FAILURE
     assert leaf.failure.message == "the drawer that is meant is not seen from here"
+
+
+@pytest.mark.requirement("F1")
+@pytest.mark.parametrize("name", ["nobody", "fridge door"])
+def test_what_has_another_name_is_not_opened(stage_with, name):
+    leaf, status = detect(stage_with(*chest(LEFT_M)), ObjectDescription("drawer", name=name))
+
+    assert status is Status.FAILURE
+    assert leaf.failure.message == f"no {name} seen"
+
+
+def test_whose_drawer_it_is_does_not_contradict_its_kind(stage_with):
+    _, status = detect(stage_with(*chest(LEFT_M)), ObjectDescription("drawer", name="Ana's drawer"))
+
+    assert status is Status.SUCCESS
