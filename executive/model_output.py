@@ -17,6 +17,7 @@ from typing import Annotated, Any, Union
 
 from pydantic import Field, RootModel, StringConstraints, TypeAdapter, ValidationError
 
+from executive.language.refusing.refusals import printable
 from executive.meaning import Command
 from executive.structured_actions import Confidence, Strict, action_models, command_of
 from executive.untrusted_json import UntrustedJsonError, read_json
@@ -109,12 +110,13 @@ def _validated(kind: Any, value: Any, place: str) -> Any:
     except ValidationError as wrong:
         first = wrong.errors(include_url=False, include_input=False)[0]
         where = ".".join([*([place] if place else []), *map(str, _shown(first["loc"]))])
-        raise ModelOutputError(f"{where}: {first['msg']}" if where else first["msg"]) from wrong
+        why = first["msg"].removeprefix("Value error, ")
+        raise ModelOutputError(f"{where}: {why}" if where else why) from wrong
 
 
 def _shown(loc: Sequence[int | str]) -> list[str]:
     """A place without the names of pydantic's branches."""
-    return [str(part)[:40] for part in loc if not str(part)[:1].isupper() and "[" not in str(part)]
+    return [printable(str(part)) for part in loc if not str(part)[:1].isupper() and "[" not in str(part)]
 
 
 @lru_cache(maxsize=64)

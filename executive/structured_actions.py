@@ -12,8 +12,9 @@ from operator import or_
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, create_model
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, create_model
 
+from executive.language.words.tokens import invisible_in
 from executive.meaning import Command, StopCommand
 from trees.tasks import ObjectDescription, ObjectOf, Relation, RelationKind, Task
 
@@ -21,8 +22,20 @@ MAX_COUNT = 20
 LARGEST = 1000.0
 """No number of any slot is larger: metres, seconds, metres a second."""
 
-Word = Annotated[str, StringConstraints(min_length=1, max_length=60, pattern=r"^[^\x00-\x1f\x7f]+$")]
-Speech = Annotated[str, StringConstraints(min_length=1, max_length=300, pattern=r"^[^\x00-\x1f\x7f]+$")]
+_VISIBLE = r"^[^\x00-\x1f\x7f-\x9f\u00ad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb]+$"
+"""For the published schema, which cannot name them all: the reader refuses whatever sentences refuse."""
+
+
+def _visible(text: str) -> str:
+    code = invisible_in(text)
+    if code is not None:
+        raise ValueError(f"it holds the invisible character {code}")
+    return text
+
+
+_Seen = (AfterValidator(_visible), Field(json_schema_extra={"pattern": _VISIBLE}))
+Word = Annotated[str, StringConstraints(min_length=1, max_length=60), *_Seen]
+Speech = Annotated[str, StringConstraints(min_length=1, max_length=300), *_Seen]
 Confidence = Annotated[float, Field(ge=0.0, le=1.0, description="How sure the model is of this step.")]
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 Whole = Annotated[int, Field(ge=1, le=MAX_COUNT)]

@@ -60,6 +60,37 @@ def test_what_the_schema_allows_is_read(document):
     assert all(0.0 <= step.confidence <= 1.0 for step in read_model_output(json.dumps(document)))
 
 
+@pytest.mark.requirement("F2")
+@pytest.mark.parametrize(
+    "code", [0x07, 0x0A, 0x7F, 0x9B, 0xAD, 0x200D, 0x2028, 0x202E, 0x2066, 0xE000, 0xE0041]
+)
+@pytest.mark.parametrize(
+    ("action", "place"),
+    [
+        ({"action": "say", "text": "hi"}, ("text",)),
+        ({"action": "pick", "object": {"name": "cup"}}, ("object", "name")),
+    ],
+)
+def test_what_steers_a_terminal_unseen_is_refused_as_in_sentences(code, action, place):
+    document = json.loads(json.dumps({**action, "confidence": 0.9}))
+    inner = document if len(place) == 1 else document[place[0]]
+    inner[place[-1]] += f"{chr(code)}2J"
+
+    assert f"invisible character U+{code:04X}" in refused(document)
+    assert refused(document).isprintable()
+    if code not in (0xE000, 0xE0041):
+        assert not jsonschema.Draft202012Validator(SCHEMA).is_valid(document)
+
+
+@pytest.mark.requirement("F2")
+def test_an_unknown_key_is_told_without_what_steers_a_terminal():
+    assert refused({"command": "go home", "confidence": 0.9, "\u009b2J": 1}).isprintable()
+
+
+def test_words_of_any_script_are_read():
+    assert wrong_with(json.dumps({"action": "say", "text": "Grüße, 你好 😀", "confidence": 0.9})) is None
+
+
 def test_a_structured_action_is_the_same_task_as_its_slots_say():
     [step] = read_model_output(json.dumps(LEFT_CUP))
 

@@ -19,7 +19,10 @@ MAX_LENGTH = 500
 
 MAX_PIECES = 90
 
-_SPACES = "\t\n\r"
+_SPACES = "\t\n\r\u2028\u2029"
+_INVISIBLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
+"""Unicode's categories of what steers, is not assigned, or ends a line unseen."""
+
 _PLAIN = str.maketrans(
     {
         **dict.fromkeys("\u2018\u2019\u02bc\u00b4", "'"),
@@ -63,6 +66,14 @@ class MalformedTextError(Exception):
         super().__init__(message)
 
 
+def invisible_in(text: str, allowed: str = "") -> str | None:
+    """The first character that nobody can see, and that may steer a terminal: "U+009B"; None without."""
+    for character in text:
+        if unicodedata.category(character) in _INVISIBLE and character not in allowed:
+            return f"U+{ord(character):04X}"
+    return None
+
+
 def normalise(text: str) -> str:
     """Replace compatibility characters, trim white space; upper case stays.
 
@@ -71,10 +82,9 @@ def normalise(text: str) -> str:
     """
     if len(text) > MAX_LENGTH:
         raise MalformedTextError(f"the sentence has {len(text)} characters, at most {MAX_LENGTH} are read")
-    for character in text:
-        if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Co", "Cn") and character not in _SPACES:
-            code = f"U+{ord(character):04X}"
-            raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
+    code = invisible_in(text, _SPACES)
+    if code is not None:
+        raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
     plain = " ".join(unicodedata.normalize("NFKC", _AFTER_A_NUMBER.sub(" ", text)).translate(_PLAIN).split())
     if not ({'"', "'"} & set(plain)):
         plain = _NO_ZERO.sub("0.", plain)
