@@ -10,9 +10,17 @@ from dataclasses import MISSING, fields, replace
 from functools import lru_cache, reduce
 from operator import or_
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, create_model
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    create_model,
+    model_validator,
+)
 
 from executive.language.words.tokens import invisible_in
 from executive.meaning import Command, StopCommand
@@ -65,6 +73,12 @@ class ObjectSlots(Strict):
     material: Word | None = None
     ordinal: Word | None = None
     relation: RelationSlots | None = None
+
+    @model_validator(mode="after")
+    def _says_something(self) -> Self:
+        if not self.model_fields_set:
+            raise ValueError("an object without any slot says nothing")
+        return self
 
 
 class RelationSlots(Strict):

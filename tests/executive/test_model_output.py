@@ -83,6 +83,22 @@ def test_what_steers_a_terminal_unseen_is_refused_as_in_sentences(code, action, 
 
 
 @pytest.mark.requirement("F2")
+@pytest.mark.requirement("L7")
+@pytest.mark.parametrize(
+    "action",
+    [
+        {"action": "pick", "object": {}},
+        {"action": "place", "on": {}},
+        {"action": "pick", "object": {"kind": "cup", "relation": {"is": "on", "to": {}}}},
+    ],
+)
+def test_an_object_without_any_slot_is_read_no_more_than_the_schema_allows_it(action):
+    document = {**action, "confidence": 0.9}
+
+    assert not jsonschema.Draft202012Validator(SCHEMA).is_valid(document)
+    assert "an object without any slot says nothing" in refused(document)
+
+
 def test_an_unknown_key_is_told_without_what_steers_a_terminal():
     assert refused({"command": "go home", "confidence": 0.9, "\u009b2J": 1}).isprintable()
 
