@@ -59,7 +59,7 @@ class Lockstep:
         self._supervisor = supervisor
         self._ticks = 0
         self._settled = False
-        self._stop_asked = ""
+        self._stops_asked: list[str] = []
 
     def watch(self, call: Callable[[], None]) -> None:
         """Have something called after each control period."""
@@ -67,7 +67,7 @@ class Lockstep:
 
     def note_stop(self, words: str) -> None:
         """Tell of a stop that was asked for, in the period before which it takes effect."""
-        self._stop_asked = words
+        self._stops_asked.append(words)
 
     def settle(self) -> None:
         """Before the first task, let the robot come to rest; does nothing later."""
@@ -90,9 +90,9 @@ class Lockstep:
 
     def _period(self) -> None:
         if self._supervisor is not None:
-            if self._stop_asked:
-                self._sink(InputTaken(self._clock.now_s(), "emergency_stop", self._stop_asked))
-                self._stop_asked = ""
+            asked, self._stops_asked = self._stops_asked, []
+            for words in asked:
+                self._sink(InputTaken(self._clock.now_s(), "emergency_stop", words))
             self._supervisor.before_period()
         self._loop.step()
         for call in self._beside:

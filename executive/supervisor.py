@@ -60,16 +60,19 @@ class Supervisor:
     def __init__(self, loop: Guarded, clock: Clock, sink: Callable[[LifecycleChanged], None]) -> None:
         self.lifecycle = Lifecycle(sink, clock.now_s)
         self._loop = loop
-        self._wanted: tuple[str, int] | None = None
+        self._wanted: list[tuple[str, int]] = []
 
     def emergency_stop(self, reason: str, category: int = 1) -> None:
         """Ask for the emergency stop before the next control period; safe to call from a signal handler."""
-        self._wanted = (reason, category)
+        self._wanted.append((reason, category))
 
     def before_period(self) -> None:
-        """Carry out what was asked for; called before each control period."""
-        if self._wanted is not None:
-            (reason, category), self._wanted = self._wanted, None
+        """Carry out what was asked for; called before each control period.
+
+        All of it, for the latch knows which category is the severest.
+        """
+        wanted, self._wanted = self._wanted, []
+        for reason, category in wanted:
             self._loop.emergency_stop(reason, category)
 
     def stopped(self) -> str | None:

@@ -241,6 +241,19 @@ def test_after_a_persons_reset_the_next_command_recovers_first(supervised):
     assert [event.after for event in events] == ["EMERGENCY", "RECOVERY", "NORMAL"]
 
 
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("categories", [(0, 1), (1, 0), (0, 2), (2, 1, 0, 1)])
+def test_of_stops_within_one_period_the_severest_counts(supervised, categories):
+    loop, supervisor, _ = supervised
+    for category in categories:
+        supervisor.emergency_stop(f"category {category}", category)
+
+    supervisor.before_period()
+
+    assert loop.emergency.category == 0
+    assert loop.emergency.reason == "category 0"
+
+
 @pytest.mark.requirement("F5", "S5")
 def test_a_command_to_a_robot_that_fell_ill_meanwhile_is_refused_with_the_reason(supervised):
     loop, supervisor, events = supervised

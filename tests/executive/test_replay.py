@@ -45,7 +45,8 @@ position_m = [-0.15, 0.2]
 class Meddling(attendants.Nobody):
     """Answers, cancels, stops or pauses for half a second, at given times."""
 
-    def __init__(self, answers=(), cancel_s=None, stop_s=None, pause_s=None):
+    def __init__(self, answers=(), cancel_s=None, stop_s=None, pause_s=None, categories=(1,)):
+        self.categories = categories
         self.answers, self.cancel_s, self.stop_s = list(answers), cancel_s, stop_s
         self.pauses = [] if pause_s is None else [(pause_s, "pause"), (pause_s + 0.5, "resume")]
 
@@ -55,7 +56,8 @@ class Meddling(attendants.Nobody):
     def stop(self, session):
         if self.stop_s is not None and session.now_s >= self.stop_s:
             self.stop_s = None
-            session.emergency_stop("the red button")
+            for category in self.categories:
+                session.emergency_stop("the red button", category)
 
     def answer(self, question):
         return self.answers.pop(0) if self.answers else None
@@ -99,6 +101,7 @@ def run(tmp_path):
         ("pick up the cup", {"answers": ["the purple one", "never mind"]}, "cancelled"),
         ("pick up the red cup", {"cancel_s": 0.83}, "cancelled"),
         ("pick up the red cup", {"stop_s": 0.471}, "cancelled"),
+        ("pick up the red cup", {"stop_s": 0.471, "categories": (0, 1)}, "cancelled"),
         ("pick up the red cup", {"pause_s": 0.7, "cancel_s": 1.5}, "cancelled"),
     ],
     ids=str,
@@ -111,6 +114,14 @@ def test_a_run_comes_out_the_same_with_its_answers_cancels_stops_and_pauses(run,
     assert performance.report.outcome == outcome
     assert verdict.difference is None
     assert verdict.events > 3
+
+
+@pytest.mark.requirement("U1", "S4")
+def test_every_stop_that_was_asked_for_is_recorded(run):
+    _, recorded = run("pick up the red cup", stop_s=0.471, categories=(0, 1))
+
+    events = map(json.loads, (recorded.path / "events.jsonl").read_text().splitlines())
+    assert [event["value"][0] for event in events if event.get("what") == "emergency_stop"] == ["0", "1"]
 
 
 @pytest.mark.requirement("U1", "F5")
