@@ -14,6 +14,7 @@ from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import articulated, furniture
 from robots.errors import SceneError
+from robots.hollow import hollow_parts
 from robots.part_rules import part_defect
 from robots.scene_description import Furniture, PerceptionModel, Person, Region, SceneDescription, SceneItem
 from robots.scene_words import COLORS, OBJECT_KINDS, nearest_word
@@ -184,10 +185,7 @@ def _check_names(scene: SceneDescription, source: str) -> None:
 def _check_places(scene: SceneDescription, source: str) -> None:
     pieces = [(f"furniture[{i}]", _outline(piece)) for i, piece in enumerate(scene.furniture)]
     people = [(f"person[{i}]", _mannequin(person)) for i, person in enumerate(scene.people)]
-    items = [
-        (f"object[{i}]", _Solid(f"object {item.name!r}", item.shape, item.world_T_object))
-        for i, item in enumerate(scene.objects)
-    ]
+    items = [(f"object[{i}]", _whole(item)) for i, item in enumerate(scene.objects)]
     start = scene.robot_start
     world_T_start = poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
     back, ahead = START_REACH_M
@@ -225,9 +223,14 @@ def _check_places(scene: SceneDescription, source: str) -> None:
         key = f"{key}.position_m"
         low = _lowest(solid)
         _require(low >= -TOUCH_TOLERANCE_M, source, key, f"{solid.label} is {-low:.4f} m deep in the floor")
-        for other in (*fixed, *(former for _, former in items[:i])):
+        for other in fixed:
             _require(not _overlap(solid, other), source, key, f"{solid.label} overlaps {other.label}")
-        gap = _fall(solid, [*parts, *(other for j, (_, other) in enumerate(items) if j != i)])
+        for former in scene.objects[:i]:
+            reason = f"{solid.label} overlaps object {former.name!r}"
+            _require(not _items_overlap(scene.objects[i], former), source, key, reason)
+        others = [other for item in scene.objects if item is not scene.objects[i]
+                  for other in _carriers(solid, item)]  # fmt: skip
+        gap = _fall(solid, [*parts, *others])
         _require(gap <= GAP_TOLERANCE_M, source, key, f"{solid.label} hangs {gap:.4f} m in the air")
 
 
@@ -235,6 +238,38 @@ def _outline(piece: Furniture) -> _Solid:
     """The whole room that a piece of furniture takes, the space between its legs too."""
     lift = poses.translation(0.0, 0.0, 0.5 * piece.size_m[2])
     return _Solid(f"furniture {piece.name!r}", Box(piece.size_m), furniture.floor_pose(piece) @ lift)
+
+
+def _whole(item: SceneItem) -> _Solid:
+    """An object with the room inside it."""
+    return _Solid(f"object {item.name!r}", item.shape, item.world_T_object)
+
+
+def _walls(item: SceneItem) -> list[_Solid]:
+    """What an object is made of: bottom and walls of a hollow one."""
+    label = f"object {item.name!r}"
+    parts = [_Solid(label, shape, item.world_T_object @ pose) for _, shape, pose, _ in hollow_parts(item)]
+    return parts or [_whole(item)]
+
+
+def _items_overlap(a: SceneItem, b: SceneItem) -> bool:
+    """Tell whether two objects share room; what stands inside a hollow one, clear of its walls, does not."""
+    if not _overlap(_whole(a), _whole(b)):
+        return False
+    if a.wall_m is None and b.wall_m is None:
+        return True
+    return any(_overlap(one, other) for one in _walls(a) for other in _walls(b))
+
+
+def _carriers(solid: _Solid, item: SceneItem) -> list[_Solid]:
+    """What of an object something may stand on; on the rim of a hollow one only if it cannot sink into it."""
+    walls, whole = _walls(item), _whole(item)
+    above_m = _lowest(solid) - _top(whole)
+    if item.wall_m is None or abs(above_m) > GAP_TOLERANCE_M:
+        return walls
+    sunk = poses.translation(0.0, 0.0, -above_m - 2.0 * TOUCH_TOLERANCE_M) @ solid.world_T_solid
+    rests = any(_overlap(_Solid(solid.label, solid.shape, sunk), wall) for wall in walls)
+    return [*walls, whole] if rests else walls
 
 
 def _mannequin(person: Person) -> _Solid:
@@ -258,12 +293,16 @@ def _lowest(solid: _Solid) -> float:
     return float(solid.world_T_solid[2, 3] - _extents(solid)[2])
 
 
+def _top(solid: _Solid) -> float:
+    return float(solid.world_T_solid[2, 3] + _extents(solid)[2])
+
+
 def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
     """How far a solid is above what is under its centre: floor, furniture or another object."""
     low = _lowest(solid)
     gap = low
     for other in others:
-        top = float(other.world_T_solid[2, 3] + _extents(other)[2])
+        top = _top(other)
         if top <= low + TOUCH_TOLERANCE_M and _above(solid.world_T_solid[:3, 3], other):
             gap = min(gap, low - top)
     return gap

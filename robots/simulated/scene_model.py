@@ -9,12 +9,12 @@ from kinematics.poses import Transform, quaternion_from_rotation
 from kinematics.robot_description import RobotDescription
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import furniture
+from robots.hollow import hollow_parts
 from robots.scene_description import SceneDescription, SceneItem
 from robots.scene_words import COLORS
 from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, PAD_SOLREF_FRICTION, pad_name, set_role
 from robots.simulated.furniture_model import add_moving_part
 from robots.simulated.geom_roles import WORLD_GROUP, Role
-from robots.simulated.hollow import hollow_parts
 from robots.simulated.person_model import add_person
 
 FLOOR = "floor"

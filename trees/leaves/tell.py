@@ -90,7 +90,8 @@ class TellDescription(TellingLeaf):
         people = self._people(around, source)
         inside = region is not None or str(source) in MEANT_BY
         told = self.called_here(source, around)
-        where = "here" if source is None else f"{'in' if inside else 'on'} the {told}"
+        there = "in" if inside else "on" if isinstance(source, str) else "in or on"
+        where = "here" if source is None else f"{there} the {told}"
         furniture = self.furniture(around, region) if source is None or region is not None else []
         words = f"{where} I see {listed([*furniture, *counted(things), *people]) or 'nothing'}"
         return self.say(

@@ -5,8 +5,8 @@ import dataclasses
 import pytest
 
 from kinematics import poses
-from kinematics.shapes import Box
-from robots.fake.fake_world import cup, person, table
+from kinematics.shapes import Ball, Box
+from robots.fake.fake_world import bowl, cup, person, table
 from robots.perception.truth_view import TrueObject
 from robots.scene_description import Region
 from trees.build import build_tree
@@ -60,6 +60,18 @@ def test_a_table_is_described(stage_with):
     run(stage, DescribeTask("what is on the table", source="table"))
 
     assert said(stage) == ["on the table I see one blue cup and one red cup"]
+
+
+@pytest.mark.requirement("M2")
+def test_what_is_in_something_hollow_is_told_and_not_that_it_is_on_top(stage_with):
+    place_m = bowl().world_T_object[:2, 3]
+    inside = poses.translation(*place_m, 0.94)
+    ball = TrueObject("green ball", "object", "ball", "green", Ball(0.03), inside)
+    stage = stage_with(table(), cup(), bowl(), ball)
+
+    run(stage, DescribeTask("what is in the bowl", source=ObjectDescription("bowl")))
+
+    assert said(stage) == ["in or on the bowl I see one green ball"]
 
 
 @pytest.mark.requirement("M2")
