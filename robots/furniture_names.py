@@ -11,6 +11,16 @@ from types import MappingProxyType
 _KINDS = MappingProxyType({"table": "table", "desk": "table", "counter": "counter", "shelf": "shelf"})
 """Kinds by the last word of a name, which says what the rest only tells apart."""
 
+_OTHER_KINDS = MappingProxyType(
+    {
+        "wall": "wall",
+        "fridge": "fridge",
+        "refrigerator": "fridge",
+        **dict.fromkeys(("drawers", "chest"), "drawers"),
+    }
+)
+"""Kinds, by the same word, of what has no name of its own."""
+
 
 def kind_called(words: str) -> str:
     """The kind of what people call so: "side table" is a "table"; what is no such name stays as it is."""
@@ -26,3 +36,17 @@ def own_name(name: str, kind: str) -> str | None:
     """
     words = " ".join(name.lower().rstrip("0123456789").split())
     return words if words != kind and kind_called(words) == kind else None
+
+
+def kind_that_name_contradicts(name: str, kind: str) -> str | None:
+    """The kind that a name tells, where the piece is of another one: "fridge" of a table named so; else None.
+
+    Args:
+        name: As a scene has it; a name that tells its own kind anywhere contradicts nothing ("wall beside the
+            table").
+        kind: "table".
+    """
+    words = name.lower().rstrip("0123456789").split()
+    kinds = {**_KINDS, **_OTHER_KINDS}
+    told = kinds.get(words[-1]) if words else None
+    return told if told != kind and kind not in (kinds.get(word) for word in words) else None

@@ -14,6 +14,7 @@ from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots import articulated, furniture
 from robots.errors import SceneError
+from robots.furniture_names import kind_that_name_contradicts
 from robots.hollow import hollow_parts
 from robots.part_rules import part_defect
 from robots.scene_description import Furniture, PerceptionModel, Person, Region, SceneDescription, SceneItem
@@ -103,6 +104,9 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     if piece.kind not in furniture.FURNITURE_KINDS:
         near = nearest_word(piece.kind, furniture.FURNITURE_KINDS)
         raise SceneError(source, f"{key}.kind", f"unknown kind {piece.kind!r}; the nearest is {near!r}")
+    told = kind_that_name_contradicts(piece.name, piece.kind)
+    reason = f"{piece.name!r} is a name for the kind {told!r}, but the kind is {piece.kind!r}"
+    _require(told is None, source, f"{key}.name", reason)
     smallest = _SMALLEST_M.get(piece.kind, _SMALLEST_TABLE_M)
     for axis, value, least in zip(("depth", "width", "height"), piece.size_m, smallest, strict=True):
         ok = math.isfinite(value) and value >= least

@@ -212,6 +212,14 @@ def test_two_tables_in_one_place_are_refused():
     assert error.key == "furniture[1].position_m"
 
 
+@pytest.mark.parametrize(("name", "told"), [("fridge", "fridge"), ("top shelf", "shelf")])
+def test_a_table_that_is_named_as_another_kind_is_refused(name, told):
+    error = refused(TABLE.replace('name = "table"', f'name = "{name}"'))
+
+    assert error.key == "furniture[0].name"
+    assert error.reason == f"{name!r} is a name for the kind {told!r}, but the kind is 'table'"
+
+
 def test_a_person_in_the_table_is_refused():
     error = refused(TABLE + '[[person]]\nname = "Ana"\nposition_m = [0.7, 0.2]\n')
     assert error.key == "person[0].position_m"
