@@ -14,6 +14,7 @@ from __future__ import annotations
 import contextlib
 import json
 import shutil
+import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -200,6 +201,20 @@ def require_writable(path: Path) -> None:
             path.unlink()
     except OSError as failed:
         raise _not_writable(path, failed) from failed
+
+
+def require_recordable(directory: Path) -> None:
+    """Find out before anything moves whether runs can be recorded in a folder; makes the folder.
+
+    Raises:
+        NotWritableError: They cannot.
+    """
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=directory) as file:
+            file.write(b"{}")
+    except OSError as failed:
+        raise _not_writable(directory, failed) from failed
 
 
 def _new_folder(directory: Path, stem: str) -> Path:

@@ -69,6 +69,7 @@ def serve(
     from executive.command_parser import parser_with
     from executive.diagnosis import compile_kernel
     from executive.live.service import Service, ServiceRequest
+    from executive.run_log import require_recordable
     from executive.run_search import note_folder
     from robots.description import load_description_for_tasks
     from robots.scene_file import load_scene
@@ -84,6 +85,8 @@ def serve(
     load_description_for_tasks(robot)
     load_scene(scene)
     parser_with(config_files())  # a file of words with a mistake is said here, not by the executive
+    runs = record or runs_directory()
+    require_recordable(runs)
     compile_kernel(say)
     where = folder or runtime_directory()
     request = ServiceRequest(
@@ -91,7 +94,7 @@ def serve(
         robot=robot,
         scene=scene,
         seed=seed,
-        record=record or runs_directory(),
+        record=runs,
         pace=pace,
         realtime=not ordinary,
         evaluation=evaluation,

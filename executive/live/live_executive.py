@@ -10,6 +10,7 @@ import numpy as np
 
 from executive.command_parser import parse
 from executive.conversation import Conversation
+from executive.errors import NotWritableError
 from executive.events import Event
 from executive.exit_codes import ExitCode
 from executive.live.control_link import ControlLink, ControlLostError
@@ -183,6 +184,8 @@ class LiveExecutive:
                 )
                 log.finish(report.to_json())
             order.end(line, outcome, code)
+        except NotWritableError as wrong:  # the disk has filled up since the last order
+            order.end(f"refused: {wrong}", "refused", ExitCode.INVALID)
         finally:
             self._order = self._log = self._display = None
             self._steps.busy = False

@@ -10,6 +10,7 @@ from executive.live.planning_service import Planned
 from kinematics.requests import CheckRequest
 from kinematics.scene import PlanningScene
 from robots.control.events import SetpointRefused, StopStarted
+from robots.live.messages import read_object
 from tests.executive.live.conftest import Worker, go_on_while_waited_for
 from tests.robots.live.conftest import swing
 from trees.world_model import WorldModel
@@ -20,8 +21,11 @@ REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
 class Somebody:
     """The other end of an order."""
 
-    def send(self, _message):
-        pass
+    def __init__(self):
+        self.told = []
+
+    def send(self, message):
+        self.told.append(read_object(message))
 
 
 class Serving:
@@ -77,3 +81,16 @@ def test_what_was_checked_for_the_order_before_is_not_counted_again(serving, tal
     serving.check(swing(talos, talos.q_home))
 
     assert serving.carry_out("wait for 0.2 seconds")["safety"]["checked_trajectories"] == 0
+
+
+def test_an_order_that_cannot_be_recorded_is_refused_and_the_next_one_is_carried_out(serving):
+    writable, serving.live._record = serving.record, serving.record / "a file" / "runs"
+    serving.live._record.parent.write_text("")
+    somebody = Somebody()
+
+    serving.live._carry_out(Order(Say("wait for 0.2 seconds"), somebody))
+
+    assert somebody.told[-1]["exit_code"] == 2
+    assert "cannot write" in somebody.told[-1]["text"]
+    serving.live._record = writable
+    assert serving.carry_out("wait for 0.2 seconds")["outcome"] == "done"
