@@ -22,7 +22,7 @@ from executive.real_pace import RealPace
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.safety_tally import SafetyTally
-from executive.script_run import Said, may_start, not_understood, run_statements, verdict
+from executive.script_run import Said, run_statements, unstarted, verdict
 from executive.settled_heap import settled_heap
 from executive.settling import settled
 from kinematics.requests import CheckRequest
@@ -170,9 +170,8 @@ def _results(
 ) -> tuple[list[Said], int]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
     statements = [settled(one, attendant, request.on_question, sink) for one in request.statements]
-    spoiled = [one for one in statements if not may_start(one)]
-    if spoiled or not any(one.parsed.commands for one in statements):
-        return [(one, [not_understood(one, 0.0, sink)]) for one in spoiled[:1] or statements], 0
+    if not_begun := unstarted(statements, sink):
+        return not_begun, 0
     from executive.assembly import assemble, plan_faults
 
     def judged(asked: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:

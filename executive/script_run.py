@@ -25,6 +25,18 @@ def may_start(statement: Statement) -> bool:
     return outcome == "tasks" or outcome == statement.expect
 
 
+def unstarted(statements: Sequence[Statement], sink: EventSink, now_s: float = 0.0) -> list[Said]:
+    """What a script comes to that does not begin: one is not as expected, or there is nothing to do.
+
+    Returns:
+        The first statement that is in the way, or all of them; nothing where the script may begin.
+    """
+    spoiled = [one for one in statements if not may_start(one)]
+    if not spoiled and any(one.parsed.commands for one in statements):
+        return []
+    return [(one, [not_understood(one, now_s, sink)]) for one in spoiled[:1] or statements]
+
+
 def run_statements(
     statements: Sequence[Statement],
     session: Session,

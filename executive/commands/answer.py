@@ -16,12 +16,12 @@ def answer(
     folder: FolderOption = None,
 ) -> None:
     """Answer the question that is open."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from executive.live.desk import Answer, write_desk_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    if not Caller(where.executive_socket).ask(write_desk_message(Answer(text))).get("asked"):
+    if not ask_at(where.executive_socket, write_desk_message(Answer(text))).get("asked"):
         typer.echo("no question is open")
         raise typer.Exit(ExitCode.INVALID)
     typer.echo("answered")

@@ -15,10 +15,10 @@ def cancel(
     folder: FolderOption = None,
 ) -> None:
     """Cancel the task that is under way."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from executive.live.desk import Cancel, write_desk_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    answer = Caller(where.executive_socket).ask(write_desk_message(Cancel(reason)))
+    answer = ask_at(where.executive_socket, write_desk_message(Cancel(reason)))
     typer.echo("cancelled" if answer.get("under_way") else "nothing is under way")

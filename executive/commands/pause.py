@@ -16,12 +16,12 @@ def pause(
     folder: FolderOption = None,
 ) -> None:
     """Hold the task that is under way where it is, until `resume`."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from executive.live.desk import PauseTask, write_desk_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    if not Caller(where.executive_socket).ask(write_desk_message(PauseTask(reason))).get("under_way"):
+    if not ask_at(where.executive_socket, write_desk_message(PauseTask(reason))).get("under_way"):
         typer.echo("nothing is under way")
         raise typer.Exit(ExitCode.INVALID)
     typer.echo("paused; `executive resume` goes on, `executive cancel` gives it up")

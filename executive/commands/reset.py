@@ -13,12 +13,12 @@ from executive.exit_codes import ExitCode
 
 def reset(folder: FolderOption = None) -> None:
     """Leave the emergency stop; nothing moves because of it."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from robots.live.messages import Reset, write_control_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    answer = Caller(where.control_socket).ask(write_control_message(Reset(_person())))
+    answer = ask_at(where.control_socket, write_control_message(Reset(_person())))
     if answer["type"] != "done":
         typer.echo(f"refused: {answer['reason']}")
         raise typer.Exit(ExitCode.INVALID)

@@ -11,12 +11,12 @@ from executive.exit_codes import ExitCode
 
 def resume(folder: FolderOption = None) -> None:
     """Go on with a paused task."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from executive.live.desk import ResumeTask, write_desk_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    if not Caller(where.executive_socket).ask(write_desk_message(ResumeTask())).get("paused"):
+    if not ask_at(where.executive_socket, write_desk_message(ResumeTask())).get("paused"):
         typer.echo("nothing is paused")
         raise typer.Exit(ExitCode.INVALID)
     typer.echo("going on")

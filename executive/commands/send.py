@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -14,8 +15,7 @@ from executive.config import runtime_directory
 from executive.exit_codes import ExitCode
 
 if TYPE_CHECKING:
-    from executive.live.desk import Say
-    from executive.statement import Statement
+    from executive.live.desk import Say, ScriptLine
     from robots.live.runtime_folder import RuntimeFolder
 
 
@@ -30,53 +30,44 @@ def send(
 ) -> None:
     """Have a served robot do something; Ctrl-C cancels it, a second one is the emergency stop."""
     from executive.live.desk import Say
-    from executive.task_script import is_script, load_script
+    from executive.live.sendable import sendable
+    from executive.task_script import is_script
     from robots.live.runtime_folder import RuntimeFolder
 
     if (velocity is None) == (not text):
         raise typer.BadParameter("either a sentence or --velocity")
     where = RuntimeFolder(folder or runtime_directory())
+    order: Sequence[Say | ScriptLine]
     if velocity is not None:
-        heard = _say(where, Say("", 0.0, *velocity), quiet)
-        line, code = heard.line, heard.exit_code
-    elif not is_script(text):
-        heard = _say(where, Say(text), quiet)
-        line, code = heard.line, heard.exit_code
+        if not all(map(math.isfinite, velocity)):
+            told = f"{velocity[0]:g} {velocity[1]:g}"
+            raise typer.BadParameter(f"--velocity: {told} are not two finite numbers")
+        order = [Say("", 0.0, *velocity)]
+    elif is_script(text):
+        order = _script(Path(text), where)
     else:
-        line, code = _say_all(where, load_script(Path(text)).statements, quiet)
+        order = [Say(sendable(text))]
+    line, code = _say(where, order, quiet)
     typer.echo(line)
     raise typer.Exit(code)
 
 
-@dataclass(frozen=True, slots=True)
-class _Heard:
-    """How it ended, as the served executive said: the line for people, the outcome, and the exit code."""
+def _script(path: Path, where: RuntimeFolder) -> list[ScriptLine]:
+    """A script's statements as they are sent; what is wrong with the file is found before."""
+    from executive.live.caller import ask_at
+    from executive.live.sendable import require_served_as, script_lines
+    from executive.task_script import load_script
+    from robots.live.messages import GetStatus, write_control_message
 
-    line: str
-    outcome: str
-    exit_code: ExitCode
-
-
-def _say_all(where: RuntimeFolder, statements: Sequence[Statement], quiet: bool) -> tuple[str, ExitCode]:
-    """Say a script's statements; the line and the exit code of the first that did not end as expected."""
-    from executive.live.desk import Say
-    from executive.script_order import first_unexpected, in_order, unexpected_code
-
-    def carry_out(statement: Statement) -> list[_Heard]:
-        return [_say(where, Say(statement.parsed.text, statement.timeout_s or 0.0), quiet)]
-
-    results = in_order(statements, carry_out)
-    unexpected = first_unexpected(results)
-    if unexpected is not None:
-        _, heard = unexpected
-        return heard.line, unexpected_code(heard)
-    _, said = results[-1]
-    return said[-1].line, ExitCode.DONE
+    script = load_script(path)
+    lines = script_lines(path, script)
+    require_served_as(path, script, ask_at(where.control_socket, write_control_message(GetStatus())))
+    return lines
 
 
-def _say(where: RuntimeFolder, said: Say, quiet: bool) -> _Heard:
-    """Say one thing, and hear how it ended."""
-    from executive.live.caller import Caller
+def _say(where: RuntimeFolder, order: Sequence[Say | ScriptLine], quiet: bool) -> tuple[str, ExitCode]:
+    """Give an order, and hear how it ended: the line for people, and the exit code."""
+    from executive.live.caller import Caller, ask_at
     from executive.live.desk import Cancel, write_desk_message
     from executive.live.hearing import HungError, commander_of, hear_out
     from robots.live.messages import Stop, write_control_message
@@ -90,21 +81,23 @@ def _say(where: RuntimeFolder, said: Say, quiet: bool) -> _Heard:
             result.update(answer)
         return bool(result)
 
-    caller = Caller(where.executive_socket)
-    caller.send(write_desk_message(said))
     interrupts = 0
-    while not result:
-        try:
-            hear_out(caller, take, lambda: commander_of(where))
-        except HungError as hung:
-            return _Heard(f"failed: {hung}", "failed", ExitCode.FAILED)
-        except KeyboardInterrupt:
-            interrupts += 1
-            if interrupts == 1:
-                typer.echo("cancelling; Ctrl-C again is the emergency stop", err=True)
-                Caller(where.executive_socket).ask(write_desk_message(Cancel("cancelled from the keyboard")))
-            else:
-                Caller(where.control_socket).ask(write_control_message(Stop(1, "Ctrl-C, twice")))
+    with closing(Caller(where.executive_socket)) as caller:
+        for said in order:
+            caller.send(write_desk_message(said))
+        while not result:
+            try:
+                hear_out(caller, take, lambda: commander_of(where))
+            except HungError as hung:
+                return f"failed: {hung}", ExitCode.FAILED
+            except KeyboardInterrupt:
+                interrupts += 1
+                if interrupts == 1:
+                    typer.echo("cancelling; Ctrl-C again is the emergency stop", err=True)
+                    cancel = Cancel("cancelled from the keyboard")
+                    ask_at(where.executive_socket, write_desk_message(cancel))
+                else:
+                    ask_at(where.control_socket, write_control_message(Stop(1, "Ctrl-C, twice")))
     if result["type"] == "error":
-        return _Heard(f"refused: {result['reason']}", "refused", ExitCode.INVALID)
-    return _Heard(str(result["text"]), str(result["outcome"]), ExitCode(int(result["exit_code"])))
+        return f"refused: {result['reason']}", ExitCode.INVALID
+    return str(result["text"]), ExitCode(int(result["exit_code"]))

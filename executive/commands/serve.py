@@ -72,7 +72,7 @@ def serve(
     from executive.run_log import require_recordable
     from executive.run_search import note_folder
     from robots.description import load_description_for_tasks
-    from robots.scene_file import load_scene
+    from robots.scene_file import known_scenes, load_scene
 
     del plain  # nothing is drawn here
     use_config(config)
@@ -84,6 +84,8 @@ def serve(
     leave_opengl_to_the_renderer()
     load_description_for_tasks(robot)
     load_scene(scene)
+    if scene not in known_scenes():
+        scene = str(Path(scene).absolute())  # who sends a script may be in another folder
     parser_with(config_files())  # a file of words with a mistake is said here, not by the executive
     runs = record or runs_directory()
     require_recordable(runs)

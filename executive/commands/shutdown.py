@@ -10,10 +10,10 @@ from executive.config import runtime_directory
 
 def shutdown(folder: FolderOption = None) -> None:
     """Have the robot brake and hold, then end its control."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from robots.live.messages import Shutdown, write_control_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    Caller(where.control_socket).ask(write_control_message(Shutdown()))
+    ask_at(where.control_socket, write_control_message(Shutdown()))
     typer.echo("the robot brakes and holds, then its control ends")

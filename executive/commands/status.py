@@ -16,15 +16,15 @@ def status(
     folder: FolderOption = None,
 ) -> None:
     """Tell how a served robot stands; asks the control process, and the executive if it answers."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from robots.live.errors import LiveError
     from robots.live.messages import GetStatus, write_control_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    control = Caller(where.control_socket).ask(write_control_message(GetStatus()))
+    control = ask_at(where.control_socket, write_control_message(GetStatus()))
     try:
-        executive = Caller(where.executive_socket).ask(write_control_message(GetStatus()), within_s=2.0)
+        executive = ask_at(where.executive_socket, write_control_message(GetStatus()), within_s=2.0)
     except LiveError as silent:
         executive = {"silent": str(silent)}
     for answer in (control, executive):

@@ -19,10 +19,10 @@ def stop(
     folder: FolderOption = None,
 ) -> None:
     """Stop the robot, and keep it stopped until ``executive reset``."""
-    from executive.live.caller import Caller
+    from executive.live.caller import ask_at
     from robots.live.messages import Stop, write_control_message
     from robots.live.runtime_folder import RuntimeFolder
 
     where = RuntimeFolder(folder or runtime_directory())
-    Caller(where.control_socket).ask(write_control_message(Stop(category, reason)))
+    ask_at(where.control_socket, write_control_message(Stop(category, reason)))
     typer.echo("stopped; the emergency stop stays engaged until `executive reset`")

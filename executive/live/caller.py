@@ -23,6 +23,20 @@ class SilentError(NoAnswerError):
     """The other side has said nothing for as long as it was waited for; the connection still stands."""
 
 
+def ask_at(path: Path, message: bytes, within_s: float = ANSWER_WITHIN_S) -> dict[str, Any]:
+    """Ask one thing there, hear the answer, and hang up.
+
+    Raises:
+        NotServedError: Nobody listens there.
+        NoAnswerError: None came in time.
+    """
+    caller = Caller(path)
+    try:
+        return caller.ask(message, within_s)
+    finally:
+        caller.close()
+
+
 class Caller:
     """A connection of somebody who asks."""
 

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, get_args
 
 from executive.exit_codes import ExitCode
+from executive.statement import Expectation, OnFailure
 from robots.live.connection import Connection
+from robots.live.errors import ProtocolError
 from robots.live.framing import Frame
 from robots.live.messages import GetStatus, read_object, strictly, write_message
 from robots.live.socket_server import SocketServer
 
 MAX_WAITING = 1
 """Sentences that wait; a second one at the same time is refused."""
+MAX_STATEMENTS = 1000
+"""Of one script."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +30,30 @@ class Say:
     timeout_s: float = 0.0
     linear_m_s: float = 0.0
     angular_rad_s: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptLine:
+    """A statement of a script, as the script's file says it; the script is begun when ``last`` has come."""
+
+    script: str
+    text: str
+    on_failure: str = "stop"
+    expect: str = "done"
+    timeout_s: float = 0.0
+    last: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """Statements that are one order: all are understood before the first one is carried out."""
+
+    lines: tuple[ScriptLine, ...]
+
+    @property
+    def text(self) -> str:
+        """What the order is called: the script's name."""
+        return self.lines[0].script
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,9 +82,10 @@ class ResumeTask:
     """Go on with what was paused."""
 
 
-DeskMessage = Say | Cancel | Answer | PauseTask | ResumeTask | GetStatus
+DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus
 _MESSAGES: Mapping[str, type] = {
     "say": Say,
+    "statement": ScriptLine,
     "cancel": Cancel,
     "answer": Answer,
     "pause": PauseTask,
@@ -96,6 +125,8 @@ def write_desk_message(message: DeskMessage) -> bytes:
                 linear_m_s=message.linear_m_s,
                 angular_rad_s=message.angular_rad_s,
             )
+        case ScriptLine():
+            return write_message("statement", **asdict(message))
         case Cancel(reason):
             return write_message("cancel", reason=reason)
         case Answer(text):
@@ -109,9 +140,9 @@ def write_desk_message(message: DeskMessage) -> bytes:
 
 
 class Order:
-    """A sentence that somebody wants carried out, and the way back to them."""
+    """A sentence or a script that somebody wants carried out, and the way back to them."""
 
-    def __init__(self, said: Say, connection: Connection) -> None:
+    def __init__(self, said: Say | Script, connection: Connection) -> None:
         """Keep both."""
         self.said = said
         self.connection = connection
@@ -134,7 +165,7 @@ class Desk:
         is_stop: Whether a sentence is the spoken stop, which cancels what is under way.
 
     Attributes:
-        current: The sentence that is being carried out.
+        current: The order that is being carried out.
         asking: Whether a question is open.
         given: Answers that have come, the oldest first.
     """
@@ -148,6 +179,7 @@ class Desk:
         self._attended, self._is_stop = attended, is_stop
         self._server = SocketServer(path, self._take, self._ended)
         self._waiting: deque[Order] = deque()
+        self._begun: dict[Connection, list[ScriptLine]] = {}
         self.current: Order | None = None
         self.asking = False
         self.given: list[str] = []
@@ -194,9 +226,23 @@ class Desk:
                 connection.send(write_message("done", asked=self.asking))
             case Say():
                 self._queue(Order(message, connection))
+            case ScriptLine():
+                self._collect(message, connection)
+
+    def _collect(self, line: ScriptLine, connection: Connection) -> None:
+        """Take one more statement of a script, and queue the script with its last one."""
+        for value, known in ((line.on_failure, OnFailure), (line.expect, Expectation)):
+            if value not in get_args(known):
+                raise ProtocolError(f"statement: no {value[:40]!r}; there are {', '.join(get_args(known))}")
+        lines = self._begun.setdefault(connection, [])
+        if len(lines) >= MAX_STATEMENTS:
+            raise ProtocolError(f"a script has {MAX_STATEMENTS} statements at most")
+        lines.append(line)
+        if line.last:
+            self._queue(Order(Script(tuple(self._begun.pop(connection))), connection))
 
     def _queue(self, order: Order) -> None:
-        if self.current is not None and self._is_stop(order.said.text):
+        if self.current is not None and self._says_stop(order.said):
             self._attended.cancel("stop was said")
             order.end("done: what was under way is halted", "done", ExitCode.DONE)
         elif self.current is not None or len(self._waiting) >= MAX_WAITING:
@@ -205,7 +251,12 @@ class Desk:
         else:
             self._waiting.append(order)
 
+    def _says_stop(self, said: Say | Script) -> bool:
+        texts = [line.text for line in said.lines] if isinstance(said, Script) else [said.text]
+        return all(self._is_stop(text) for text in texts)
+
     def _ended(self, connection: Connection) -> None:
+        self._begun.pop(connection, None)
         self._waiting = deque(order for order in self._waiting if order.connection is not connection)
         if self.current is not None and self.current.connection is connection:
             self._attended.cancel("who gave the task has gone")

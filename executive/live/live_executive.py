@@ -14,23 +14,23 @@ from executive.errors import NotWritableError
 from executive.events import Event
 from executive.exit_codes import ExitCode
 from executive.live.control_link import ControlLink, ControlLostError
-from executive.live.desk import Desk, Order, Say
+from executive.live.desk import Desk, Order, Say, Script
 from executive.live.live_attendant import LiveAttendant
 from executive.live.live_guard import LiveGuard
 from executive.live.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
 from executive.live.motion_client import GripperClient, MotionClient
+from executive.live.order_statements import statements_of
 from executive.live.planning_client import LivePlanning, Worker
 from executive.live.walking_client import WalkingClient
 from executive.live.yielding_client import YieldingClient
-from executive.meaning import Parsed, StopCommand
+from executive.meaning import StopCommand
 from executive.outputs.display import PlainDisplay
 from executive.outputs.report import Report
 from executive.run_log import RunLog
 from executive.safety_tally import SafetyTally
-from executive.script_run import run_statements, verdict
+from executive.script_run import run_statements, unstarted, verdict
 from executive.session import Session
 from executive.settling import settled
-from executive.statement import Statement
 from executive.supervisor import Supervisor
 from executive.task_result import TaskResult
 from executive.trust import USUAL_TRUST, Trust
@@ -45,7 +45,6 @@ from robots.scene_file import load_scene
 from robots.seeded import seeded
 from trees.build import TaskTree
 from trees.offers import is_offer
-from trees.tasks import MoveTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
@@ -165,7 +164,7 @@ class LiveExecutive:
         said, checked_before = order.said, self._planning.checked
         about = self._link.about
         header = {key: about[key] for key in ("robot", "scene", "seed")}
-        text = said.text or f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
+        text = _name_of(said)
         try:
             with RunLog(self._record, {"input": text[:200], "live": True, **header}) as log:
                 self._log = log
@@ -190,15 +189,22 @@ class LiveExecutive:
             self._order = self._log = self._display = None
             self._steps.busy = False
 
-    def _results(self, said: Say) -> tuple[str, str, ExitCode, list[TaskResult]]:
-        statement = _statement(said, self._conversation, self._trust)
-        self._steps.busy = True
+    def _results(self, said: Say | Script) -> tuple[str, str, ExitCode, list[TaskResult]]:
+        """Understand all of it, then carry it out."""
         attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
-        statement = settled(statement, attendant, "ask", self._note, lambda: self._link.now_s)
-        if self._cancelled:
-            return "cancelled: before anything moved", "cancelled", ExitCode.CANCELLED, []
-        results = run_statements([statement], self._session, attendant, "ask", self._note)
-        line, outcome, code = verdict([statement], results)
+        statements = []
+        for understood in statements_of(said, self._conversation, self._trust):
+            self._steps.busy = True
+            statements.append(settled(understood, attendant, "ask", self._note, lambda: self._link.now_s))
+            if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
+                self._session.hold(_IDLE_S)
+                self._desk.poll()
+            if self._cancelled:
+                return "cancelled: before anything moved", "cancelled", ExitCode.CANCELLED, []
+        results = unstarted(statements, self._note, self._link.now_s)
+        if not results:
+            results = run_statements(statements, self._session, attendant, "ask", self._note)
+        line, outcome, code = verdict(statements, results)
         return line, outcome, code, [result for _, said_results in results for result in said_results]
 
     # ---------------------------------------------------------------- on the way
@@ -255,12 +261,10 @@ class _LineStream:
         pass
 
 
-def _statement(said: Say, before: Conversation, trust: Trust) -> Statement:
-    if said.text:
-        understood = before.understand(said.text, trust)
-        return Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
-    text = f"move at {said.linear_m_s:g} m/s and {said.angular_rad_s:g} rad/s"
-    return Statement(Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),)))
+def _name_of(said: Say | Script) -> str:
+    if isinstance(said, Script) or said.text:
+        return said.text
+    return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
 
 
 def _is_stop(text: str) -> bool:

@@ -2,7 +2,16 @@
 
 import pytest
 
-from executive.live.desk import Answer, Cancel, Desk, PauseTask, ResumeTask, Say, write_desk_message
+from executive.live.desk import (
+    Answer,
+    Cancel,
+    Desk,
+    PauseTask,
+    ResumeTask,
+    Say,
+    ScriptLine,
+    write_desk_message,
+)
 from robots.live.connection import Connection
 from robots.live.messages import GetStatus, read_object, write_message
 from robots.live.unix_socket import connect_to
@@ -130,3 +139,40 @@ def test_what_is_no_message_ends_the_connection_with_a_reason(person, payload, a
 
     assert told["type"] == "error"
     assert another().says(GetStatus())[0]["type"] == "status"
+
+
+def test_a_script_is_an_order_when_its_last_statement_has_come(person, desk):
+    lines = (ScriptLine("tidy.toml", "wave"), ScriptLine("tidy.toml", "go home", "continue", last=True))
+
+    person.says(lines[0])
+    assert desk.next_order() is None
+    person.says(lines[1])
+
+    assert desk.next_order().said.lines == lines
+
+
+def test_what_is_left_of_a_script_whose_sender_goes_away_is_forgotten(another, desk):
+    first = another()
+    first.says(ScriptLine("tidy.toml", "wave"))
+    first.connection.close("")
+    desk.poll()
+    desk.poll()
+
+    another().says(ScriptLine("tidy.toml", "go home", last=True))
+
+    assert [line.text for line in desk.next_order().said.lines] == ["go home"]
+
+
+@pytest.mark.requirement("S7")
+def test_a_script_that_only_says_stop_cancels_what_is_under_way(busy, attended, another):
+    another().says(ScriptLine("stop.toml", "stop", last=True))
+
+    assert attended.heard == [("cancel", "stop was said")]
+
+
+@pytest.mark.parametrize("wrong", [{"expect": "refsued"}, {"on_failure": "never"}])
+def test_a_statement_with_a_word_that_there_is_not_ends_the_connection(person, wrong):
+    (told,) = person.says(ScriptLine("tidy.toml", "wave", **wrong))
+
+    assert told["type"] == "error"
+    assert next(iter(wrong.values())) in told["reason"]

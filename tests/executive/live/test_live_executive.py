@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from executive.live.desk import Order, Say
+from executive.live import live_attendant
+from executive.live.desk import Order, Say, Script, ScriptLine
 from executive.live.live_executive import LiveExecutive
 from executive.live.planning_service import Planned
 from kinematics.requests import CheckRequest
@@ -44,9 +45,9 @@ class Serving:
             self.live._session.hold(0.02)
         assert job.result() is trajectory
 
-    def carry_out(self, sentence):
+    def carry_out(self, said):
         before = set(self.record.glob("*/report.json"))
-        self.live._carry_out(Order(Say(sentence), Somebody()))
+        self.live._carry_out(Order(Say(said) if isinstance(said, str) else said, Somebody()))
         (report,) = set(self.record.glob("*/report.json")) - before
         return json.loads(report.read_text())
 
@@ -94,3 +95,38 @@ def test_an_order_that_cannot_be_recorded_is_refused_and_the_next_one_is_carried
     assert "cannot write" in somebody.told[-1]["text"]
     serving.live._record = writable
     assert serving.carry_out("wait for 0.2 seconds")["outcome"] == "done"
+
+
+def script(*lines):
+    return Script(tuple(ScriptLine("tidy.toml", text, **more) for text, more in lines))
+
+
+WAIT = ("wait for 0.2 seconds", {})
+
+
+@pytest.mark.requirement("U1")
+def test_a_script_that_is_sent_is_told_as_one_that_is_run(serving):
+    report = serving.carry_out(script(WAIT, ("dance", {"expect": "refused"}), WAIT))
+
+    assert (report["input"], report["exit_code"]) == ("tidy.toml", 0)
+    assert report["message"].startswith("script done: 3 statements as expected; last done: ")
+
+
+@pytest.mark.parametrize(("spoiled", "code"), [("pick up the zorbl", 2), ("pick up something", 3)])
+def test_a_script_with_a_later_statement_that_is_not_understood_does_not_begin(
+    serving, monkeypatch, spoiled, code
+):
+    monkeypatch.setattr(live_attendant, "ANSWER_WITHIN_S", 0.1)
+
+    report = serving.carry_out(script(WAIT, (spoiled, {"expect": "done"})))
+
+    assert report["exit_code"] == code
+    assert [task["text"] for task in report["tasks"]] == [spoiled]
+
+
+def test_a_statement_that_expects_a_question_is_not_asked(serving, monkeypatch):
+    monkeypatch.setattr(live_attendant.LiveAttendant, "answer", None)
+
+    report = serving.carry_out(script(WAIT, ("pick up something", {"expect": "question"})))
+
+    assert (report["exit_code"], report["tasks"][-1]["outcome"]) == (0, "question")
