@@ -29,8 +29,9 @@ from executive.commands import (
     tree,
     why,
 )
-from executive.errors import UserError
+from executive.errors import OutputLostError, UserError
 from executive.exit_codes import ExitCode
+from executive.standard_streams import secure_standard_streams
 from robots.errors import DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError
 from robots.live.errors import LiveError
 
@@ -55,14 +56,14 @@ class ExecutiveGroup(TyperGroup):
         """Run the chosen command."""
         try:
             return super().invoke(ctx)
+        except OutputLostError:
+            raise
         except _ENVIRONMENT as fault:
             _complain(" ".join(str(fault).split()))
             raise typer.Exit(ExitCode.INVALID) from None
         except KeyboardInterrupt:
             _complain("cancelled from the keyboard")
             raise typer.Exit(ExitCode.CANCELLED) from None
-        except BrokenPipeError:
-            raise
         except ModuleNotFoundError as missing:
             if (missing.name or "").partition(".")[0] in _OWN_PACKAGES:
                 raise typer.Exit(_defect(missing)) from None
@@ -105,8 +106,14 @@ app.command("shutdown")(shutdown.shutdown)
 
 
 def main() -> None:
-    """Entry point of the console script."""
-    app()
+    """Run the command line with this process's arguments and streams."""
+    secure_standard_streams()
+    try:
+        app()
+    except OutputLostError as lost:
+        if not lost.unread:
+            _complain(str(lost))
+        sys.exit(ExitCode.UNREAD if lost.unread else ExitCode.INVALID)
 
 
 def _is_for_typer(raised: Exception) -> bool:

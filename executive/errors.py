@@ -7,6 +7,7 @@ ExecutiveError
     ├── ScriptError          a task script that cannot be one: file, key and reason
     ├── TrajectoryFileError  a stored trajectory that cannot be one: file, place and reason
     ├── VocabularyError      a list of words that cannot be one: file, word class and reason
+    ├── OutputLostError      a result that cannot be written on standard output
     └── MissingPartError     a library or program that an option needs is not installed
 
 What a sentence means, a question and a refusal are return values, not errors.
@@ -30,8 +31,8 @@ class UserError(ExecutiveError):
 class NotWritableError(UserError):
     """A folder or file that cannot be written."""
 
-    def __init__(self, path: Path, reason: str, hint: str) -> None:
-        super().__init__(f"cannot write {path}: {reason}; {hint}")
+    def __init__(self, path: Path, failed: OSError, hint: str = "choose a place that you may write") -> None:
+        super().__init__(f"cannot write {path}: {failed.strerror or failed}; {hint}")
 
 
 class UnknownRunError(UserError):
@@ -56,6 +57,14 @@ class TrajectoryFileError(UserError):
 
     def __init__(self, path: Path, reason: str) -> None:
         super().__init__(f"{path}: {reason}")
+
+
+class OutputLostError(UserError):
+    """A result that cannot be written on standard output; ``unread``: who was to read it has gone."""
+
+    def __init__(self, reason: str, unread: bool) -> None:
+        super().__init__(f"cannot write on standard output: {reason}")
+        self.unread = unread
 
 
 class MissingPartError(UserError):

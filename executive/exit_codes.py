@@ -6,7 +6,10 @@ from enum import IntEnum
 
 
 class ExitCode(IntEnum):
-    """Exit codes, as the command-line contract lists them."""
+    """Exit codes, as the command-line contract lists them.
+
+    ``UNREAD`` is a shell's code of a program that SIGPIPE ended: who was to read the output has gone.
+    """
 
     DONE = 0
     FAILED = 1
@@ -15,3 +18,4 @@ class ExitCode(IntEnum):
     CANCELLED = 4
     UNSAFE = 5
     DEFECT = 70
+    UNREAD = 141

@@ -44,12 +44,22 @@ FINAL_HOLD_S = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Performance:
-    """How a run ended: the line for people, the exit code, and the report."""
+    """How a run ended.
+
+    Attributes:
+        line: For people.
+        exit_code: Of the report; a failure as well where all was done and something that was asked for, a
+            report or a picture, could not be written.
+        report: What it says.
+        run_name: Name of the recorded run.
+        complaints: What could not be written.
+    """
 
     line: str
     exit_code: ExitCode
     report: Report
     run_name: str
+    complaints: tuple[str, ...] = ()
 
 
 def perform(
@@ -103,11 +113,12 @@ def perform(
             left_out=tuple(step for statement, _ in results for step in statement.skipped),
         )
         log.finish(report.to_json())
-    if log.complaint is not None:
-        display.note(log.complaint)
-    for complaint in _write_reports(request, report, results):
-        display.note(complaint)
-    return Performance(line, code, report, log.name)
+    lacking = [] if pictures is None else list(pictures.complaints)
+    lacking += _write_reports(request, report, results)
+    broken_off = [] if log.complaint is None else [log.complaint]
+    if code is ExitCode.DONE and (lacking or (request.keep_trajectories and broken_off)):
+        code = ExitCode.FAILED
+    return Performance(line, code, report, log.name, (*broken_off, *lacking))
 
 
 def _header(request: RunRequest) -> dict[str, Any]:
@@ -131,13 +142,13 @@ def _write_reports(request: RunRequest, report: Report, results: Sequence[Said])
     if request.report is not None:
         try:
             write_report(request.report, report.to_json())
-        except NotWritableError as failed:
-            complaints.append(str(failed))
+        except NotWritableError as wrong:
+            complaints.append(str(wrong))
     if request.junit is not None:
         try:
             write_junit(request.junit, request.input, results)
-        except OSError as failed:
-            complaints.append(f"cannot write {request.junit}: {failed.strerror or failed}")
+        except NotWritableError as wrong:
+            complaints.append(str(wrong))
     return complaints
 
 
@@ -192,8 +203,6 @@ def _results(
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
         pictures.finish(assembly.world)
-        for complaint in pictures.complaints:
-            display.note(complaint)
     return results, assembly.planning.checked
 
 

@@ -27,6 +27,7 @@ from robots.clock import utc_timestamp
 
 LATEST = "latest"
 EVENTS = "events.jsonl"
+_ELSEWHERE = "choose a folder that you may write with --record"
 
 
 class RunLog:
@@ -64,7 +65,7 @@ class RunLog:
                 shutil.copyfile(config_file, self.path / "config.toml")
             self._file: TextIO = (self.path / EVENTS).open("w", encoding="utf-8", buffering=1)
         except OSError as failed:
-            raise _not_writable(directory, failed) from failed
+            raise NotWritableError(directory, failed, _ELSEWHERE) from failed
 
     @property
     def name(self) -> str:
@@ -184,7 +185,7 @@ def write_report(path: Path, report: Mapping[str, Any]) -> None:
     try:
         _write_json(path, report)
     except OSError as failed:
-        raise _not_writable(path, failed) from failed
+        raise NotWritableError(path, failed) from failed
 
 
 def require_writable(path: Path) -> None:
@@ -200,7 +201,7 @@ def require_writable(path: Path) -> None:
         if not existed:
             path.unlink()
     except OSError as failed:
-        raise _not_writable(path, failed) from failed
+        raise NotWritableError(path, failed) from failed
 
 
 def require_recordable(directory: Path) -> None:
@@ -214,7 +215,7 @@ def require_recordable(directory: Path) -> None:
         with tempfile.TemporaryFile(dir=directory) as file:
             file.write(b"{}")
     except OSError as failed:
-        raise _not_writable(directory, failed) from failed
+        raise NotWritableError(directory, failed, _ELSEWHERE) from failed
 
 
 def _new_folder(directory: Path, stem: str) -> Path:
@@ -246,8 +247,3 @@ def _read_json(path: Path) -> dict[str, Any] | None:
 
 def _write_json(path: Path, document: Mapping[str, Any]) -> None:
     path.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
-
-
-def _not_writable(path: Path, failed: OSError) -> NotWritableError:
-    hint = "choose a folder that you may write with --record or --report"
-    return NotWritableError(path, failed.strerror or str(failed), hint)

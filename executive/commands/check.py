@@ -14,9 +14,11 @@ from executive.commands.choices import (
     OnQuestionOption,
     PolicyChoice,
     PolicyOption,
+    not_empty,
 )
 from executive.commands.config_option import ConfigOption
 from executive.config import use_config
+from executive.errors import NotWritableError
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.trust import THRESHOLD, Trust
 
@@ -26,7 +28,10 @@ def check(
         str, typer.Argument(metavar="SENTENCE|SCRIPT.toml|TRAJECTORY.json", help="What to judge.")
     ],
     robot: Annotated[
-        str | None, typer.Option(help="Name of the robot.", show_default=f"{DEFAULT_ROBOT}, or the file's")
+        str | None,
+        typer.Option(
+            help="Name of the robot.", show_default=f"{DEFAULT_ROBOT}, or the file's", callback=not_empty
+        ),
     ] = None,
     scene: Annotated[
         str | None,
@@ -34,6 +39,7 @@ def check(
             metavar="NAME|FILE.toml",
             help="Where.",
             show_default=f"{DEFAULT_SCENE}; for a trajectory the TOML file beside it",
+            callback=not_empty,
         ),
     ] = None,
     seed: Annotated[int | None, typer.Option(min=0, help="Of everything random.", show_default="0")] = None,
@@ -68,14 +74,20 @@ def check(
         from executive.rehearsal import rehearse
 
         answer = rehearse(text, robot, scene, seed, Trust(confidence, policy.value), on_question.value)
-    if report is not None:
-        write_report(report, answer.to_json())
-    if junit is not None:
-        from executive.outputs.junit import write_check_junit
+    lost: list[NotWritableError] = []
+    try:
+        if report is not None:
+            write_report(report, answer.to_json())
+        if junit is not None:
+            from executive.outputs.junit import write_check_junit
 
-        write_check_junit(junit, text, answer)
+            write_check_junit(junit, text, answer)
+    except NotWritableError as wrong:  # what was found out is told first
+        lost.append(wrong)
     for line in [answer.message] if quiet else answer.lines():
         typer.echo(_sayable(line))
+    for wrong in lost:
+        raise wrong
     raise typer.Exit(answer.exit_code)
 
 

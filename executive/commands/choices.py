@@ -8,6 +8,13 @@ from typing import Annotated
 import typer
 
 
+def not_empty(name: str | None) -> str | None:
+    """A name as it was given; an empty one is a mistake, not one that was left out."""
+    if name is not None and not name.strip():
+        raise typer.BadParameter("the name is empty; leave the option out for the usual one")
+    return name
+
+
 class OnQuestionChoice(StrEnum):
     """What becomes of a question."""
 

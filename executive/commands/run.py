@@ -16,8 +16,10 @@ from executive.commands.choices import (
     PaceChoice,
     PolicyChoice,
     PolicyOption,
+    not_empty,
 )
 from executive.commands.config_option import ConfigOption
+from executive.commands.telling import tell_result
 from executive.config import runs_directory, use_config
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
 from executive.trust import THRESHOLD, Trust
@@ -29,9 +31,12 @@ if TYPE_CHECKING:
 
 def run(
     text: Annotated[str, typer.Argument(metavar="SENTENCE|JSON|SCRIPT.toml", help="What to do.")],
-    robot: Annotated[str | None, typer.Option(help="Name of the robot.", show_default=DEFAULT_ROBOT)] = None,
+    robot: Annotated[
+        str | None, typer.Option(help="Name of the robot.", show_default=DEFAULT_ROBOT, callback=not_empty)
+    ] = None,
     scene: Annotated[
-        str | None, typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE)
+        str | None,
+        typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE, callback=not_empty),
     ] = None,
     seed: Annotated[int | None, typer.Option(min=0, help="Of everything random.", show_default="0")] = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
@@ -87,7 +92,9 @@ def run(
             performance = perform(request, display, attendant)
         finally:
             display.close()
-    typer.echo(_sayable(performance.line))
+    for complaint in performance.complaints:
+        typer.echo(f"executive: {complaint}", err=True)
+    tell_result(performance.line)
     raise typer.Exit(performance.exit_code)
 
 
@@ -110,8 +117,3 @@ def _terminal(request: RunRequest, quiet: bool, plain: bool, closing: ExitStack)
     from executive.keyboard_attendant import KeyboardAttendant
 
     return live, KeyboardAttendant(closing.enter_context(Keyboard(sys.stdin)), live)
-
-
-def _sayable(line: str) -> str:
-    encoding = sys.stdout.encoding or "utf-8"
-    return line.encode(encoding, "backslashreplace").decode(encoding)

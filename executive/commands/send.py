@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from executive.commands.serve import FolderOption
+from executive.commands.telling import tell_result
 from executive.config import runtime_directory
 from executive.exit_codes import ExitCode
 
@@ -48,7 +49,7 @@ def send(
     else:
         order = [Say(sendable(text))]
     line, code = _say(where, order, quiet)
-    typer.echo(line)
+    tell_result(line)
     raise typer.Exit(code)
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from executive.commands.choices import ConfidenceOption, PolicyChoice, PolicyOption
+from executive.commands.choices import ConfidenceOption, PolicyChoice, PolicyOption, not_empty
 from executive.commands.config_option import ConfigOption
 from executive.config import (
     config_files,
@@ -39,8 +39,10 @@ def _pace(text: str | float) -> float:
 
 
 def serve(
-    robot: Annotated[str, typer.Option(help="Name of the robot.")] = DEFAULT_ROBOT,
-    scene: Annotated[str, typer.Option(metavar="NAME|FILE.toml", help="Where.")] = DEFAULT_SCENE,
+    robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
+    scene: Annotated[
+        str, typer.Option(metavar="NAME|FILE.toml", help="Where.", callback=not_empty)
+    ] = DEFAULT_SCENE,
     seed: Annotated[int, typer.Option(min=0, help="Of everything random.")] = 0,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
     pace: Annotated[

@@ -8,6 +8,7 @@ fault of the connection and a seed, and let it strike with SIGUSR1.
 
 from __future__ import annotations
 
+import contextlib
 import signal
 import sys
 from collections.abc import Callable
@@ -73,8 +74,9 @@ def serve(
 
 
 def _say(line: str) -> None:
-    sys.stderr.write(f"executive: {line}\n")
-    sys.stderr.flush()
+    with contextlib.suppress(OSError):  # nobody may be there to read it any more
+        sys.stderr.write(f"executive: {line}\n")
+        sys.stderr.flush()
 
 
 def _terminated(_number: int, _frame: FrameType | None) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
 from executive.feedback import failure_lines, result_line
 
@@ -53,7 +54,7 @@ def write_check_junit(path: Path, name: str, check: CheckReport) -> None:
     """Write one test case: what was judged without moving, which fails unless it is safe.
 
     Raises:
-        OSError: The file cannot be written.
+        NotWritableError: The file cannot be written.
     """
     failed = check.exit_code is not ExitCode.DONE
     suite = ElementTree.Element("testsuite", name=_clean(name), tests="1", failures=str(int(failed)))
@@ -65,7 +66,7 @@ def write_check_junit(path: Path, name: str, check: CheckReport) -> None:
     if failed:
         failure = ElementTree.SubElement(case, "failure", type=check.outcome, message=_clean(check.message))
         failure.text = _clean("\n".join(check.lines()))
-    path.write_text(_document(suite), "utf-8")
+    _write(path, _document(suite))
 
 
 def _document(suite: ElementTree.Element) -> str:
@@ -79,9 +80,16 @@ def write_junit(path: Path, name: str, results: Sequence[Said]) -> None:
     """Write the document.
 
     Raises:
-        OSError: The file cannot be written.
+        NotWritableError: The file cannot be written.
     """
-    path.write_text(junit_xml(name, results), "utf-8")
+    _write(path, junit_xml(name, results))
+
+
+def _write(path: Path, document: str) -> None:
+    try:
+        path.write_text(document, "utf-8")
+    except OSError as failed:
+        raise NotWritableError(path, failed) from failed
 
 
 def _clean(text: str) -> str:

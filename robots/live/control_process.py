@@ -8,6 +8,7 @@ late first lets the missed ones pass under the last setpoint, then reads what ha
 from __future__ import annotations
 
 import argparse
+import contextlib
 import dataclasses
 import gc
 import os
@@ -240,8 +241,9 @@ def _real_time_scheduling() -> str:
 
 
 def _say(line: str) -> None:
-    sys.stderr.write(f"executive: {line}\n")
-    sys.stderr.flush()
+    with contextlib.suppress(OSError):  # nobody may be there to read it any more
+        sys.stderr.write(f"executive: {line}\n")
+        sys.stderr.flush()
 
 
 def main() -> int:

@@ -89,7 +89,8 @@ def test_the_served_robots_line_and_code_are_those_of_the_command(served, ending
 @pytest.mark.requirement("U1")
 def test_a_script_is_one_order_with_all_that_its_statements_say(served, script):
     path = script(
-        f'{WAVE}on_failure = "retry"\ntimeout_s = 9.0\n[[task]]\nsay = "pick up something"\nexpect = "question"\n'
+        f'{WAVE}on_failure = "retry"\ntimeout_s = 9.0\n'
+        '[[task]]\nsay = "pick up something"\nexpect = "question"\n'
     )
 
     assert served.send(path).exit_code == 0
