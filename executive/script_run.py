@@ -78,11 +78,16 @@ def verdict(statements: Sequence[Statement], results: Sequence[Said]) -> tuple[s
     unexpected = first_unexpected(results)
     if unexpected is not None:
         statement, last = unexpected
-        return _line(statement, last), last.outcome, unexpected_code(last)
+        line = _line(statement, last)
+        if statement.expect != "done":
+            line = f"expected {statement.expect}, got {line}"
+        return line, "failed" if last.outcome == "done" else last.outcome, unexpected_code(last)
     statement, said = results[-1]
     line = _line(statement, said[-1]) if len(said) == 1 else result_line_of_all(said)
     if len(statements) > 1:
         line = f"script done: {len(results)} statements as expected; last {line}"
+    elif statement.expect != "done":
+        line = f"as expected: {line}"
     left_out = [f"{step.text!r} ({step.reason})" for one, _ in results for step in one.skipped]
     if left_out:
         line += f"; left out: {', '.join(left_out)}"
