@@ -11,7 +11,7 @@ import json
 from pathlib import Path
 
 from executive.config import data_directory, runs_directory
-from executive.errors import UnknownRunError
+from executive.errors import UnknownRunError, UserError
 from executive.run_log import LATEST, RecordedRun, recorded_runs, run_in
 
 _MOST = 50
@@ -49,7 +49,10 @@ def find_run(name: str, record: Path | None = None) -> RecordedRun:
 
     Raises:
         UnknownRunError: There is none.
+        UserError: The name is empty.
     """
+    if not name.strip():
+        raise UserError("the name of the run is empty; leave it out for the latest")
     path = Path(name)
     if name != LATEST and path.is_dir():
         own = run_in(path)

@@ -124,5 +124,7 @@ def _known_keys(source: str, place: str, table: Mapping[str, Any], known: Sequen
 
 def _choice(source: str, key: str, value: object, choices: tuple[Any, ...]) -> Any:
     if value not in choices:
-        raise ScriptError(source, key, f"must be one of {', '.join(choices)}")
+        close = difflib.get_close_matches(str(value), choices, n=1)
+        hint = f"; did you mean {close[0]!r}?" if close else ""
+        raise ScriptError(source, key, f"{value!r} is not one of {', '.join(choices)}{hint}")
     return value

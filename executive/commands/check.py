@@ -17,6 +17,7 @@ from executive.commands.choices import (
     not_empty,
 )
 from executive.commands.config_option import ConfigOption
+from executive.commands.numbers import number_from, whole_number_from
 from executive.config import use_config
 from executive.errors import NotWritableError
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
@@ -42,11 +43,19 @@ def check(
             callback=not_empty,
         ),
     ] = None,
-    seed: Annotated[int | None, typer.Option(min=0, help="Of everything random.", show_default="0")] = None,
+    seed: Annotated[
+        int | None,
+        typer.Option(
+            parser=whole_number_from(0), metavar="N", help="Of everything random.", show_default="0"
+        ),
+    ] = None,
     margin_m: Annotated[
         float,
         typer.Option(
-            "--margin", min=0.0, max=1.0, metavar="METRES", help="Kept from a stored trajectory's scene."
+            "--margin",
+            parser=number_from(0.0, 1.0),
+            metavar="METRES",
+            help="Kept from a stored trajectory's scene.",
         ),
     ] = 0.0,
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,

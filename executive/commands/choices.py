@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.numbers import number_from
+
 
 def not_empty(name: str | None) -> str | None:
     """A name as it was given; an empty one is a mistake, not one that was left out."""
@@ -41,7 +43,10 @@ OnQuestionOption = Annotated[
     OnQuestionChoice, typer.Option("--on-question", help="What becomes of a question.")
 ]
 ConfidenceOption = Annotated[
-    float, typer.Option(min=0.0, max=1.0, help="Below it a model's steps are not done unasked.")
+    float,
+    typer.Option(
+        parser=number_from(0.0, 1.0), metavar="0..1", help="Below it a model's steps are not done unasked."
+    ),
 ]
 PolicyOption = Annotated[
     PolicyChoice, typer.Option(help="Below the confidence: ask, or do the other steps only.")

@@ -18,13 +18,21 @@ _EXIT_CODES = {"tasks": ExitCode.DONE, "refused": ExitCode.INVALID, "question": 
 
 
 def parse(
-    text: Annotated[str, typer.Argument(metavar="SENTENCE|-|FILE", help="What to understand.")],
+    text: Annotated[str, typer.Argument(metavar="SENTENCE|-|FILE|SCRIPT.toml", help="What to understand.")],
     config: Annotated[Path | None, typer.Option(help="A TOML file with words of your own.")] = None,
 ) -> None:
-    """Say what a sentence or a model's output means; for - or a file, one line of JSON for each line."""
+    """Say what a sentence or a model's output means; for - or a file, one line of JSON for each line.
+
+    Of a task script, for each statement.
+    """
+    from executive.task_script import load_script
     from executive.understanding import understand
 
     use_config(config)
+    if text.endswith(".toml"):
+        for statement in load_script(Path(text)).statements:
+            typer.echo(json.dumps(statement.parsed.to_json()))
+        return
     lines = _lines(text)
     if lines is None:
         parsed = understand(text).parsed

@@ -19,6 +19,7 @@ from executive.commands.choices import (
     not_empty,
 )
 from executive.commands.config_option import ConfigOption
+from executive.commands.numbers import whole_number_from
 from executive.commands.telling import tell_result
 from executive.config import runs_directory, use_config
 from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
@@ -38,7 +39,12 @@ def run(
         str | None,
         typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE, callback=not_empty),
     ] = None,
-    seed: Annotated[int | None, typer.Option(min=0, help="Of everything random.", show_default="0")] = None,
+    seed: Annotated[
+        int | None,
+        typer.Option(
+            parser=whole_number_from(0), metavar="N", help="Of everything random.", show_default="0"
+        ),
+    ] = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
     snapshot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="A picture of the end.")] = None,
     video: Annotated[Path | None, typer.Option(metavar="FILE.mp4", help="A film of the run.")] = None,

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from executive.errors import UserError
+
 
 def runs(
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
@@ -14,6 +16,8 @@ def runs(
     """List recorded runs: when, what, outcome, duration."""
     from executive.run_search import find_runs, folders
 
+    if record is not None and not record.is_dir():
+        raise UserError(f"{record}: {'is no folder' if record.exists() else 'there is no such folder'}")
     found = find_runs(record)
     looked = folders(record)
     if not found:

@@ -9,6 +9,7 @@ import typer
 
 from executive.commands.choices import ConfidenceOption, PolicyChoice, PolicyOption, not_empty
 from executive.commands.config_option import ConfigOption
+from executive.commands.numbers import whole_number_from
 from executive.config import (
     config_files,
     leave_opengl_to_the_renderer,
@@ -43,7 +44,9 @@ def serve(
     scene: Annotated[
         str, typer.Option(metavar="NAME|FILE.toml", help="Where.", callback=not_empty)
     ] = DEFAULT_SCENE,
-    seed: Annotated[int, typer.Option(min=0, help="Of everything random.")] = 0,
+    seed: Annotated[
+        int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
+    ] = 0,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
     pace: Annotated[
         float,

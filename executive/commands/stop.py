@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from executive.commands.numbers import whole_number_from
 from executive.commands.serve import FolderOption
 from executive.config import runtime_directory
 
@@ -13,7 +14,11 @@ from executive.config import runtime_directory
 def stop(
     category: Annotated[
         int,
-        typer.Option(min=0, max=2, help="1 brakes along the path, 2 holds at once, 0 takes the power away."),
+        typer.Option(
+            parser=whole_number_from(0, 2),
+            metavar="0|1|2",
+            help="1 brakes along the path, 2 holds at once, 0 takes the power away.",
+        ),
     ] = 1,
     reason: Annotated[str, typer.Option(help="Why, for the log.")] = "a person stopped it",
     folder: FolderOption = None,

@@ -10,6 +10,7 @@ import typer
 
 from executive.commands.config_option import ConfigOption
 from executive.config import use_config
+from executive.errors import UserError
 from executive.exit_codes import ExitCode
 
 
@@ -35,6 +36,10 @@ def tree(
         _of_file(Path(text), form)
         return
     from executive.command_parser import parse
+    from executive.task_script import is_script
+
+    if is_script(text):
+        raise UserError(f"{text}: a tree is printed of one sentence, or of a FILE.xml; a script has many")
     from executive.meaning import StopCommand
 
     use_config(config)
@@ -58,7 +63,6 @@ def tree(
 
 
 def _of_file(path: Path, form: TreeFormat) -> None:
-    from executive.errors import UserError
     from executive.outputs.tree_formats import FORMATS
     from executive.tree_preview import preview_of_document, rewritten_document
 

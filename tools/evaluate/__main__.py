@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -14,6 +15,8 @@ from types import MappingProxyType
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from executive.errors import UserError
+from executive.run_log import require_writable
 from robots.description import known_robots, load_description
 from robots.errors import RobotsError
 from robots.live.faulty_connection import CONNECTION_FAULTS
@@ -80,7 +83,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         description = load_description(options.robot)
         if options.scene is not None:
             load_scene(options.scene)
-    except RobotsError as wrong:
+        if options.json is not None:
+            require_writable(options.json)
+        _require_folder(options.failed)
+    except (RobotsError, UserError) as wrong:
         messages.print(f"error: {wrong}", style="bold", markup=False)
         return 2
     if options.suite == "fault":
@@ -130,6 +136,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     scenes = save_scenes(summary, options.failed)
     print_summary(summary, scenes, Console())
     return 0 if all(bar.met for bar in summary.bars()) else 1
+
+
+def _require_folder(folder: Path) -> None:
+    """Find out beforehand whether a folder can be made and written; made it is when it is needed.
+
+    Raises:
+        UserError: It cannot.
+    """
+    there = next(path for path in (folder.absolute(), *folder.absolute().parents) if path.exists())
+    if not there.is_dir() or not os.access(there, os.W_OK):
+        raise UserError(f"cannot keep scenes in {folder}: {there} is no folder that you may write")
 
 
 def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console, run: Run) -> list[EpisodeRecord]:
