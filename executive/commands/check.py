@@ -95,8 +95,8 @@ def check(
         lost.append(wrong)
     for line in [answer.message] if quiet else answer.lines():
         typer.echo(_sayable(line))
-    for wrong in lost:
-        raise wrong
+    if lost:
+        raise lost[0]
     raise typer.Exit(answer.exit_code)
 
 
