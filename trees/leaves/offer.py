@@ -16,7 +16,7 @@ from trees.people_near import nearer_than
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 
-_WITHIN_M = 1.6
+_WITHIN_M = 1.8
 """Who stands farther away does not get to what is held out."""
 
 
