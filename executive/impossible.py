@@ -1,4 +1,4 @@
-"""What no search would help with, told before anything moves: a room off the map, the floor, below a thing."""
+"""What no search would help with, told before anything moves: a room off the map, the floor, below things."""
 
 from __future__ import annotations
 
