@@ -1,7 +1,8 @@
 """Motions that are made as they go, inside declared bounds.
 
 A guarded motion is not known beforehand, so it cannot be checked beforehand: it declares which
-joints it moves and within what bounds, and the online checker judges each of its setpoints.
+joints it moves and within what bounds, and the online checker judges each of its setpoints. What moves
+more than head and fingers has to be a ``BodyMotion``, so that collisions and balance can be judged too.
 """
 
 from __future__ import annotations

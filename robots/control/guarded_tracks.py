@@ -75,6 +75,12 @@ class GuardedTracks:
             stance: Where the feet stand.
         """
         joints = motion.bounds.joints
+        unjudged = self._unjudged(motion)
+        if unjudged:
+            return (
+                f"{motion.name} moves {', '.join(unjudged)}, and says neither where the body is then nor "
+                "what it must not touch: only a BodyMotion moves more than head and fingers"
+            )
         kept = [keeper for keeper in self.keepers.values() if keeper.joint in joints]
         if any(self._guide_of(keeper) is not None for keeper in kept):
             return f"{kept[0].joint} is moved by another motion"
@@ -135,6 +141,13 @@ class GuardedTracks:
         """Rest where the grippers were told to stay."""
         for keeper in self.keepers.values():
             keeper.halt()
+
+    def _unjudged(self, motion: GuardedMotion) -> list[str]:
+        """Body joints, but for the head's, of a motion that cannot be judged for collisions and balance."""
+        if isinstance(motion, BodyMotion):
+            return []
+        head = self._model.description.groups.get("head", ())
+        return [name for name in motion.bounds.joints if name in self._model.joints and name not in head]
 
     def _guide_of(self, keeper: GripKeeper) -> GuardedTrack | None:
         return next((track for track in self._running if keeper.index in track.indices), None)

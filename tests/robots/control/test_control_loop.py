@@ -9,18 +9,18 @@ from robots.control.guarded_motion import MotionBounds
 from robots.control.motion_handle import MotionStatus
 
 ELBOW = "arm_left_2_joint"
-LIMB = "arm_right_2_joint"
+NECK = "head_1_joint"
 
 
 class Sway:
-    """A guarded motion of one arm joint at constant acceleration."""
+    """A guarded motion of one joint of the head at constant acceleration."""
 
     name = "sway"
 
     def __init__(self, start_rad, acceleration=1.0, velocity=1.0, effort=50.0, duration_s=1.0, span_rad=0.5):
         self.acceleration, self.start_rad = acceleration, start_rad
         self.bounds = MotionBounds(
-            (LIMB,),
+            (NECK,),
             np.array([start_rad - span_rad]),
             np.array([start_rad + span_rad]),
             np.array([velocity]),
@@ -42,7 +42,7 @@ class Sway:
 
 @pytest.fixture
 def sway(rig):
-    start = rig.description.home[LIMB]
+    start = rig.description.home[NECK]
     return lambda **bounds: Sway(start, **bounds)
 
 
@@ -177,7 +177,7 @@ def test_there_is_no_fourth_stop_category(rig):
         rig.loop.stop(3, "why not")
 
 
-def test_a_guarded_motion_of_the_body_ends_in_rest(rig, sway):
+def test_a_guarded_motion_of_the_head_ends_in_rest(rig, sway):
     motion = sway()
     motion.ends_s = 0.3
     handle = rig.loop.motion.start(motion)
@@ -186,6 +186,22 @@ def test_a_guarded_motion_of_the_body_ends_in_rest(rig, sway):
     assert handle.status is MotionStatus.DONE
     assert rig.loop.statistics.refused == 0
     assert resting_at_the_end(rig)
+
+
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("joint", ["arm_right_2_joint", "torso_1_joint", "leg_left_4_joint"])
+def test_a_guarded_motion_whose_collisions_and_balance_cannot_be_judged_is_not_begun(rig, sway, joint):
+    motion = sway()
+    motion.bounds = dataclasses.replace(motion.bounds, joints=(joint,))
+
+    handle = rig.loop.motion.start(motion)
+    rig.run(0.5)
+
+    assert handle.status is MotionStatus.REFUSED
+    assert f"sway moves {joint}" in handle.reason
+    assert "only a BodyMotion" in handle.reason
+    assert rig.loop.still
+    assert rig.loop.statistics.refused == 0
 
 
 @pytest.mark.parametrize(

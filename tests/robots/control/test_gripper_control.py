@@ -129,13 +129,13 @@ def test_a_gripper_that_cannot_open_is_given_up_after_its_declared_time(rig, lef
     assert rig.loop.statistics.refused == 1
 
 
-def test_a_refused_motion_of_arm_and_gripper_leaves_the_grip_its_joint(rig, left, motions):
+def test_a_refused_motion_of_head_and_gripper_leaves_the_grip_its_joint(rig, left, motions):
     close_on(rig, left, -0.233)
     rig.loop.motion.start(motions.arms(rig.loop.motion.reference()))
     one = np.ones(2)
     both = SimpleNamespace(
-        name="jog arm and gripper",
-        bounds=MotionBounds(("arm_left_1_joint", LEFT), -one, one, one, one, 1.0),
+        name="nod and close",
+        bounds=MotionBounds(("head_1_joint", LEFT), -one, one, one, one, 1.0),
         sample=lambda elapsed_s, state: None,
     )
 
@@ -144,7 +144,7 @@ def test_a_refused_motion_of_arm_and_gripper_leaves_the_grip_its_joint(rig, left
     rig.run(0.6)
 
     assert refused.status is MotionStatus.REFUSED
-    assert "arm_left_1_joint is held by" in refused.reason
+    assert "head_1_joint is held by" in refused.reason
     assert left.reading().opening_m < 0.01
     assert rig.loop.statistics.refused == 0
 
