@@ -121,7 +121,18 @@ def _of_slot(slot: str, plain: str) -> str | None:
 
 
 def _destination(word: str) -> str:
-    return word if word in _ALWAYS_KNOWN else _canonical(word, _GOALS)
+    if word in _ALWAYS_KNOWN:
+        return word
+    parts = word.split()
+    if len(parts) == 2 and all(_is_a_name(part) for part in parts):
+        return " ".join(_canonical(part, ("NAME",)) for part in parts)
+    return _canonical(word, _GOALS)
+
+
+def _is_a_name(word: str) -> bool:
+    """Whether it is a name of people and nothing else."""
+    length, readings = vocabulary().match([word.lower()])
+    return length == 1 and {one.word_class for one in readings} == {"NAME"}
 
 
 def _canonical(word: str, preferred: Sequence[str]) -> str:

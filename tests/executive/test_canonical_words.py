@@ -65,3 +65,16 @@ def test_the_thing_that_a_place_is_compared_with_is_held_against_the_lists_too()
     to = {"kind": "bottle", "size": "purple"}
 
     assert parsed(relation={"is": "next_to", "to": to}).refusal is not None
+
+
+@pytest.mark.parametrize("said", ["Ana Maria", "ana maria"])
+def test_a_person_of_two_names_is_called_by_both(said):
+    action = {"action": "walk_to", "to": said, "confidence": 0.9}
+
+    assert understand(json.dumps(action)).parsed.commands[0].to == "Ana Maria"
+
+
+def test_of_two_words_both_have_to_be_names():
+    action = {"action": "walk_to", "to": "Ana Zork", "confidence": 0.9}
+
+    assert understand(json.dumps(action)).parsed.refusal.word == "Ana Zork"

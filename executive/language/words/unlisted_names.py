@@ -1,4 +1,4 @@
-"""Names that no list holds, told by their capital: "wave to Herta", "bring Anne-Sophie the cup".
+"""Names that no list holds, told by their capital: "wave to Herta", "bring Anne-Sophie the cup", "Ana Maria".
 
 There is no end of names, so that no list is long enough. An unknown word that begins with a capital inside
 a sentence, where capitals are not put on everything, is what somebody is called; the grammar lets it stand
@@ -45,7 +45,7 @@ def unlisted_names(
     vocabulary: Vocabulary,
     is_mistyped: IsMistyped,
 ) -> Iterator[Found]:
-    """Every name with a part that is in no list.
+    """Every name with a part that is in no list, or of two parts.
 
     Args:
         pieces: Of the sentence.
@@ -71,7 +71,8 @@ def unlisted_names(
     }
     for start in sorted(names):
         for end in _ends_of_name(pieces, plain, begins, names, start):
-            if unlisted.isdisjoint(range(start, end)) and not _is_hyphenated(pieces, plain, start):
+            listed = unlisted.isdisjoint(range(start, end))
+            if listed and not (_is_hyphenated(pieces, plain, start) or _is_double(begins[start:end])):
                 continue
             said = plain[pieces[start].start : pieces[end - 1].end]
             yield start, end, "OWNER" if said.endswith(_OF) else "NAME", said.removesuffix(_OF)
@@ -135,6 +136,11 @@ def _ends_of_name(
     owns = pieces[start].text.endswith(_OF)
     if following in names and not owns and (joined or not told):
         yield following + 1
+
+
+def _is_double(begins: Sequence[AbstractSet[str]]) -> bool:
+    """Whether two words are names of people and nothing else, as in "Ana Maria"; "Ana Ben's cup" is Ben's."""
+    return len(begins) == 2 and all(classes == {"NAME"} for classes in begins)
 
 
 def _is_hyphenated(pieces: Sequence[Piece], plain: str, start: int) -> bool:

@@ -15,6 +15,36 @@ def test_an_unknown_word_with_a_capital_is_a_name_as_it_was_written(name):
     assert person_of(f"wave to {name}") == name
 
 
+@pytest.mark.parametrize("name", ["Ana Maria", "Mary Jane", "Jean Paul"])
+def test_two_listed_names_side_by_side_are_those_of_one_person(name):
+    assert person_of(f"wave to {name}") == name
+    bring = parse(f"bring {name} the cup").to_json()["tasks"]
+    assert bring[-1]["to"] == name
+
+
+@pytest.mark.parametrize(
+    ("sentence", "people"),
+    [
+        ("wave to Ana, Maria and Ben", ["Ana", "Maria", "Ben"]),
+        ("wave to Ana and Maria", ["Ana", "Maria"]),
+        ("wave to Ana Maria and Ben", ["Ana Maria", "Ben"]),
+    ],
+)
+def test_names_in_a_list_are_of_several_people(sentence, people):
+    assert [task["person"] for task in parse(sentence).to_json()["tasks"]] == people
+
+
+def test_whose_a_thing_is_stands_beside_who_gets_it():
+    (_, given) = parse("bring Ana Ben's cup").to_json()["tasks"]
+
+    assert given["to"] == "Ana"
+
+
+@pytest.mark.parametrize("sentence", ["wave to ana maria", "Wave To Ana Maria", "WAVE TO ANA MARIA"])
+def test_without_capitals_that_tell_two_names_are_not_one(sentence):
+    assert parse(sentence).refusal is not None
+
+
 @pytest.mark.parametrize(
     "sentence",
     [
