@@ -16,9 +16,10 @@ from dataclasses import dataclass, replace
 
 from executive.at_hand import Nearness
 from executive.meaning import Command
+from robots.articulated import DRAWER
 from trees.away_from_start import leads_away
 from trees.fridge_inside import is_behind_door
-from trees.handles import BODY_OF, DRAWER, MEANT_BY
+from trees.handles import BODY_OF, MEANT_BY
 from trees.tasks import (
     WHERE_IT_WAS,
     CloseTask,

@@ -14,8 +14,9 @@ from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import half_height_m, top_m
+from robots.articulated import DRAWER, DRAWER_BOTTOM, DRAWER_WALL
 from trees.failures import Failure
-from trees.handles import BODY_OF, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, without_inside
+from trees.handles import BODY_OF, without_inside
 from trees.held import HeldObject
 from trees.scene_update import kind_of
 

@@ -17,8 +17,9 @@ from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.support import top_m
+from robots.articulated import DOOR
 from trees.failures import Failure
-from trees.handles import BODY_OF, DOOR, MEANT_BY
+from trees.handles import BODY_OF, MEANT_BY
 from trees.held import HeldObject
 from trees.scene_update import kind_of
 from trees.sight_of_tops import ABOVE_M, SightOfTops, is_over

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,15 +17,10 @@ from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box, Shape
 from kinematics.walking.planar import PlanarPose
+from robots.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
 from robots.perception.object_estimate import ObjectEstimate
 from trees.scene_update import kind_of
 
-DOOR: Final = "door"
-DRAWER: Final = "drawer"
-HANDLE: Final = "handle"
-PART_KINDS = (DOOR, DRAWER, HANDLE)
-DRAWER_BOTTOM: Final = "drawer bottom"
-DRAWER_WALL: Final = "drawer wall"
 INSIDE_KINDS = (DRAWER_BOTTOM, DRAWER_WALL)
 """What goes with a drawer's front, and shows when it is open."""
 BODY_OF: Mapping[str, str] = {DOOR: "fridge", DRAWER: "drawers"}

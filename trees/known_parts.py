@@ -6,8 +6,9 @@ from collections.abc import Mapping
 
 from kinematics.scene import PlanningScene
 from kinematics.walking.planar import PlanarPose
+from robots.articulated import PART_KINDS
 from robots.perception.object_estimate import ObjectEstimate
-from trees.handles import BODY_OF, PART_KINDS, HandleTarget, handles_in
+from trees.handles import BODY_OF, HandleTarget, handles_in
 from trees.pushed_front import fronts_in
 from trees.scene_update import kind_of
 

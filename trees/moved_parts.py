@@ -12,8 +12,9 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box, Shape
+from robots.articulated import DOOR, PART_KINDS
 from robots.perception.object_estimate import ObjectEstimate
-from trees.handles import BODY_OF, DOOR, INSIDE_KINDS, PART_KINDS
+from trees.handles import BODY_OF, INSIDE_KINDS
 from trees.scene_update import kind_of
 
 _WITHIN_M = 1.0

@@ -14,8 +14,9 @@ from kinematics.opening_path import DoorArc
 from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Box
+from robots.articulated import DOOR
 from robots.perception.object_estimate import ObjectEstimate
-from trees.handles import BODY_OF, DOOR, HandleTarget, handles_in, top_of_nearest
+from trees.handles import BODY_OF, HandleTarget, handles_in, top_of_nearest
 from trees.scene_update import kind_of
 
 PUSH_TO_RAD = -0.12

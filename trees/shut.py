@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 from kinematics.scene import PlanningScene
+from robots.articulated import DOOR, DRAWER
 from trees.drawer_inside import inside_of_drawer
 from trees.failures import Failure, FailureKind
 from trees.fridge_inside import door_opening_rad
-from trees.handles import DOOR, DRAWER, MEANT_BY
+from trees.handles import MEANT_BY
 
 _AJAR_RAD = math.radians(10.0)
 """A door that is less open shows nothing."""

@@ -11,11 +11,12 @@ from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
+from robots.articulated import DRAWER
 from trees.destination import Place, called
 from trees.events import LeafFailed, NodeChanged
 from trees.failure_chain import failure_of, place_of
 from trees.failures import Failure, FailureKind, Number
-from trees.handles import BODY_OF, DRAWER, HandleTarget
+from trees.handles import BODY_OF, HandleTarget
 from trees.leaf import Leaf, from_exception
 from trees.report_words import numbered
 from trees.retry import Retry

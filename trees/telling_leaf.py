@@ -11,6 +11,7 @@ import numpy as np
 from py_trees.common import Status
 
 from kinematics.poses import Transform
+from robots.articulated import PART_KINDS
 from robots.furniture import FURNITURE_KINDS
 from robots.furniture_names import kind_called
 from robots.scene_description import Region
@@ -20,7 +21,7 @@ from trees.failures import Failure, Number
 from trees.furniture_called import called_so, is_said_of
 from trees.gap_to_furniture import gap_to_furniture_m
 from trees.grounding import Ambiguous, Missing, ground
-from trees.handles import INSIDE_KINDS, PART_KINDS
+from trees.handles import INSIDE_KINDS
 from trees.hidden_places import HIDDEN_WORTH, hidden_places
 from trees.leaf import DONE, Leaf
 from trees.one_piece import belong_together

@@ -30,6 +30,8 @@ HULL_PRIORITY, SOLE_PRIORITY = 1, 2
 PAD_SOLREF = (0.01, 1.0)
 PAD_SOLIMP = (0.9, 0.97, 0.002, 0.5, 2.0)
 """Contact stiffness of rubber pads: measured to hold 0.1 to 1.0 kg with 0.1 mm of creep in 10 s."""
+PATCH_RADIUS_M = 0.02
+"""Torsional friction of a contact is its friction times this: the size of a soft pad's contact patch."""
 PAD_SOLREF_FRICTION = (0.002, 1.0)
 """MuJoCo's constraints leave out that a turning hand turns their directions, so that what is held slides
 outwards at the centripetal acceleration times half this time: 5 mm/s for 1 m/s^2 with the 0.01 s of normal

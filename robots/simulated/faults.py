@@ -12,9 +12,9 @@ from kinematics import poses
 from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots.scene_description import SceneItem
-from robots.simulated.body_model import pad_name
+from robots.simulated.body_model import PATCH_RADIUS_M, pad_name
 from robots.simulated.physics import Physics
-from robots.simulated.scene_model import PATCH_RADIUS_M, friction_row, pair_name
+from robots.simulated.scene_model import friction_row, pair_name
 from robots.simulated.truth import SimulatorTruth
 
 Array = NDArray[np.float64]

@@ -12,7 +12,7 @@ from kinematics.robot_description import RobotDescription
 from kinematics.shapes import Box
 from robots import articulated, furniture
 from robots.scene_description import Furniture, SceneDescription
-from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, pad_name, set_role
+from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, PATCH_RADIUS_M, pad_name, set_role
 from robots.simulated.geom_roles import WORLD_GROUP, Role
 
 DOOR_DAMPING = 0.2
@@ -24,7 +24,6 @@ LOCKED_PLAY = {"fridge": 0.0005, "drawers": 0.0005}
 """How far a locked part gives, rad or m. A huge friction would creep instead."""
 SEAL_HOLDS_RAD, SEAL_ENDS_RAD = np.deg2rad(1.0), np.deg2rad(3.0)
 """A magnetic seal pulls fully up to the first angle, and fades out to the second."""
-PATCH_RADIUS_M = 0.02
 
 
 def part_joint(piece: Furniture) -> str:

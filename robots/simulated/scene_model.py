@@ -12,15 +12,20 @@ from robots import furniture
 from robots.hollow import hollow_parts
 from robots.scene_description import SceneDescription, SceneItem
 from robots.scene_words import COLORS
-from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, PAD_SOLREF_FRICTION, pad_name, set_role
+from robots.simulated.body_model import (
+    PAD_SOLIMP,
+    PAD_SOLREF,
+    PAD_SOLREF_FRICTION,
+    PATCH_RADIUS_M,
+    pad_name,
+    set_role,
+)
 from robots.simulated.furniture_model import add_moving_part
 from robots.simulated.geom_roles import WORLD_GROUP, Role
 from robots.simulated.person_model import add_person
 
 FLOOR = "floor"
 FLOOR_FRICTION = 0.8
-PATCH_RADIUS_M = 0.02
-"""Torsional friction of a contact is its friction times this: the size of a soft pad's contact patch."""
 REST_PATCH_M = 0.01
 """The same for an object that stands on something hard."""
 ROLLING_M = 0.0005

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 
 from py_trees.common import Status
 
+from robots.articulated import DRAWER
 from robots.perception.object_estimate import ObjectEstimate
 from trees.failures import Failure, FailureKind
-from trees.handles import DRAWER, HandleTarget
+from trees.handles import HandleTarget
 from trees.leaves.detect_handle import DetectHandle
 from trees.look_leaf import View
 from trees.pushed_front import fronts_in

@@ -9,13 +9,14 @@ from py_trees.common import Status
 
 from kinematics import poses
 from kinematics.place_requests import Spot
+from robots.articulated import DRAWER
 from robots.perception.object_estimate import ObjectEstimate
 from trees.container_room import room_beside_m
 from trees.contract import Contract
 from trees.destination import Place, resolve
 from trees.drawer_inside import inside_of_drawer, spots_in_drawer
 from trees.failures import Failure
-from trees.handles import DRAWER, MEANT_BY
+from trees.handles import MEANT_BY
 from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.look_around import LookAround

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.gaze import gaze_joints
+from robots.articulated import DOOR, DRAWER, HANDLE
 from trees.aim import Aim
-from trees.handles import DOOR, DRAWER, HANDLE, HandleTarget
+from trees.handles import HandleTarget
 from trees.leaves.look_at import joints_of
 from trees.policy import Gaze
 from trees.ports import optional, ports

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
+from robots.articulated import DOOR
 from trees.articles import with_article
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.handles import DOOR, MEANT_BY
+from trees.handles import MEANT_BY
 from trees.leaf import DONE, Leaf
 from trees.ports import ports
 from trees.tasks import ObjectDescription

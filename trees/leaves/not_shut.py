@@ -6,12 +6,13 @@ from collections.abc import Mapping
 
 from py_trees.common import Status
 
+from robots.articulated import DOOR, DRAWER
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.drawer_inside import inside_of_drawer
 from trees.failures import Failure, FailureKind
 from trees.fridge_inside import inside_of_fridge
-from trees.handles import DOOR, DRAWER, MEANT_BY
+from trees.handles import MEANT_BY
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports

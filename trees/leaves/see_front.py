@@ -10,11 +10,12 @@ from py_trees.common import Status
 from kinematics import poses
 from kinematics.shapes import Box
 from kinematics.walking.planar import PlanarPose
+from robots.articulated import DOOR
 from robots.perception.object_estimate import ObjectEstimate
 from trees.contract import Contract
 from trees.destination import Place, aim_of
 from trees.failures import Failure
-from trees.handles import BODY_OF, DOOR
+from trees.handles import BODY_OF
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.ports import ports

@@ -8,9 +8,10 @@ from kinematics import poses
 from kinematics.opening_path import DoorArc
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
+from robots.articulated import DOOR
 from robots.perception.truth_view import TrueObject
 from trees.failures import FailureKind
-from trees.handles import DOOR, HandleTarget
+from trees.handles import HandleTarget
 from trees.leaves.reach_watching import ReachWatching
 
 PANEL, PLACE = Box((0.04, 0.6, 1.6)), poses.translation(1.4, 0.0, 1.3)

@@ -7,10 +7,9 @@ from py_trees.common import Status
 
 from kinematics.poses import rotation_z, transform, translation
 from kinematics.scene import SceneObject
-from robots.articulated import furniture_T_part, moving_solids, opened
+from robots.articulated import HANDLE, furniture_T_part, moving_solids, opened
 from robots.furniture import floor_pose, solids
 from robots.scene_file import load_scene
-from trees.handles import HANDLE
 from trees.leaves.recall_handle import RecallHandle
 from trees.tasks import CloseTask, ObjectDescription
 
