@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from executive.clarification import clarified
 from executive.command_parser import parse
 
 CORPUS = Path(__file__).parents[2] / "corpus" / "alternatives_are_asked.jsonl"
@@ -84,10 +83,10 @@ def test_every_choice_makes_tasks():
         ("bring me two or three cups", "three", "bring me three cups"),
     ],
 )
-def test_an_answer_chooses_one_of_them(said, answer, meant):
-    answered = clarified(parse(said), lambda _question: answer)
+def test_an_answer_chooses_one_of_them(answered, said, answer, meant):
+    meaning = answered(parse(said), answer)
 
-    assert answered.to_json()["tasks"] == parse(meant).to_json()["tasks"] != []
+    assert meaning.to_json()["tasks"] == parse(meant).to_json()["tasks"] != []
 
 
 def test_what_leaves_something_else_open_is_asked_without_choices():

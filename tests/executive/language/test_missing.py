@@ -2,7 +2,6 @@
 
 import pytest
 
-from executive.clarification import clarified
 from executive.command_parser import parse
 from executive.conversation import Conversation
 
@@ -81,14 +80,14 @@ def test_what_is_no_beginning_of_a_command_stays_refused(said):
         ("give the cup to", "Ana", "give the cup to Ana"),
     ],
 )
-def test_an_answer_completes_the_sentence(said, answer, meant):
-    answered = clarified(parse(said), lambda _question: answer)
+def test_an_answer_completes_the_sentence(answered, said, answer, meant):
+    meaning = answered(parse(said), answer)
 
-    assert answered.to_json()["tasks"] == parse(meant).to_json()["tasks"] != []
+    assert meaning.to_json()["tasks"] == parse(meant).to_json()["tasks"] != []
 
 
-def test_an_answer_that_completes_nothing_is_no_command():
-    assert not clarified(parse("put the bowl"), lambda _question: "wibble").commands
+def test_an_answer_that_completes_nothing_is_no_command(answered):
+    assert not answered(parse("put the bowl"), "wibble").commands
 
 
 @pytest.mark.parametrize("said", ["the red cup", "red cup, please", "pick up the", "put the bowl"])
