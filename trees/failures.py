@@ -102,7 +102,7 @@ class Failure:
 
     @property
     def wants_nearer(self) -> bool:
-        """Whether somebody stands too far away for a hand-over, or another one nearer: tells ``person_m``."""
+        """Whether somebody stands too far away for a hand-over: the root tells ``person_m``."""
         root = self.root
         return root.kind is FailureKind.INFEASIBLE and "person_m" in root.numbers
 

@@ -37,10 +37,6 @@ class PlannedMotionLeaf(Leaf):
         """What to plan; None when the robot is there already, or why there is nothing to plan."""
         raise NotImplementedError
 
-    def unwanted(self, _checked: CheckedTrajectory) -> Failure | None:
-        """Why a motion that is safe is not to be made all the same."""
-        return None
-
     @property
     def deadline_s(self) -> float:
         """The contract's deadline, longer by the motion's own duration once that is known."""
@@ -105,8 +101,6 @@ class PlannedMotionLeaf(Leaf):
         stale = why_stale(self.name, self._world_version, self.toolbox.world.scene.version)
         if stale is not None:
             return stale
-        if (unwanted := self.unwanted(checked)) is not None:
-            return unwanted
         self._checked = checked
         self._arrived_by_s = (
             self.elapsed_s + checked.trajectory.duration_s + self.toolbox.policy.motion_slack_s

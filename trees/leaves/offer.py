@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from kinematics.gesture_requests import OfferRequest
-from kinematics.trajectory import CheckedTrajectory
 from kinematics.walking.planar import PlanarPose
 from trees.contract import Contract
 from trees.destination import Place
 from trees.failures import Failure
 from trees.held import HeldObject
 from trees.odometry import feet_pose
-from trees.people_near import nearer_than
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import ports
 
-_WITHIN_M = 1.8
-"""Who stands farther away does not get to what is held out."""
+_WITHIN_M = 2.5
+"""Who stands farther away does not come for what is held out."""
 
 
 class Offer(PlannedMotionLeaf):
@@ -50,14 +46,3 @@ class Offer(PlannedMotionLeaf):
             person_m=(x, y, z),
             seed=int(toolbox.rng.integers(2**31)),
         )
-
-    def unwanted(self, checked: CheckedTrajectory) -> Failure | None:
-        """Held out nearer to somebody else, it would be taken by the wrong one."""
-        toolbox, person = self.toolbox, self.get_input("place").name
-        frame = toolbox.model.description.tcp_frames[self.get_input("held").hand]
-        there = toolbox.model.frame_pose(checked.trajectory.q[-1], frame)[:3, 3]
-        other = nearer_than(person, there, toolbox.world.scene)
-        if other is None:
-            return None
-        away_m = float(np.linalg.norm(toolbox.world.scene.objects[person].world_T_object[:2, 3] - there[:2]))
-        return Failure.infeasible(f"{other} stands nearer to it than {person}", person_m=away_m)

@@ -16,9 +16,9 @@ from trees.failures import Failure
 from trees.held import HeldObject
 from trees.leaf import DONE
 from trees.look_around import LookAround
-from trees.people_near import nearer_than
 from trees.ports import ports
 from trees.steps import Placement
+from trees.who_took_it import another_took_it
 
 # Lower than this above the floor, and nobody holds it.
 _DROPPED_BELOW_M = 0.4
@@ -31,7 +31,7 @@ _CARRIED_M = 0.25
 class VerifyTaken(LookAround):
     """What was given is seen in the air, away from the hand, or stands far from where it was let go.
 
-    It is nearest to the person whom it was meant for: another one may have taken it.
+    It went towards the person whom it was meant for: another one may have taken it.
 
     Nothing hangs in the air by itself: the person has it, however far the person's arm reaches. A person who
     holds it just above a table, or has put it there, has taken it as well.
@@ -68,7 +68,8 @@ class VerifyTaken(LookAround):
             if (stands_on is not None and not self._carried(item)) or height_m < _DROPPED_BELOW_M:
                 where = "" if stands_on is None else f" onto the {stands_on.name}"
                 return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
-            if (other := nearer_than(person, item.odom_T_object[:3, 3], scene)) is not None:
+            let_go = self.get_input("placement").odom_T_object
+            if (other := another_took_it(person, let_go, item.odom_T_object, scene)) is not None:
                 message = f"the {held.name} was taken by {other}, not by {person}"
                 return Failure.postcondition(message, height_m=height_m)
             self.feedback_message = f"seen {height_m:.2f} m above the floor"
