@@ -26,7 +26,7 @@ from robots.seeded import seeded
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
-from trees.offers import is_offer
+from trees.events import Offered
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -102,8 +102,8 @@ def assemble(
     world = build_world(description, scene, chance.world)
 
     def watched(event: Event) -> None:
-        if is_offer(event):
-            world.people.see_offer()
+        if isinstance(event, Offered):
+            world.people.see_offer(event.to)
 
     sink.listen(watched)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)

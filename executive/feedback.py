@@ -29,7 +29,7 @@ from robots.control.events import (
     SetpointRefused,
     StopStarted,
 )
-from trees.events import LeafFailed, Measured, NodeChanged, NotSo, Said
+from trees.events import LeafFailed, Measured, NodeChanged, NotSo, Offered, Said
 from trees.failures import Failure, Number
 
 _UNITS = (
@@ -71,6 +71,8 @@ def line_for(event: Event) -> str | None:
             return f"failed: {sentence(event.failure)}"
         case Said():
             return f"says{' to ' + event.to if event.to else ''}: {event.text}"
+        case Offered(what=what, to=person):
+            return f"holds the {what} out to {person}"
         case SetpointRefused():
             numbers = f"{event.value:.4g}, limit {event.bound:.4g}"
             return f"refused setpoint of {event.owner}: {event.joint} {event.limit} {numbers}"

@@ -52,5 +52,14 @@ class Said:
     to: str = ""
 
 
-TreeEvent = NodeChanged | LeafFailed | NotSo | Measured | Said
+@dataclass(frozen=True, slots=True)
+class Offered:
+    """A hand holds something out to somebody from now on."""
+
+    t_s: float
+    what: str
+    to: str
+
+
+TreeEvent = NodeChanged | LeafFailed | NotSo | Measured | Said | Offered
 TreeSink = Callable[[TreeEvent], None]

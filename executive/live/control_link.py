@@ -232,10 +232,10 @@ class ControlLink:
         self._when_refused(message.number, lambda _reason: self.resume())
         self._say(message)
 
-    def offer(self) -> None:
-        """Tell people that something is held out to them."""
-        message = Offer(self._next())
-        self._when_refused(message.number, lambda _reason: self.offer())
+    def offer(self, person: str) -> None:
+        """Tell people that something is held out, and to whom."""
+        message = Offer(self._next(), person[:500])
+        self._when_refused(message.number, lambda _reason: self.offer(person))
         self._say(message)
 
     def stop(self, category: int, reason: str) -> None:

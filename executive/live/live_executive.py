@@ -44,7 +44,7 @@ from robots.scene_description import Region
 from robots.scene_file import load_scene
 from robots.seeded import seeded
 from trees.build import TaskTree
-from trees.offers import is_offer
+from trees.events import Offered
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
@@ -236,8 +236,8 @@ class LiveExecutive:
             self._log.add(event)
         if self._display is not None:
             self._display.event(event)
-        if is_offer(event):
-            self._link.offer()
+        if isinstance(event, Offered):
+            self._link.offer(event.to)
         self._tally.add(event)
 
     def _show(self, tree: TaskTree) -> None:

@@ -74,7 +74,7 @@ class ControlServer:
         about: Mapping[str, Any],
         health: Callable[[], Mapping[str, Any]] = dict,
         ranging: RangeSensor | None = None,
-        on_offer: Callable[[], None] = lambda: None,
+        on_offer: Callable[[str], None] = lambda _person: None,
     ) -> None:
         """Listen.
 
@@ -87,7 +87,7 @@ class ControlServer:
             about: What everyone who connects is told: robot, scene, seed, period.
             health: Further facts for the status.
             ranging: Range scans for the commander.
-            on_offer: Called when the robot begins to hold something out to people.
+            on_offer: Called when the robot begins to hold something out, with whom it is for.
         """
         self._loop, self._clock = loop, clock
         self._about, self._health, self._on_offer = dict(about), health, on_offer
@@ -234,10 +234,10 @@ class ControlServer:
             case Resume(number, stamp_s):
                 if self._may_command(connection, number, stamp_s):
                     self._loop.resume()
-            case Offer(number):
+            case Offer(number, person):
                 self._require_commander(connection)
                 if self._in_order(connection, number):
-                    self._on_offer()
+                    self._on_offer(person)
             case Start() | Guarded():
                 self._start(connection, message)
             case Admit() | Lead() | Walk() | Steer():

@@ -136,9 +136,10 @@ class Resume:
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What a hand has is held out from now on: people who are there may take it. Nothing moves by it."""
+    """What a hand has is held out to somebody from now on, who may take it. Nothing moves by it."""
 
     number: int
+    person: str
 
 
 @dataclass(frozen=True, slots=True)

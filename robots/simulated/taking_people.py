@@ -16,13 +16,18 @@ class TakingPeople:
         self._people = [TakingPerson(physics, truth, one.name) for one in physics.scene.people if one.takes]
         self._ticked_s = truth.time_s
 
-    def see_offer(self) -> None:
-        """The robot holds something out: whoever is nearest to it takes it."""
+    def see_offer(self, to: str) -> None:
+        """The robot holds something out: whom it is for takes it, else the nearest of those who take things.
+
+        Args:
+            to: Whom the robot looks at.
+        """
         held = sorted(self._truth.contacts.in_pads_only())
         if not held or not self._people:
             return
+        meant = [person for person in self._people if person.name == to]
         person, thing = min(
-            ((person, thing) for person in self._people for thing in held),
+            ((person, thing) for person in meant or self._people for thing in held),
             key=lambda one: one[0].distance_m(one[1]),
         )
         person.offer(thing, self._truth.time_s)

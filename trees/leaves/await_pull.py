@@ -6,6 +6,8 @@ import numpy as np
 from py_trees.common import Status
 
 from trees.contract import Contract
+from trees.destination import Place
+from trees.events import Offered
 from trees.failures import Failure
 from trees.held import HeldObject, lost
 from trees.leaf import DONE, RUNNING, Leaf
@@ -20,7 +22,7 @@ class AwaitPull(Leaf):
     it slipped.
     """
 
-    INPUT_PORTS = ports(held=HeldObject)
+    INPUT_PORTS = ports(held=HeldObject, place=Place)
     OUTPUT_PORTS = ports(pull_n=float)
     CONTRACT = Contract(
         precondition="the hand offers the object, at rest",
@@ -32,7 +34,9 @@ class AwaitPull(Leaf):
     )
 
     def begin(self) -> None:
-        """Feel anew."""
+        """Feel anew; people see to whom it is held out."""
+        held, person = self.get_input("held"), self.get_input("place")
+        self.toolbox.events(Offered(self.toolbox.clock.now_s(), held.name, person.name))
         self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
         self._since_s: float | None = None
         self._strongest_n = 0.0

@@ -19,7 +19,6 @@ from trees.leaves.offer import Offer
 from trees.leaves.ready_to_walk import ReadyToWalk
 from trees.leaves.verify_taken import VerifyTaken
 from trees.leaves.wait import Hold
-from trees.offers import OFFERED
 from trees.policy import Gaze
 from trees.subtrees.have_it import have_it
 from trees.subtrees.search import looking_elsewhere_is_useless
@@ -37,7 +36,7 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
         _find_the_person(toolbox),
         NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),
-        AwaitPull(OFFERED, toolbox),
+        AwaitPull("wait for the pull", toolbox),
         Give("give", toolbox),
         Hold("let it go", toolbox, policy.after_giving_s),
         BestEffort(DrawBack("draw back", toolbox)),

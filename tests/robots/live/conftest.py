@@ -150,7 +150,7 @@ class LiveRig:
             self.checker,
             about,
             ranging=self.ranging,
-            on_offer=lambda: self.offered_at_s.append(self.clock.now_s()),
+            on_offer=lambda person: self.offered_at_s.append((self.clock.now_s(), person)),
         )
         self.checker.answer = swing(model, self.loop.motion.reference())
 

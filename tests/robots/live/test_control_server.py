@@ -204,7 +204,7 @@ def test_there_is_one_commander_at_a_time(live):
 @pytest.mark.parametrize(
     "message",
     [Start(1, 0.0, 1, 1), Heartbeat(1, 0.0, True, False, False, 0), CancelMotion(1, 1, "x"),
-     Guarded(1, 0.0, 1, "close gripper", "left"), Offer(1)],
+     Guarded(1, 0.0, 1, "close gripper", "left"), Offer(1, "Ana")],
     ids=lambda message: type(message).__name__,
 )  # fmt: skip
 def test_an_observer_cannot_command(live, message):
@@ -221,10 +221,10 @@ def test_an_observer_cannot_command(live, message):
 def test_what_is_held_out_is_told_to_the_people_who_are_there(live):
     commander = live.client("commander")
 
-    commander.say(Offer(commander.next()[0]))
+    commander.say(Offer(commander.next()[0], "Ana"))
     live.run(0.01)
 
-    assert len(live.offered_at_s) == 1
+    assert [person for _, person in live.offered_at_s] == ["Ana"]
     assert live.loop.motion.resting
 
 

@@ -12,7 +12,7 @@ from kinematics.opening_path import DoorArc, DrawerLine
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
 from kinematics.walking.planar import PlanarPose
-from kinematics.walking.steering import PathSteering, StretchSteering, VelocitySteering
+from kinematics.walking.steering import PathSteering, StretchSteering, TurnSteering, VelocitySteering
 from robots.control.yield_order import YieldOrder
 from robots.live.scan_message import RangeScan, read_scan, write_scan
 from robots.live.steering_document import read_steering, write_steering
@@ -72,6 +72,7 @@ def steerings(settings):
     poses_ = (PlanarPose(0.1, 0.2, 0.3), PlanarPose(1.0, -0.5, 7.0))
     return [
         VelocitySteering(settings, 0.2, -0.3),
+        TurnSteering(settings, -0.3, 0.1),
         StretchSteering(settings, poses_[0], -0.2, 0.5),
         PathSteering(settings, poses_),
     ]

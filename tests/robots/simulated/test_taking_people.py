@@ -36,9 +36,9 @@ def pass_time(world, seconds):
 def offers(monkeypatch):
     """Lets a world believe that the robot holds the cup out."""
 
-    def offer(world):
+    def offer(world, to="Ana"):
         monkeypatch.setattr(world.truth.contacts, "in_pads_only", lambda: {"red cup": "right"})
-        world.people.see_offer()
+        world.people.see_offer(to)
 
     return offer
 
@@ -54,11 +54,24 @@ def test_who_takes_things_carries_away_what_is_offered(offers):
     assert world.truth.world_T_object("red cup")[0, 3] > before[0] + 0.15
 
 
+@pytest.mark.parametrize(("to", "taker"), [("Ana", "Ana"), ("Ben", "Ben"), ("Zoe", "Ben"), ("person", "Ben")])
+def test_whom_it_is_for_takes_it_else_who_is_nearest(offers, to, taker):
+    world = world_with(
+        Person("Ana", (1.2, -0.6), math.pi, takes=True),
+        Person("Ben", (1.2, 0.0), math.pi, takes=True),
+        Person("Zoe", (1.4, 0.7), math.pi),
+    )
+
+    offers(world, to)
+
+    assert [person.name for person in world.people._people if person.offered] == [taker]
+
+
 def test_who_has_something_lays_it_aside_for_the_next_thing(monkeypatch):
     world = world_with(Person("Ana", (1.2, -0.2), math.pi, takes=True), more=(can((0.72, -0.08)),))
     for thing in ("red cup", "blue can"):
         monkeypatch.setattr(world.truth.contacts, "in_pads_only", lambda thing=thing: {thing: "right"})
-        world.people.see_offer()
+        world.people.see_offer("Ana")
         pass_time(world, 5.0 if thing == "red cup" else 12.0)
 
     assert any(name.startswith("Ana/") for name in world.truth.contacts.of_object("blue can"))
@@ -79,7 +92,7 @@ def test_who_does_not_take_things_leaves_it_where_it_is(offers):
 def test_nobody_reaches_out_where_nothing_is_held():
     world = world_with(Person("Ana", (1.2, -0.2), math.pi, takes=True))
 
-    world.people.see_offer()
+    world.people.see_offer("Ana")
     pass_time(world, 1.0)
 
     assert world.truth.contacts.of_object("red cup") == ("table/top",)

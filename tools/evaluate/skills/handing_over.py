@@ -13,7 +13,7 @@ from robots.control.period import PERIOD_S
 from robots.simulated.taking_person import TakingPerson
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
-from trees.offers import is_offer
+from trees.events import Offered
 from trees.tasks import HandOverTask, ObjectDescription, PickTask, Task
 
 CARRIED_M = 0.15
@@ -36,7 +36,7 @@ class TakingJudge:
 
     def on_event(self, event: object) -> None:
         """The person sees that something is offered."""
-        if is_offer(event):
+        if isinstance(event, Offered):
             self._person.offer(self._trial.aim, self._truth.time_s)
 
     def on_period(self) -> None:
