@@ -12,6 +12,7 @@ from kinematics.check_certificate import Limbs, PairList, certify
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_course import Course, running_lengths
 from kinematics.check_kinematics import WORLD
+from kinematics.check_loose_arrays import in_one_piece
 from kinematics.check_pairs import Pairs
 from kinematics.check_poses import CompiledKinematics
 from kinematics.check_settings import CheckSettings
@@ -70,14 +71,16 @@ class ContactFinder:
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
         course = _course(timeline)
         cuts = min(_MOST_CUTS, max(1, int(np.ceil(course.so_far[-1].max() / self._settings.cut_rad))))
+        links, jumps = self._kinematics.links, np.ascontiguousarray(jumps_s)
+        in_one_piece(course, links, limbs, solids, listed, jumps)
         certify(
             course,
-            self._kinematics.links,
+            links,
             limbs,
             solids,
             listed,
             np.unique(np.concatenate([np.linspace(0.0, timeline.duration_s, cuts + 1), inside])),
-            np.ascontiguousarray(jumps_s),
+            jumps,
             self._settings.collision_m,
             contact,
             least,

@@ -1,4 +1,7 @@
-"""Compiled: arrays without a count of their users, see ``kernel.pointers``: who calls keeps them alive."""
+"""Compiled: arrays without a count of their users, see ``kernel.pointers``: who calls keeps them alive.
+
+They are found again by address and shape alone: who calls makes sure that they are ``in_one_piece``.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,19 @@ from kinematics.kernel.solids import Solids
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
+
+
+def in_one_piece(*values: object) -> None:
+    """Refuse arrays with gaps, also inside of tuples: they would be read as others than they are.
+
+    Raises:
+        ValueError: There is one.
+    """
+    for value in values:
+        if isinstance(value, tuple):
+            in_one_piece(*value)
+        elif isinstance(value, np.ndarray) and not value.flags.c_contiguous:
+            raise ValueError(f"an array of shape {value.shape} has gaps")
 
 
 @inlined

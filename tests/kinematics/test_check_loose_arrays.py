@@ -1,0 +1,43 @@
+"""Arrays that compiled code finds again by address and shape alone have no gaps."""
+
+import numpy as np
+import pytest
+
+from kinematics.check_contacts import ContactFinder
+from kinematics.check_loose_arrays import in_one_piece
+from kinematics.kernel import readiness
+from kinematics.scene import PlanningScene
+from kinematics.stance import stance_at
+from kinematics.trajectory import Trajectory
+from kinematics.trajectory_check import TrajectoryChecker
+
+
+def test_an_array_with_gaps_is_refused_wherever_it_is():
+    whole = np.zeros((4, 3))
+
+    in_one_piece(whole, (whole, (whole,)))
+    with pytest.raises(ValueError, match=r"shape \(4,\) has gaps"):
+        in_one_piece(whole, (whole, (whole[:, 1],)))
+
+
+@pytest.mark.requirement("S6")
+def test_the_checker_judges_nothing_by_arrays_with_gaps(talos, monkeypatch):
+    assert readiness.ready(), "executive doctor --warm compiles what is tried here"
+    times_s, n = np.array([0.0, 1.0]), 2
+    still = Trajectory(
+        talos.joints,
+        stance_at(talos, talos.q_home),
+        times_s,
+        np.tile(talos.q_home, (n, 1)),
+        np.zeros((n, talos.nv)),
+    )
+    own = ContactFinder._arrays
+
+    def with_gaps(finder, pairs):
+        limbs, solids, listed = own(finder, pairs)
+        return limbs, solids, listed._replace(clearance=np.repeat(listed.clearance, 2)[::2])
+
+    monkeypatch.setattr(ContactFinder, "_arrays", with_gaps)
+
+    with pytest.raises(ValueError, match="gaps"):
+        TrajectoryChecker(talos).check(still, PlanningScene())
