@@ -22,7 +22,7 @@ from executive.trust import OnQuestion
 from trees.believed_thing import Surroundings
 from trees.failures import Failure, FailureKind
 from trees.grounding import exactly, ground
-from trees.questions import OTHER
+from trees.questions import ONE_WILL_DO, OTHER
 from trees.tasks import ObjectDescription, WalkToTask
 
 
@@ -47,7 +47,7 @@ def answered_command(
     """
     choices, names = failure.choices, failure.choice_names
     question = failure.root.message
-    if len(names) == 1:  # which it is, nobody has to be asked
+    if len(names) == 1 and failure.root.numbers.get(ONE_WILL_DO):
         return _answered(command, failure.choice_slot, names[0])
     session.tell(QuestionAsked(session.now_s, command.text, question, choices))
     if on_question == "fail" or not names:

@@ -32,7 +32,7 @@ from trees.grounding import (
 )
 from trees.names_of_things import may_name_a
 from trees.people import compares_people, person_meant
-from trees.questions import which_is_meant
+from trees.questions import ONE_WILL_DO, which_is_meant
 from trees.report_words import kinds_in
 from trees.scene_update import kind_of
 from trees.tasks import Destination, HandOverTask, ObjectDescription, ObjectOf
@@ -121,7 +121,7 @@ def resolve(
     if isinstance(wanted, ObjectOf):
         raise TypeError("the object of an earlier task was not filled in")
     if isinstance(wanted, ObjectDescription) and compares_people(wanted, somebody):
-        return _grounded(person_meant(wanted, around), seen, slot, recalled)
+        return _grounded(person_meant(wanted, around), seen, slot, recalled, one_will_do=True)
     if isinstance(wanted, ObjectDescription) and wanted.kind != PERSON and not wanted.name:
         if says_which(wanted) and _has_furniture(seen, wanted):
             return _grounded(ground_furniture(wanted, around), seen, slot)
@@ -174,11 +174,16 @@ def _grounded(
     seen: Mapping[str, ObjectEstimate],
     slot: str,
     recalled: Mapping[str, Place] = MappingProxyType({}),
+    *,
+    one_will_do: bool = False,
 ) -> Place | Failure:
-    """Something among what is believed; but for what is recalled it must have been seen just now."""
+    """Something among what is believed; but for what is recalled it must have been seen just now.
+
+    Who is alone there is the guest, whatever a guest looks like: ``one_will_do``.
+    """
     match meant:
         case Ambiguous() as unclear:
-            return which_is_meant(unclear, slot)
+            return which_is_meant(unclear, slot, **({ONE_WILL_DO: True} if one_will_do else {}))
         case Missing(message):
             return Failure.postcondition(message, seen=kinds_in(seen))
         case Found(names):

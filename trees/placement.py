@@ -146,11 +146,30 @@ def _put_on(
     named, slot = (on, "on") if on is not None else (to, "to")
     if isinstance(named, ObjectDescription) and (named.name is not None or says_which(named)):
         return _one_surface(named, slot, scene, around, leaves)
-    if named is not None and len(tops := _tops_called(named, scene)) > 1:
-        names = {top.name for top in tops}
-        among = choices_among([thing for thing in around.things if thing.name in names])
-        return which_is_meant(Ambiguous(f"which {named}? there are {len(tops)}", among), slot)
-    return _surface(named, scene, wish)
+    if named is None:
+        return _surface(named, scene, wish)
+    tops = _tops_called(named, scene)
+    doubt = f"there are {len(tops)}" if len(tops) > 1 else _stands_there(tops, named, scene, leaves)
+    if doubt is None:
+        return _surface(named, scene, wish)
+    names = {top.name for top in tops}
+    among = choices_among([thing for thing in around.things if thing.name in names])
+    return which_is_meant(Ambiguous(f"which {named}? {doubt}", among), slot)
+
+
+def _stands_there(
+    tops: list[SceneObject], named: Destination, scene: PlanningScene, leaves: str | None
+) -> str | None:
+    """A doubt whether "the table" is the side table that it stands on: an unseen one may be meant."""
+    if (
+        not tops
+        or leaves is None
+        or leaves not in scene.objects
+        or not are_one_piece(tops[0], scene.objects[leaves])
+    ):
+        return None
+    words = kind_of(tops[0].name)
+    return None if words in _kinds(named, scene) else f"it stands on the {words} already"
 
 
 def _tops_called(named: Destination, scene: PlanningScene) -> list[SceneObject]:

@@ -8,6 +8,9 @@ from trees.grounding import Ambiguous
 OTHER = "to.relation"
 """In place of a slot: what a relation in "to" compares with."""
 
+ONE_WILL_DO = "one_will_do"
+"""Number of a question that is no doubt: where there is one choice, nobody has to be asked."""
+
 
 def which_is_meant(unclear: Ambiguous, slot: str = "object", **numbers: Number) -> Failure:
     """The question, with its choices in words and as the planning scene names them.

@@ -9,7 +9,7 @@ from trees.destination import furniture_named
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Choice
 from trees.placement import SURFACES, is_flat, is_surface
-from trees.questions import which_is_meant
+from trees.questions import ONE_WILL_DO, which_is_meant
 from trees.scene_update import kind_of
 
 
@@ -34,4 +34,4 @@ def on_what(room: str, region: Region, scene: PlanningScene) -> Failure:
     message = f"on what in the {room} shall it be put?"
     if not choices:
         return Failure.infeasible(f"{message} nothing that things are put on was seen there")
-    return which_is_meant(Ambiguous(message, choices), "on")
+    return which_is_meant(Ambiguous(message, choices), "on", **{ONE_WILL_DO: True})

@@ -99,6 +99,30 @@ def test_nothing_is_reached_for_before_the_answer(stage):
     assert on.of(InputTaken)[-1].value == ""
 
 
+@pytest.mark.requirement("L6", "F1")
+@pytest.mark.parametrize(("answer", "outcome"), [("yes", "done"), ("no", "cancelled"), (None, "question")])
+def test_the_only_one_is_asked_about_where_it_may_not_be_what_was_said(stage, answer, outcome):
+    on = stage(LEFT)
+    wooden = PickTask("take the wooden cup", ObjectDescription("cup", material="wood"))
+
+    [result] = on.run(wooden, answers=[answer])
+
+    assert on.questions == [
+        OpenQuestion("which one is made of wood? that cannot be seen", ("red cup",)),
+    ]
+    assert result.outcome == outcome
+    assert on.moved_when_asked == [False]
+
+
+def test_who_is_alone_there_is_the_guest(stage):
+    on = stage(person())
+
+    [result] = on.run(WaveTask("wave to the guest", GUEST))
+
+    assert result.outcome == "done"
+    assert on.questions == []
+
+
 def test_an_answer_may_describe_what_the_choices_do_not_say(stage):
     on = stage(LEFT, RIGHT)
 

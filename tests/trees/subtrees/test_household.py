@@ -423,6 +423,22 @@ def test_nothing_is_put_where_nobody_looked(stage, monkeypatch):
     assert stage.fake.world.carried_by("red cup") == "right"
 
 
+@pytest.mark.requirement("M2", "L6")
+@pytest.mark.parametrize("on", ["table", ObjectDescription("table")])
+def test_the_table_may_be_another_one_than_the_side_table_that_it_stands_on(stage_with, on):
+    top = table()
+    side = TrueObject("side table/top", "furniture", "table", None, top.shape, top.world_T_object)
+    stage = stage_with(side, cup())
+
+    tree = run(stage, PlaceTask("put it on the table", RED_CUP, on=on))
+
+    assert tree.failure.root.message == "which table? it stands on the side table already"
+    assert tree.failure.choices == ("side table",)
+    assert stage.fake.world.carried_by("red cup") is None
+    named = PlaceTask("put it on the side table", RED_CUP, on="side table")
+    assert run(stage, named).status == "success"
+
+
 def test_a_full_table_is_told(stage_with):
     red_at = (0.40, -0.20)
     places = [(0.36 + 0.12 * (i % 5), -0.52 + 0.12 * (i // 5)) for i in range(50)]
