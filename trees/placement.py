@@ -149,7 +149,7 @@ def _put_on(
     if named is None:
         return _surface(named, scene, wish)
     tops = _tops_called(named, scene)
-    doubt = f"there are {len(tops)}" if len(tops) > 1 else _stands_there(tops, named, scene, leaves)
+    doubt = _doubt(tops, named, scene, leaves)
     if doubt is None:
         return _surface(named, scene, wish)
     names = {top.name for top in tops}
@@ -157,16 +157,22 @@ def _put_on(
     return which_is_meant(Ambiguous(f"which {named}? {doubt}", among), slot)
 
 
-def _stands_there(
+def _doubt(
     tops: list[SceneObject], named: Destination, scene: PlanningScene, leaves: str | None
 ) -> str | None:
-    """A doubt whether "the table" is the side table that it stands on: an unseen one may be meant."""
-    if (
-        not tops
-        or leaves is None
-        or leaves not in scene.objects
-        or not are_one_piece(tops[0], scene.objects[leaves])
-    ):
+    """Why it has to be asked which one is meant, if it has.
+
+    Of several; of a red one, for colours of furniture are not seen; and whether "the table" is the side table
+    that the thing stands on: one that nobody has seen may be meant.
+    """
+    if len(tops) > 1:
+        return f"there are {len(tops)}"
+    if tops and isinstance(named, ObjectDescription) and (named.color or named.material):
+        look = named.color or f"made of {named.material}"
+        return f"that it is {look} is not seen of furniture"
+    if not tops or leaves is None or leaves not in scene.objects:
+        return None
+    if not are_one_piece(tops[0], scene.objects[leaves]):
         return None
     words = kind_of(tops[0].name)
     return None if words in _kinds(named, scene) else f"it stands on the {words} already"

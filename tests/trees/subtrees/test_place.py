@@ -298,6 +298,20 @@ def test_the_table_may_be_another_one_than_the_side_table_that_it_stands_on(stag
     assert run(stage, named).status == "success"
 
 
+@pytest.mark.requirement("L5", "F1")
+@pytest.mark.parametrize(
+    ("look", "word"), [({"color": "red"}, "red"), ({"material": "wood"}, "made of wood")]
+)
+def test_what_is_not_seen_of_the_only_table_is_asked(stage_with, look, word):
+    stage = stage_with(table(), cup())
+
+    tree = run(stage, PlaceTask("put it there", RED_CUP, on=ObjectDescription("table", **look)))
+
+    assert tree.failure.root.message.endswith(f" table? that it is {word} is not seen of furniture")
+    assert tree.failure.choices == ("table",)
+    assert stage.fake.world.carried_by("red cup") is None
+
+
 def test_a_full_table_is_told(stage_with):
     red_at = (0.40, -0.20)
     places = [(0.36 + 0.12 * (i % 5), -0.52 + 0.12 * (i // 5)) for i in range(50)]
