@@ -41,9 +41,7 @@ def others_like(said: str, known: Iterable[str]) -> str:
 
 
 def may_be_called(said: str, words: str) -> bool:
-    """Whether words of a piece of furniture do not contradict what somebody calls it.
-
-    For where a thing stands that has been told by other words: a cup on the desk is the one on the table.
-    """
+    """Whether a piece of furniture that is called so may be what somebody says: "table" of a side table."""
     wanted = said.lower()
-    return wanted in (words.lower(), kind_called(words)) or kind_called(wanted) == words.lower()
+    everyday = wanted in _EVERYDAY and kind_called(wanted) == words.lower()
+    return wanted in (words.lower(), kind_called(words)) or everyday

@@ -206,7 +206,7 @@ def _fitting(
     if wanted.name is not None:
         fitting = named(wanted.name, fitting, around.held)
     if wanted.ordinal == "other":
-        fitting = _other(fitting, around, noun)
+        fitting = _other(fitting, _named_before(wanted, around), noun)
     if wanted.size is not None:
         fitting = sized(wanted.size, fitting, noun)
     if wanted.material is not None:
@@ -371,8 +371,15 @@ def is_called(furniture: str, said: str) -> bool:
 # --- memories ------------------------------------------------------------------------------------
 
 
-def _other(fitting: list[BelievedThing], around: Surroundings, noun: str) -> list[BelievedThing]:
+def _named_before(wanted: ObjectDescription, around: Surroundings) -> str | None:
+    """What "the other box" is not: the thing that was acted on, if that was a box as well."""
     before = around.last_acted_on
+    if before is None or wanted.kind is None or split_words(before)[0] == wanted.kind:
+        return before
+    return None
+
+
+def _other(fitting: list[BelievedThing], before: str | None, noun: str) -> list[BelievedThing]:
     if before is None and len(fitting) < 2:
         raise NoneFitsError(f"no {noun} seen", True)
     if before is None:

@@ -131,6 +131,11 @@ def test_the_other_one_is_not_the_one_acted_on_before():
     assert found(cup(ordinal="other"), RED, BLUE, last="red cup") == "blue cup"
 
 
+def test_the_other_one_is_other_than_one_of_its_kind_alone():
+    assert found(cup(ordinal="other"), RED, BLUE, last="red cup") == "blue cup"
+    assert "other than which" in asked(cup(ordinal="other"), RED, BLUE, last="green box").message
+
+
 def test_the_other_one_without_one_before_is_asked():
     assert "other than which" in asked(cup(ordinal="other"), RED, BLUE).message
 

@@ -9,7 +9,9 @@ from py_trees.common import Status
 
 from kinematics import poses
 from kinematics.placing_spots import footprint_radius_m
+from kinematics.scene import SceneObject
 from kinematics.shapes import Box
+from kinematics.support import half_height_m
 from robots.perception.object_estimate import ObjectEstimate
 from trees.bystanders import disturbed
 from trees.contract import Contract
@@ -23,6 +25,8 @@ from trees.ports import ports
 
 # A container that was pushed farther than this was not left alone.
 _PUSHED_M = 0.04
+# What comes down less far than this below the rim stands on it.
+_INTO_M = 0.01
 
 
 class VerifyPutIn(LookAround):
@@ -72,6 +76,8 @@ class VerifyPutIn(LookAround):
                 else container is not None and _inside(item, container)
             )
         ]
+        if inside and container is not None and not any(_below_the_rim(item, container) for item in inside):
+            return Failure.postcondition(f"the {held.name} stands on the {place.name}, not in it")
         if not inside:
             where = f"is seen beside the {place.name}" if same else f"is not seen in the {place.name}"
             return Failure.postcondition(f"the {held.name} {where}")
@@ -84,6 +90,19 @@ class VerifyPutIn(LookAround):
         self._set_output("evidence", evidence)
         self.feedback_message = "seen inside"
         return DONE
+
+
+def _below_the_rim(item: ObjectEstimate, container: ObjectEstimate) -> bool:
+    """Whether an object comes down into what has room for it: what is solid has none."""
+    (bottom_m, _), (_, rim_m) = _extent_m(item), _extent_m(container)
+    return bottom_m <= rim_m - _INTO_M
+
+
+def _extent_m(item: ObjectEstimate) -> tuple[float, float]:
+    """Heights of its lowest and its highest point."""
+    half_m = half_height_m(SceneObject(item.kind, item.shape, item.odom_T_object))
+    middle_m = float(item.odom_T_object[2, 3])
+    return middle_m - half_m, middle_m + half_m
 
 
 def _inside(item: ObjectEstimate, container: ObjectEstimate) -> bool:

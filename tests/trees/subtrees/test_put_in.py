@@ -10,6 +10,7 @@ from robots.furniture import floor_pose, solids
 from robots.perception.truth_view import TrueObject
 from robots.scene_file import load_scene
 from tests.trees.household_stage import RED_CUP, asked, run
+from trees.events import LeafFailed
 from trees.failures import FailureKind
 from trees.tasks import DescribeTask, ObjectDescription, PutInTask
 
@@ -52,6 +53,19 @@ def test_what_a_wall_hides_is_seen_from_above(stage_with):
     tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
 
     assert tree.status == "success"
+
+
+@pytest.mark.requirement("M2")
+def test_a_cup_that_stands_on_top_of_the_bowl_is_not_claimed_to_be_in_it(stage_with):
+    stage = stage_with(table(), cup(), bowl())
+    stage.when("clear the view", lambda: stage.fake.world.move("red cup", (0.0, 0.0, 0.07)))
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, ObjectDescription("bowl")))
+
+    assert tree.status == "failure"
+    assert "the red cup stands on the white bowl, not in it" in [
+        event.failure.message for event in stage.events if isinstance(event, LeafFailed)
+    ]
 
 
 def test_a_cup_that_falls_beside_the_bowl_is_not_claimed(stage_with):
