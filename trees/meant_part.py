@@ -13,11 +13,10 @@ from trees.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
 from trees.names_of_things import may_name_a
 from trees.odometry import feet_pose
 from trees.questions import which_is_meant
+from trees.ranking import ASIDE_M
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
-_ASIDE_M = 0.25
-"""What stands so far to the right is not "the left one", if there is no other."""
 _NOT_ALONE = frozenset({"bottom", "lowest", "lower", "middle", "central", "last"})
 """What nobody calls the only one."""
 
@@ -89,9 +88,9 @@ def _told(
         return Ambiguous(question, choices_among(among))
     if len(among) == 1 and described.ordinal is not None:
         y_m = float(among[0].place_m[1])
-        beside = {"leftmost": y_m < -_ASIDE_M, "rightmost": y_m > _ASIDE_M}
+        beside = {"leftmost": y_m < -ASIDE_M, "rightmost": y_m > ASIDE_M}
         if described.ordinal in _NOT_ALONE or beside.get(described.ordinal, False):
-            where = f", and it is on the {'left' if y_m > 0.0 else 'right'}" if abs(y_m) > _ASIDE_M else ""
+            where = f", and it is on the {'left' if y_m > 0.0 else 'right'}" if abs(y_m) > ASIDE_M else ""
             return Missing(f"only one {among[0].kind} seen{where}")
     return ground(described, around, among=among)
 

@@ -71,6 +71,9 @@ _NUMBERS: Mapping[str, int] = MappingProxyType(
 )  # fmt: skip
 
 
+ASIDE_M = 0.25
+"""What stands so far to the right is not "the left one", if there is no other."""
+
 ORDER_WORDS = frozenset(
     {
         *(
@@ -99,6 +102,8 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
     words = ordinal.replace("_", " ").split()
     word = words[0] if words else ""
     side = "right" if words[-1:] == ["right"] else "left"
+    if len(fitting) == 1 and (aside := _wrong_side(ordinal, fitting[0])) is not None:
+        raise NoneFitsError(f"no {noun} seen; the only one is on the {aside}", True)
     if ordinal in ("leftmost", "left"):
         return least(fitting, lambda thing: -float(thing.place_m[1]))
     if ordinal in ("rightmost", "right"):
@@ -122,6 +127,14 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
         raise NoneFitsError(f"no {noun} seen; {there_are(len(fitting))} of the kind", True)
     sign = 1.0 if side == "right" else -1.0
     return _nth(fitting, lambda thing: sign * float(thing.place_m[1]), number)
+
+
+def _wrong_side(ordinal: str, only: BelievedThing) -> str | None:
+    """On which side the only thing is, where "the left one" is said and it stands clearly on the right."""
+    y_m = float(only.place_m[1])
+    if ordinal in ("leftmost", "left") and y_m < -ASIDE_M:
+        return "right"
+    return "left" if ordinal in ("rightmost", "right") and y_m > ASIDE_M else None
 
 
 def least(things: list[BelievedThing], key: Callable[[BelievedThing], float]) -> list[BelievedThing]:

@@ -131,6 +131,19 @@ def test_the_other_one_is_not_the_one_acted_on_before():
     assert found(cup(ordinal="other"), RED, BLUE, last="red cup") == "blue cup"
 
 
+@pytest.mark.requirement("M2", "L6")
+@pytest.mark.parametrize(
+    ("ordinal", "y_m", "told"),
+    [
+        ("leftmost", -0.3, "no leftmost cup seen; the only one is on the right"),
+        ("rightmost", 0.3, "no rightmost cup seen; the only one is on the left"),
+    ],
+)
+def test_the_only_one_on_the_other_side_is_not_the_left_one(ordinal, y_m, told):
+    assert missing(cup(ordinal=ordinal), thing("red cup", 0.6, y_m)) == told
+    assert found(cup(ordinal=ordinal), thing("red cup", 0.6, -y_m)) == "red cup"
+
+
 def test_the_other_one_is_other_than_one_of_its_kind_alone():
     assert found(cup(ordinal="other"), RED, BLUE, last="red cup") == "blue cup"
     assert "other than which" in asked(cup(ordinal="other"), RED, BLUE, last="green box").message

@@ -11,11 +11,14 @@ from trees.believed_thing import Surroundings
 from trees.contract import Contract
 from trees.destination import SLOTS, Place, aim_of, aims_at_person, resolve, slot_of
 from trees.failures import Failure
+from trees.grounding import Found, Missing, exactly, ground
+from trees.handles import MEANT_BY
 from trees.leaf import DONE
 from trees.look_around import LookAround
 from trees.people import compares_people
 from trees.ports import ports
-from trees.tasks import Destination, ObjectDescription
+from trees.report_words import kinds_in
+from trees.tasks import Destination, FindTask, ObjectDescription
 from trees.toolbox import Toolbox
 
 _CONFIDENCE = 0.5
@@ -60,6 +63,11 @@ class Locate(LookAround):
         if not self._settles and _compares(aim, somebody):
             return Failure.postcondition(f"looking whether there is more than this {aim}", survey=True)
         around = self.around()
+        if isinstance(task, FindTask) and slot == "object":
+            there = self._where_it_is_said_to_be(task, around)
+            if isinstance(there, Failure):
+                return there
+            aim = there
         place = resolve(aim, seen, around, slot or "object", somebody, self._people(around))
         if isinstance(place, Failure):
             return place
@@ -67,6 +75,24 @@ class Locate(LookAround):
         x, y, z = place.odom_T_place[:3, 3]
         self.feedback_message = f"{place.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
+
+    def _where_it_is_said_to_be(self, task: FindTask, around: Surroundings) -> Destination | Failure | None:
+        """What is looked for, as the one that is there: "the cup on the side table" is on no other table.
+
+        A room, and what is behind a door, is left to those who go and look there.
+        """
+        aim, source = task.object, task.source
+        if not isinstance(aim, ObjectDescription) or aim.name is not None:
+            return aim
+        if source is None or source in self.toolbox.places or str(source) in MEANT_BY:
+            return aim
+        match ground(aim, around, source):
+            case Missing(message, had) if had:
+                return Failure.postcondition(message, seen=kinds_in(thing.name for thing in around.things))
+            case Found(names):
+                return exactly(names[0])
+            case _:
+                return aim
 
     def _people(self, around: Surroundings) -> dict[str, Place]:
         """Everybody, where they were seen last."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from trees.believed_thing import PERSON, Surroundings
+from trees.believed_thing import PERSON, Surroundings, split_words
 from trees.contract import Contract
 from trees.failures import Failure, Number
 from trees.furniture_called import called_so
@@ -41,7 +43,8 @@ class TellCount(TellingLeaf):
             return names
         if task.object.kind != PERSON and (far := self.too_far(task.source, around)) is not None:
             return far
-        count = len(names)
+        held = self._in_hand(task.object, around) if task.source is None and furniture is None else ()
+        count = len(names) + len(held)
         noun = " ".join(word for word in (task.object.color, task.object.kind or "thing") if word)
         said = f"there {'is' if count == 1 else 'are'}"
         if (told := self.called_here(task.source, around)) != task.source:
@@ -52,7 +55,20 @@ class TellCount(TellingLeaf):
             said = "from here I see"
         elif self.much_is_hidden():
             said = f"not all of the {self.called_here(task.source, around)} is to be seen; there I see"
-        return self.say(f"{said} {plural(noun, count)}", {"count": count, **self.confidence(names)})
+        in_hand = f", {len(held)} of them in my hand{'s' * (len(held) > 1)}" if held else ""
+        return self.say(f"{said} {plural(noun, count)}{in_hand}", {"count": count, **self.confidence(names)})
+
+    @staticmethod
+    def _in_hand(wanted: ObjectDescription, around: Surroundings) -> tuple[str, ...]:
+        """What hands hold counts, too, where nothing but its kind and colour is asked for."""
+        if replace(wanted, kind=None, color=None) != ObjectDescription():
+            return ()
+        told = {name: split_words(name) for name in around.held}
+        return tuple(
+            name
+            for name, (kind, color) in told.items()
+            if wanted.kind in (None, kind) and wanted.color in (None, color)
+        )
 
     def _is_big(self, wanted: ObjectDescription) -> bool:
         """Whether it stands anywhere in a room, not on something that was looked over."""

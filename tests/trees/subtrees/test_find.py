@@ -107,3 +107,17 @@ def test_the_room_where_one_is_is_not_gone_to_and_each_other_once(new_stage):
     gone = [event for event in stage.events if getattr(event, "where", "").endswith("choose room")]
     assert [event.message for event in gone if event.status == "success"] == ["living room"]
     assert tree.failure.message == "could not find Ana: no Ana seen"
+
+
+@pytest.mark.requirement("M2", "L6")
+def test_what_is_on_another_table_is_not_what_is_looked_for(new_stage):
+    cup_here = cup("red cup", "red")
+    stage = new_stage(table(), cup_here)
+    red = ObjectDescription("cup", "red")
+
+    elsewhere = stage.play(build_tree(FindTask("find it on the shelf", red, source="shelf"), stage.toolbox))
+    here = stage.play(build_tree(FindTask("find it on the table", red, source="table"), stage.toolbox))
+
+    assert elsewhere.failure.root.message == "a red cup is seen, but not on the shelf"
+    assert here.status == "success"
+    assert len(said(stage)) == 1

@@ -11,7 +11,7 @@ from robots.perception.truth_view import TrueObject
 from robots.scene_description import Region
 from trees.build import build_tree
 from trees.events import Said
-from trees.tasks import CountTask, DescribeTask, ObjectDescription, Relation
+from trees.tasks import CountTask, DescribeTask, ObjectDescription, PickTask, Relation
 
 BLUE_CUP = ObjectDescription("cup", "blue")
 ANA, BEN = person("Ana", (1.3, 0.4)), person("Ben", (1.4, -0.5))
@@ -45,6 +45,16 @@ def test_things_are_counted(stage_with):
     assert tree.evidence["count"] == 2
     assert said(stage) == ["there are two blue cups"]
     assert 0.5 < tree.evidence["confidence"] <= 1.0
+
+
+def test_what_a_hand_holds_counts_too(stage_with):
+    stage = stage_with(table(), cup(), cup("red cup 2", "red", (0.5, 0.1)))
+    stage.play(stage.pick(PickTask("pick it up", ObjectDescription("cup", "red", ordinal="leftmost"))))
+
+    tree = run(stage, CountTask("how many red cups", ObjectDescription("cup", "red")))
+
+    assert tree.evidence["count"] == 2
+    assert said(stage)[-1] == "there are two red cups, 1 of them in my hand"
 
 
 def test_none_is_a_number(stage):
