@@ -181,7 +181,7 @@ def _of_kind(wanted: ObjectDescription, around: Surroundings) -> list[BelievedTh
         if wanted.kind in (None, thing.kind) and wanted.color in (None, thing.color)
     ]
     if not fitting:
-        held = [name for name in around.held if _like(wanted, name)]
+        held = [name for name in around.held if is_like(wanted, name)]
         raise NoneFitsError(f"the {kind_of(held[0])} is in the hand" if held else f"no {wanted} seen", False)
     return fitting
 
@@ -218,7 +218,8 @@ def _fitting(
     return fitting
 
 
-def _like(wanted: ObjectDescription, name: str) -> bool:
+def is_like(wanted: ObjectDescription, name: str) -> bool:
+    """Whether a name of the planning scene tells of the kind and colour that is meant."""
     kind, color = split_words(name)
     return wanted.kind in (None, kind) and wanted.color in (None, color)
 

@@ -19,6 +19,7 @@ from kinematics.shapes import Box, Shape
 from kinematics.walking.planar import PlanarPose
 from robots.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
 from robots.perception.object_estimate import ObjectEstimate
+from trees.gap_to_furniture import gap_to_solid_m
 from trees.scene_update import kind_of
 
 INSIDE_KINDS = (DRAWER_BOTTOM, DRAWER_WALL)
@@ -45,7 +46,7 @@ CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}
 _PANEL_TO_BODY_M = 0.02
 _PAIRED_M = 1.0
 """A handle belongs to the nearest front within this."""
-SAME_FRONT_M = 0.2
+_SAME_FRONT_M = 0.2
 """A front that is farther than this from a handle's way is another one."""
 _ONE_BODY_M = 0.1
 """Solids of one piece are as near to its front but for this."""
@@ -115,7 +116,7 @@ def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = Non
     return found
 
 
-def misfit_m(target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape) -> float:
+def _misfit_m(target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape) -> float:
     """How far a front is from where that of a handle can be, however far it is open.
 
     Args:
@@ -137,12 +138,12 @@ def same_front(
 ) -> HandleTarget | None:
     """Of the fronts that a look saw that of a handle, if it is there."""
     away = [
-        (misfit_m(target, item.world_T_object[:3, 3], item.shape), one.part, one)
+        (_misfit_m(target, item.world_T_object[:3, 3], item.shape), one.part, one)
         for one in fronts
         if one.kind == target.kind and (item := scene.objects.get(one.part)) is not None
     ]
     nearest = min(away, default=None)
-    return nearest[2] if nearest is not None and nearest[0] <= SAME_FRONT_M else None
+    return nearest[2] if nearest is not None and nearest[0] <= _SAME_FRONT_M else None
 
 
 def opening_in(
@@ -162,8 +163,8 @@ def opening_in(
     listed = list(estimates)
     fronts = [item for item in listed if item.kind == kind]
     if target is not None:
-        away = [(misfit_m(target, item.odom_T_object[:3, 3], item.shape), item) for item in fronts]
-        fronts = [item for off_m, item in sorted(away, key=lambda one: one[0]) if off_m <= SAME_FRONT_M]
+        away = [(_misfit_m(target, item.odom_T_object[:3, 3], item.shape), item) for item in fronts]
+        fronts = [item for off_m, item in sorted(away, key=lambda one: one[0]) if off_m <= _SAME_FRONT_M]
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
     if not bodies and known is not None:
         believed = [item for name, item in known.objects.items() if kind_of(name) == BODY_OF[kind]]
@@ -179,24 +180,17 @@ def top_of_nearest(
     """Of all solids of chests, or of fridges, the top of the one that is nearest to a front.
 
     Args:
-        place_m: Of the front, shape (2,).
+        place_m: Of the front, shape (3,).
         bodies: Poses and shapes of the solids, at least one.
     """
-    gaps = [_gap_m(place_m, pose, shape) for pose, shape in bodies]
+    gaps = [gap_to_solid_m(place_m, pose, shape) for pose, shape in bodies]
     near = [body for gap_m, body in zip(gaps, bodies, strict=True) if gap_m <= min(gaps) + _ONE_BODY_M]
     return max(near, key=lambda item: float(item[0][2, 3]))
 
 
-def _gap_m(place_m: NDArray[np.float64], pose: Transform, shape: Shape) -> float:
-    """From a place on the floor to a solid that stands on it."""
-    x, y = (pose[:2, :2].T @ (place_m - pose[:2, 3])).tolist()
-    half_x, half_y = (0.5 * shape.size_m[0], 0.5 * shape.size_m[1]) if isinstance(shape, Box) else (0.0, 0.0)
-    return math.hypot(max(abs(x) - half_x, 0.0), max(abs(y) - half_y, 0.0))
-
-
 def _opening(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
     """From the poses of a front and of what it closes; both have x pointing inwards."""
-    body, shape = top_of_nearest(front.odom_T_object[:2, 3], bodies)
+    body, shape = top_of_nearest(front.odom_T_object[:3, 3], bodies)
     yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
         turned = poses.yaw_of(front.odom_T_object[:3, :3]) - yaw

@@ -14,7 +14,7 @@ from trees.scene_update import kind_of
 
 
 def known_parts(scene: PlanningScene, body: PlanarPose, pushed: bool) -> list[HandleTarget]:
-    """Every door and drawer that was seen, now or before.
+    """Every door and drawer that was seen, now or before; of those that are pushed, every door.
 
     Args:
         scene: What is believed.
@@ -22,9 +22,7 @@ def known_parts(scene: PlanningScene, body: PlanarPose, pushed: bool) -> list[Ha
         pushed: Whether a door's front is enough, without its handle.
     """
     seen = _remembered(scene)
-    by_handle = {target.part: target for target in handles_in(seen, body)}
-    fronts = {target.part: target for target in fronts_in(seen)} if pushed else {}
-    return list({**by_handle, **fronts}.values())
+    return fronts_in(seen) if pushed else handles_in(seen, body)
 
 
 def _remembered(scene: PlanningScene) -> Mapping[str, ObjectEstimate]:

@@ -13,7 +13,7 @@ from trees.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
 from trees.names_of_things import may_name_a
 from trees.odometry import feet_pose
 from trees.questions import which_is_meant
-from trees.ranking import ASIDE_M
+from trees.ranking import wrong_side
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
@@ -70,6 +70,12 @@ def _described(task: OpenTask | CloseTask) -> ObjectDescription:
     return task.object if isinstance(task.object, ObjectDescription) else ObjectDescription()
 
 
+def kind_meant(task: OpenTask | CloseTask) -> tuple[str | None, str | None]:
+    """The noun that was said, and "door" or "drawer" where it means one; None for what was left open."""
+    noun = task.object.kind if isinstance(task.object, ObjectDescription) else None
+    return noun, None if noun is None else MEANT_BY.get(noun)
+
+
 def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:
     """Whether a door or drawer is as the task wants it."""
     if isinstance(task, OpenTask):
@@ -87,11 +93,11 @@ def _told(
         question = f"which one is {described.color}? that is not seen of what opens"
         return Ambiguous(question, choices_among(among))
     if len(among) == 1 and described.ordinal is not None:
-        y_m = float(among[0].place_m[1])
-        beside = {"leftmost": y_m < -ASIDE_M, "rightmost": y_m > ASIDE_M}
-        if described.ordinal in _NOT_ALONE or beside.get(described.ordinal, False):
-            where = f", and it is on the {'left' if y_m > 0.0 else 'right'}" if abs(y_m) > ASIDE_M else ""
-            return Missing(f"only one {among[0].kind} seen{where}")
+        aside = wrong_side(described.ordinal, among[0])
+        if aside is not None:
+            return Missing(f"only one {among[0].kind} seen, and it is on the {aside}")
+        if described.ordinal in _NOT_ALONE:
+            return Missing(f"only one {among[0].kind} seen")
     return ground(described, around, among=among)
 
 

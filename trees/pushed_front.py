@@ -62,7 +62,7 @@ def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Ha
     None for a door that is nearly closed, and might hang on either side.
     """
     body, shape = top_of_nearest(
-        panel.odom_T_object[:2, 3], [(item.odom_T_object, item.shape) for item in bodies]
+        panel.odom_T_object[:3, 3], [(item.odom_T_object, item.shape) for item in bodies]
     )
     if not (isinstance(shape, Box) and isinstance(panel.shape, Box)):
         return None

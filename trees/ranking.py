@@ -102,7 +102,7 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
     words = ordinal.replace("_", " ").split()
     word = words[0] if words else ""
     side = "right" if words[-1:] == ["right"] else "left"
-    if len(fitting) == 1 and (aside := _wrong_side(ordinal, fitting[0])) is not None:
+    if len(fitting) == 1 and (aside := wrong_side(ordinal, fitting[0])) is not None:
         raise NoneFitsError(f"no {noun} seen; the only one is on the {aside}", True)
     if ordinal in ("leftmost", "left"):
         return least(fitting, lambda thing: -float(thing.place_m[1]))
@@ -129,7 +129,7 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
     return _nth(fitting, lambda thing: sign * float(thing.place_m[1]), number)
 
 
-def _wrong_side(ordinal: str, only: BelievedThing) -> str | None:
+def wrong_side(ordinal: str, only: BelievedThing) -> str | None:
     """On which side the only thing is, where "the left one" is said and it stands clearly on the right."""
     y_m = float(only.place_m[1])
     if ordinal in ("leftmost", "left") and y_m < -ASIDE_M:

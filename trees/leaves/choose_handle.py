@@ -8,10 +8,10 @@ from py_trees.common import Status
 
 from trees.contract import Contract
 from trees.failures import Failure
-from trees.handles import MEANT_BY, HandleTarget
+from trees.handles import HandleTarget
 from trees.known_parts import known_parts
 from trees.leaf import DONE, Leaf
-from trees.meant_part import meant_part
+from trees.meant_part import kind_meant, meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -49,8 +49,7 @@ class ChooseHandle(Leaf):
         task: OpenTask | CloseTask = self.get_input("task")
         wanted, first = task.object, self.get_input("seen")
         named = isinstance(wanted, ObjectDescription) and wanted.name is not None
-        noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
-        kind = MEANT_BY.get(noun, first.kind) if noun is not None else None
+        _, kind = kind_meant(task)
         known = known_parts(self.toolbox.world.scene, feet_pose(self.toolbox), self._pushed)
         fitting = [item for item in known if kind in (None, item.kind)]
         chosen = first if named or not fitting else meant_part(task, fitting, self.toolbox)

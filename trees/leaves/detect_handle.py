@@ -13,10 +13,10 @@ from trees.articles import with_article
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.folded_look import folded_look
-from trees.handles import MEANT_BY, HandleTarget, handles_in, same_front
+from trees.handles import HandleTarget, handles_in, same_front
 from trees.leaf import DONE
 from trees.look_leaf import LookLeaf, View
-from trees.meant_part import meant_part, misnamed
+from trees.meant_part import kind_meant, meant_part, misnamed
 from trees.odometry import feet_pose
 from trees.ports import optional, ports
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -56,8 +56,7 @@ class DetectHandle(LookLeaf):
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         task: OpenTask | CloseTask = self.get_input("task")
         wanted = task.object
-        noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
-        kind = MEANT_BY.get(noun) if noun is not None else None
+        noun, kind = kind_meant(task)
         if noun is not None and kind is None:
             return Failure.infeasible(f"{with_article(noun)} is nothing that I can open or close")
         fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]

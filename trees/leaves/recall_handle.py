@@ -10,13 +10,13 @@ from py_trees.common import Status
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.handle_standing import handle_standing_place
-from trees.handles import MEANT_BY, HandleTarget
+from trees.handles import HandleTarget
 from trees.known_parts import known_parts
 from trees.leaf import DONE, Leaf
-from trees.meant_part import meant_part
+from trees.meant_part import kind_meant, meant_part
 from trees.odometry import feet_pose
 from trees.ports import ports
-from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.tasks import CloseTask, OpenTask
 from trees.toolbox import Toolbox
 
 _FAR_M = 1.0
@@ -56,9 +56,7 @@ class RecallHandle(Leaf):
         """Look it up."""
         toolbox = self.toolbox
         task: OpenTask | CloseTask = self.get_input("task")
-        wanted = task.object
-        noun = wanted.kind if isinstance(wanted, ObjectDescription) else None
-        kind = MEANT_BY.get(noun) if noun is not None else None
+        noun, kind = kind_meant(task)
         body = feet_pose(toolbox)
         targets = known_parts(toolbox.world.scene, body, self._pushed)
         fitting = [item for item in targets if kind in (None, item.kind)]

@@ -7,11 +7,11 @@ from dataclasses import replace
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from trees.believed_thing import PERSON, Surroundings, split_words
+from trees.believed_thing import PERSON, Surroundings
 from trees.contract import Contract
 from trees.failures import Failure, Number
 from trees.furniture_called import called_so
-from trees.grounding import Ambiguous, ground
+from trees.grounding import Ambiguous, ground, is_like
 from trees.handles import MEANT_BY
 from trees.ports import ports
 from trees.questions import which_is_meant
@@ -63,12 +63,7 @@ class TellCount(TellingLeaf):
         """What hands hold counts, too, where nothing but its kind and colour is asked for."""
         if replace(wanted, kind=None, color=None) != ObjectDescription():
             return ()
-        told = {name: split_words(name) for name in around.held}
-        return tuple(
-            name
-            for name, (kind, color) in told.items()
-            if wanted.kind in (None, kind) and wanted.color in (None, color)
-        )
+        return tuple(name for name in around.held if is_like(wanted, name))
 
     def _is_big(self, wanted: ObjectDescription) -> bool:
         """Whether it stands anywhere in a room, not on something that was looked over."""
