@@ -24,6 +24,7 @@ from robots.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.connection import run_connection
+from tools.evaluate.digests import run_digests
 from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
@@ -53,6 +54,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
         "stops and faults": ("stop", "cancel", "fault"),
         "live mode": ("kill", "connection", "load", "fuzz"),
         "untrusted text": ("hostile",),
+        "changes that should change nothing": ("digests",),
         "hours on end": ("soak",),
         "doors and drawers": OPENING_SUITES,
         "skills and walks": tuple(SKILL_SUITES),
@@ -100,6 +102,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
     if options.suite == "hostile":
         return run_hostile(options.episodes, options.seed, options.json, messages)
+    if options.suite == "digests":
+        return run_digests(options.check, options.record, options.jobs, options.every, messages)
     if options.suite == "soak":
         return run_soak(options, messages)
     if options.suite == "kill":
@@ -188,6 +192,11 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
         type=float,
         default=1.0,
         help="of suites kill, connection and load: simulated seconds in a second, for slow machines",
+    )
+    parser.add_argument("--record", type=Path, metavar="FILE", help="of suite digests: keep the runs here")
+    parser.add_argument("--check", type=Path, metavar="FILE", help="of suite digests: compare with these")
+    parser.add_argument(
+        "--every", type=_positive, default=1, help="of suite digests: every so manyth run alone"
     )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument(
