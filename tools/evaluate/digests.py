@@ -1,7 +1,8 @@
 """Recorded runs as a referee of changes that should change nothing: ``python -m tools.evaluate digests``.
 
 A run in lockstep gives the same events on the same machine and versions, byte for byte. ``--record FILE``
-keeps what sixty runs gave, over every scene and skill; ``--check FILE`` runs them again and tells which differ.
+keeps what sixty runs gave, over every scene and skill; ``--check FILE`` runs them again and tells which
+differ.
 """
 
 from __future__ import annotations
