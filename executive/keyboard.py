@@ -7,8 +7,11 @@ import os
 import select
 import termios
 import tty
+from collections.abc import Callable
 from types import TracebackType
 from typing import IO
+
+from executive.terminal_attendant import LOOK_EVERY_S, never
 
 
 class Keyboard:
@@ -41,11 +44,16 @@ class Keyboard:
             return ""
         return os.read(self._file, 1).decode("utf-8", "replace")
 
-    def line(self, timeout_s: float) -> str | None:
-        """A line typed with echo, or None when none comes in time."""
+    def line(self, timeout_s: float, interrupted: Callable[[], bool] = never) -> str | None:
+        """A line typed with echo, or None when none comes in time, or it is not waited for any more."""
         termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
         try:
-            ready, _, _ = select.select([self._file], [], [], timeout_s)
-            return os.read(self._file, 1024).decode("utf-8", "replace").strip() if ready else None
+            for _ in range(max(1, round(timeout_s / LOOK_EVERY_S))):
+                if interrupted():
+                    return None
+                ready, _, _ = select.select([self._file], [], [], LOOK_EVERY_S)
+                if ready:
+                    return os.read(self._file, 1024).decode("utf-8", "replace").strip()
+            return None
         finally:
             tty.setcbreak(self._file)

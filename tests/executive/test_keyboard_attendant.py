@@ -22,8 +22,8 @@ class Typed:
     def key(self, timeout_s=0.0):
         return self.keys.pop(0) if self.keys else ""
 
-    def line(self, timeout_s):
-        return self.typed
+    def line(self, timeout_s, interrupted=lambda: False):
+        return None if interrupted() else self.typed
 
 
 class Screen:
@@ -141,6 +141,16 @@ def test_e_while_a_question_is_open_stops_and_leaves_it_open():
 
     assert attendant.answer(QUESTION) is None
     assert session.done == [("stop", "stopped from the keyboard")]
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("keys", ["", "a"])
+def test_nobody_is_waited_for_once_the_run_is_cancelled(keys):
+    screen, looks = Screen(), iter([False, True, True])
+    attendant = KeyboardAttendant(Typed(keys, "too late"), screen, 60.0, lambda: next(looks))
+
+    assert attendant.answer(QUESTION) is None
+    assert screen.told[-1] == ("ask", None)
 
 
 def test_a_real_terminal_gives_single_keys_and_is_left_as_it_was():
