@@ -167,3 +167,12 @@ def test_a_real_terminal_gives_single_keys_and_is_left_as_it_was():
     finally:
         os.close(master)
         os.close(slave)
+
+
+def test_a_terminal_that_has_gone_gives_no_keys_and_no_lines():
+    master, slave = pty.openpty()
+    with os.fdopen(slave, "r") as stdin, Keyboard(stdin) as keyboard:
+        os.close(master)
+
+        assert keyboard.key() == ""
+        assert keyboard.line(0.2) is None
