@@ -7,11 +7,14 @@ import subprocess
 import sys
 import threading
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
+import jsonschema
 import pytest
 
 from executive.ending_signals import EndedBySignal, interrupt_by_all, taken_by, told
 
+SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text())
 ALL = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 each = pytest.mark.parametrize("number", ALL, ids=lambda number: number.name)
 
@@ -145,7 +148,9 @@ def test_a_run_that_asks_is_ended_at_its_question(command, tmp_path, number, tex
     line, code = run.ended(number)
 
     assert code == 4
-    assert json.loads(report.read_text())["message"] == line
+    document = json.loads(report.read_text())
+    jsonschema.validate(document, SCHEMA)
+    assert document["message"] == line
 
 
 @each
