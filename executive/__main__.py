@@ -1,4 +1,7 @@
-"""``python -m executive``, and the console script: nothing is imported before Ctrl-C is answered for."""
+"""``python -m executive``, and the console script: nothing is imported before Ctrl-C is answered for.
+
+SIGTERM and SIGHUP mean what Ctrl-C means, for every command.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,9 @@ _INTERRUPTED = 130
 def main() -> None:
     """Run the command line; Ctrl-C before it is loaded ends the program without a word."""
     try:
+        from executive.ending_signals import interrupt_by_all
+
+        interrupt_by_all()
         from executive.cli import main as run
 
         run()

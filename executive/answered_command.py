@@ -43,7 +43,8 @@ def answered_command(
         believed: What is around the robot when the answer comes.
 
     Returns:
-        The command with the choice that was made; why it was withdrawn; None when nobody answered.
+        The command with the choice that was made; why it was withdrawn, cancelled or stopped meanwhile;
+        None when nobody answered.
     """
     choices, names = failure.choices, failure.choice_names
     question = failure.root.message
@@ -58,7 +59,11 @@ def answered_command(
     tried = ""
     for _ in range(MAX_TRIES):
         text = yield OpenQuestion(question, choices, tried)
+        if session.interrupted:
+            text = None
         session.tell(InputTaken(session.now_s, "answer", text or ""))
+        if (ended := session.interruption()) is not None:
+            return ended
         if text is None:
             return None
         around = believed().only(names)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Protocol
 
+from executive.cancellation import Cancellation
 from executive.clarification import OpenQuestion
 from executive.events import InputTaken
 
@@ -51,7 +52,7 @@ class Attendant(Protocol):
         ...
 
     def answer(self, question: OpenQuestion) -> str | None:
-        """Answer a question, or None: nobody did."""
+        """Answer a question, or None: nobody did, or the run was cancelled or stopped meanwhile."""
         ...
 
     def attend(self, session: Stoppable) -> None:
@@ -74,36 +75,69 @@ class Nobody:
 
 
 class RecordedAttendant:
-    """Gives the recorded inputs again, each at its simulated time."""
+    """Gives the recorded inputs again, each at its simulated time.
 
-    def __init__(self, inputs: Iterable[InputTaken]) -> None:
-        taken = list(inputs)
-        self._answers = [item for item in taken if item.what == "answer"]
-        self._cancels = [item for item in taken if item.what == "cancel"]
-        self._stops = [item for item in taken if item.what == "emergency_stop"]
-        self._pauses = [item for item in taken if item.what in ("pause", "resume")]
+    Args:
+        inputs: What was recorded, in its order.
+        cancellation: The run's cancel, for what was cancelled before there was a robot.
+    """
+
+    def __init__(self, inputs: Iterable[InputTaken], cancellation: Cancellation) -> None:
+        self._inputs = list(inputs)
+        self._cancellation = cancellation
+        self._session: Stoppable | None = None
 
     def begin(self, session: Stoppable) -> None:
         """Have an eye on each control period: an emergency stop does not wait for a tick."""
-        if self._stops:
+        self._session = session
+        if any(item.what == "emergency_stop" for item in self._inputs):
             session.watch_periods(lambda: self._stop_when_due(session))
+        if (cancel := self._next("cancel", 0.0)) is not None:  # while the robot was being put together
+            self._cancellation.ask(cancel.value)
 
     def answer(self, _question: OpenQuestion) -> str | None:
-        """Give the next recorded answer."""
-        return (self._answers.pop(0).value or None) if self._answers else None
+        """Give the next recorded answer, or do what ended the question."""
+        now_s = 0.0 if self._session is None else self._session.now_s
+        ends = ("cancel", "emergency_stop")
+        first = self._next_of(("answer", *ends), now_s)
+        if first is not None and first.what == "answer":
+            if first.value:
+                return first.value
+            first = self._next_of(ends, now_s)
+        if first is not None and first.what == "cancel":
+            self._cancellation.ask(first.value)
+        elif first is not None and self._session is not None:
+            _stop(self._session, first.value)
+        return None
 
     def attend(self, session: Stoppable) -> None:
         """Cancel, pause and resume when that was done."""
-        while self._pauses and self._pauses[0].t_s <= session.now_s + _ROUNDING_S:
-            item = self._pauses.pop(0)
+        while (item := self._next_of(("pause", "resume"), session.now_s)) is not None:
             if item.what == "pause":
                 session.pause(item.value)
             else:
                 session.resume()
-        while self._cancels and self._cancels[0].t_s <= session.now_s + _ROUNDING_S:
-            session.cancel(self._cancels.pop(0).value)
+        if any(abs(item.t_s - session.now_s) < _ROUNDING_S for item in self._inputs if item.what == "answer"):
+            return  # a question comes first, and the cancel, if there is one, while it was open
+        while (item := self._next("cancel", session.now_s)) is not None:
+            session.cancel(item.value)
 
     def _stop_when_due(self, session: Stoppable) -> None:
-        while self._stops and self._stops[0].t_s <= session.now_s + _ROUNDING_S:
-            category, _, reason = self._stops.pop(0).value.partition(" ")
-            session.emergency_stop(reason, int(category))
+        while (item := self._next("emergency_stop", session.now_s)) is not None:
+            _stop(session, item.value)
+
+    def _next(self, what: str, now_s: float) -> InputTaken | None:
+        return self._next_of((what,), now_s)
+
+    def _next_of(self, kinds: tuple[str, ...], now_s: float) -> InputTaken | None:
+        """Take the next input of some kinds, once its time has come."""
+        first = next((item for item in self._inputs if item.what in kinds), None)
+        if first is None or first.t_s > now_s + _ROUNDING_S:
+            return None
+        self._inputs.remove(first)
+        return first
+
+
+def _stop(session: Stoppable, recorded: str) -> None:
+    category, _, reason = recorded.partition(" ")
+    session.emergency_stop(reason, int(category))

@@ -61,8 +61,8 @@ class ExecutiveGroup(TyperGroup):
         except _ENVIRONMENT as fault:
             _complain(" ".join(str(fault).split()))
             raise typer.Exit(ExitCode.INVALID) from None
-        except KeyboardInterrupt:
-            _complain("cancelled from the keyboard")
+        except KeyboardInterrupt as ended:
+            _complain(str(ended) or "cancelled from the keyboard")
             raise typer.Exit(ExitCode.CANCELLED) from None
         except ModuleNotFoundError as missing:
             if (missing.name or "").partition(".")[0] in _OWN_PACKAGES:

@@ -85,6 +85,10 @@ class Errand:
 
     def steps(self) -> Steps:
         """Carry everything out; returns the results of the tasks that were begun."""
+        with self._session.request():
+            return (yield from self._steps())
+
+    def _steps(self) -> Steps:
         refused = self._refused()
         if refused is not None:
             return (refused,)

@@ -7,12 +7,17 @@ import os
 import select
 import termios
 import tty
+from collections.abc import Callable
 from types import TracebackType
 from typing import IO
+
+from executive.terminal_attendant import LOOK_EVERY_S, never
 
 
 class Keyboard:
     """Puts a terminal into single-key mode while it is entered; Ctrl-C still is a signal.
+
+    From a terminal that has gone nothing comes any more.
 
     Raises:
         termios.error: It is no terminal.
@@ -37,15 +42,28 @@ class Keyboard:
     def key(self, timeout_s: float | None = 0.0) -> str:
         """The next key, or nothing when none comes in time; None waits for one however long it takes."""
         ready, _, _ = select.select([self._file], [], [], timeout_s)
-        if not ready:
-            return ""
-        return os.read(self._file, 1).decode("utf-8", "replace")
+        return self._read(1) if ready else ""
 
-    def line(self, timeout_s: float) -> str | None:
-        """A line typed with echo, or None when none comes in time."""
-        termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
+    def line(self, timeout_s: float, interrupted: Callable[[], bool] = never) -> str | None:
+        """A line typed with echo, or None when none comes in time, or it is not waited for any more."""
         try:
-            ready, _, _ = select.select([self._file], [], [], timeout_s)
-            return os.read(self._file, 1024).decode("utf-8", "replace").strip() if ready else None
+            termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
+        except termios.error:
+            return None
+        try:
+            for _ in range(max(1, round(timeout_s / LOOK_EVERY_S))):
+                if interrupted():
+                    return None
+                ready, _, _ = select.select([self._file], [], [], LOOK_EVERY_S)
+                if ready:
+                    return self._read(1024).strip()
+            return None
         finally:
-            tty.setcbreak(self._file)
+            with contextlib.suppress(termios.error):
+                tty.setcbreak(self._file)
+
+    def _read(self, most: int) -> str:
+        try:
+            return os.read(self._file, most).decode("utf-8", "replace")
+        except OSError:
+            return ""

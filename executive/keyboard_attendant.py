@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 from executive.attendant import Stoppable
 from executive.clarification import OpenQuestion
-from executive.terminal_attendant import ANSWER_TIMEOUT_S
+from executive.terminal_attendant import ANSWER_TIMEOUT_S, LOOK_EVERY_S, never
 
 _TICK_S = 0.02
 """A paused robot stands and balances in simulated time: as long as a tick of it, a key is waited for."""
@@ -19,8 +20,8 @@ class Keys(Protocol):
         """The next key, or nothing in time."""
         ...
 
-    def line(self, timeout_s: float) -> str | None:
-        """A typed line, or None in time."""
+    def line(self, timeout_s: float, interrupted: Callable[[], bool] = never) -> str | None:
+        """A typed line, or None when none comes in time, or the run was cancelled."""
         ...
 
 
@@ -47,10 +48,18 @@ class KeyboardAttendant:
         keys: The keyboard.
         screen: The display.
         timeout_s: Wall time that an answer may take.
+        interrupted: Whether the run was cancelled meanwhile: then no answer is waited for.
     """
 
-    def __init__(self, keys: Keys, screen: Screen, timeout_s: float = ANSWER_TIMEOUT_S) -> None:
+    def __init__(
+        self,
+        keys: Keys,
+        screen: Screen,
+        timeout_s: float = ANSWER_TIMEOUT_S,
+        interrupted: Callable[[], bool] = never,
+    ) -> None:
         self._keys, self._screen, self._timeout_s = keys, screen, timeout_s
+        self._interrupted = interrupted
         self._session: Stoppable | None = None
         self._paused = False
 
@@ -81,7 +90,7 @@ class KeyboardAttendant:
         self._screen.ask(question)
         try:
             while True:
-                match self._keys.key(self._timeout_s):
+                match self._key():
                     case "":
                         return None
                     case "e":
@@ -92,8 +101,17 @@ class KeyboardAttendant:
                         return "never mind"
                     case "a":
                         self._screen.close()
-                        return self._keys.line(self._timeout_s)
+                        return self._keys.line(self._timeout_s, self._interrupted)
                     case digit if digit.isdecimal():
                         return digit
         finally:
             self._screen.ask(None)
+
+    def _key(self) -> str:
+        """The next key, or nothing when none comes in time, or the run was cancelled."""
+        for _ in range(max(1, round(self._timeout_s / LOOK_EVERY_S))):
+            if self._interrupted():
+                return ""
+            if key := self._keys.key(LOOK_EVERY_S):
+                return key
+        return ""

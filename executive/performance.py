@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import signal
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from executive.attendant import Attendant, Nobody
+from executive.cancellation import Cancellation
 from executive.config import chosen_config, leave_opengl_to_the_renderer
+from executive.ending_signals import EndedBySignal, taken_by, told
 from executive.errors import NotWritableError
 from executive.events import Event
 from executive.exit_codes import ExitCode
@@ -22,9 +22,10 @@ from executive.real_pace import RealPace
 from executive.run_log import RunLog, require_writable, write_report
 from executive.run_request import RunRequest
 from executive.safety_tally import SafetyTally
-from executive.script_run import Said, run_statements, unstarted, verdict
+from executive.script_run import Said, not_begun, run_statements, unstarted, verdict
 from executive.settled_heap import settled_heap
 from executive.settling import settled
+from executive.statement import Statement
 from kinematics.requests import CheckRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.trajectory_document import write_trajectory
@@ -33,6 +34,7 @@ from robots.clock import WallClock
 from robots.description import load_description_for_tasks
 from robots.scene_description import SceneDescription
 from robots.scene_file import known_scenes, load_scene
+from trees.failures import Failure
 
 if TYPE_CHECKING:
     from executive.outputs.display import Display
@@ -67,14 +69,23 @@ def perform(
     display: Display,
     attendant: Attendant | None = None,
     on_event: Callable[[Event], None] | None = None,
+    cancellation: Cancellation | None = None,
+    heeds_signals: bool = True,
 ) -> Performance:
     """Carry a request out.
+
+    A signal to end, Ctrl-C among them, cancels it: the robot brakes and holds, and all that was asked for is
+    written. The second one is the emergency stop, which the robot is brought to rest by as well. Only a third
+    one, for a program that does not get that far, ends the program at once.
 
     Args:
         request: What to do.
         display: Shows what goes on.
         attendant: Who answers questions and may cancel; nobody when left out.
         on_event: Hears of every event as well.
+        cancellation: The run's cancel, where the attendant has to know of it at the questions that come
+            before there is a robot.
+        heeds_signals: Whether signals to end are this run's; where not, they end the program.
 
     Everything that can be wrong with it, or with the machine, is found before anything moves.
 
@@ -82,6 +93,18 @@ def perform(
         UserError: An option, the scene or the machine is not good for it.
         RobotsError: The robot's or the scene's data are not.
     """
+    ending = _Ending(cancellation or Cancellation())
+    with taken_by(ending.take) if heeds_signals else nullcontext():
+        return _performed(request, display, attendant or Nobody(), on_event, ending)
+
+
+def _performed(
+    request: RunRequest,
+    display: Display,
+    attendant: Attendant,
+    on_event: Callable[[Event], None] | None,
+    ending: _Ending,
+) -> Performance:
     leave_opengl_to_the_renderer()
     scene = _preflight(request)
     pictures = _pictures(request)
@@ -97,7 +120,7 @@ def perform(
                 on_event(event)
 
         keep = log if request.keep_trajectories else None
-        results, checked = _results(request, scene, attendant or Nobody(), sink, display, pictures, keep)
+        results, checked = _results(request, scene, attendant, sink, display, pictures, keep, ending)
         line, outcome, code = verdict(request.statements, results)
         report = Report(
             input=request.input,
@@ -178,11 +201,23 @@ def _results(
     display: Display,
     pictures: Pictures | None,
     keep: RunLog | None,
+    ending: _Ending,
 ) -> tuple[list[Said], int]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
-    statements = [settled(one, attendant, request.on_question, sink) for one in request.statements]
-    if not_begun := unstarted(statements, sink):
-        return not_begun, 0
+
+    def cancelled() -> Failure | None:
+        return ending.cancellation.taken(0.0, sink)
+
+    statements: list[Statement] = []
+    for said in request.statements:
+        one = settled(said, attendant, request.on_question, sink, interruption=cancelled)
+        if isinstance(one, Failure):
+            return [(said, [not_begun(said, one)])], 0
+        statements.append(one)
+    if spoiled := unstarted(statements, sink):
+        return spoiled, 0
+    if (ended := cancelled()) is not None:
+        return [(statements[0], [not_begun(statements[0], ended)])], 0
     from executive.assembly import assemble, plan_faults
 
     def judged(asked: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
@@ -192,13 +227,16 @@ def _results(
 
     assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=judged)
     plan_faults(assembly.world, request.faults)
+    attendant.begin(assembly.session)
+    if (ended := cancelled()) is not None:
+        return [(statements[0], [not_begun(statements[0], ended)])], 0
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
     if request.in_real_time:
         assembly.session.watch_periods(RealPace(WallClock()))
-    attendant.begin(assembly.session)
-    with settled_heap(), _interrupts(assembly.session.cancel, assembly.session.emergency_stop):
+    ending.emergency_stop = assembly.session.emergency_stop
+    with settled_heap(), assembly.session.request(ending.cancellation):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
@@ -206,27 +244,25 @@ def _results(
     return results, assembly.planning.checked
 
 
-@contextmanager
-def _interrupts(cancel: Callable[[str], None], emergency_stop: Callable[[str], None]) -> Iterator[None]:
-    """Let Ctrl-C cancel the task; the robot brakes and holds before the program ends.
+class _Ending:
+    """What signals to end do to a run.
 
-    The second one is the emergency stop, which the robot is brought to rest by as well. Only a third
-    one, for a program that does not get that far, ends the program at once.
+    Attributes:
+        cancellation: The run's cancel: the first signal asks for it.
+        emergency_stop: What the second one calls, as soon as there is a robot.
     """
-    presses = 0
 
-    def interrupted(_number: int, _frame: FrameType | None) -> None:
-        nonlocal presses
-        presses += 1
-        if presses == 1:
-            cancel("cancelled from the keyboard")
-        elif presses == 2:
-            emergency_stop("stopped from the keyboard")
+    def __init__(self, cancellation: Cancellation) -> None:
+        self.cancellation = cancellation
+        self.emergency_stop: Callable[[str], None] | None = None
+        self._count = 0
+
+    def take(self, number: int) -> None:
+        """Take one."""
+        self._count += 1
+        if self._count == 1:
+            self.cancellation.ask(told(number, "cancelled"))
+        elif self._count == 2 and self.emergency_stop is not None:
+            self.emergency_stop(told(number, "stopped"))
         else:
-            raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGINT, interrupted)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
+            raise EndedBySignal(told(number, "cancelled"))

@@ -69,7 +69,8 @@ def rehearse(
     world = load_scene(scene)
     statements = script.statements
     if on_question == "first":
-        statements = tuple(settled(one, Nobody(), on_question, lambda _event: None) for one in statements)
+        settled_ones = (settled(one, Nobody(), on_question, lambda _event: None) for one in statements)
+        statements = tuple(one for one in settled_ones if isinstance(one, Statement))  # nobody cancels
     for one in statements:
         lacking = without_skill(one.parsed.commands)
         if lacking is not None and one.expect != "refused":

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from executive.attendant import RecordedAttendant, Stoppable
+from executive.cancellation import Cancellation
 from executive.config import forget_config, use_config
 from executive.errors import UserError
 from executive.events import Event, InputTaken, canonical_line
@@ -101,8 +102,10 @@ class _Comparison:
 class _WatchfulAttendant(RecordedAttendant):
     """Gives the recorded inputs, and ends a run that has left the recorded one."""
 
-    def __init__(self, inputs: Iterator[InputTaken], comparison: _Comparison, whole: bool) -> None:
-        super().__init__(inputs)
+    def __init__(
+        self, inputs: Iterator[InputTaken], cancellation: Cancellation, comparison: _Comparison, whole: bool
+    ) -> None:
+        super().__init__(inputs, cancellation)
         self._comparison, self._whole = comparison, whole
 
     def attend(self, session: Stoppable) -> None:
@@ -128,10 +131,13 @@ def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: No
     lines = _recorded_lines(recorded)
     comparison = _Comparison(lines)
     whole = bool(recorded.report)
-    attendant = _WatchfulAttendant(_inputs(lines), comparison, whole)
+    cancellation = Cancellation()
+    attendant = _WatchfulAttendant(_inputs(lines), cancellation, comparison, whole)
     tell(f"replaying {recorded.name}: {recorded.header.get('input', '')!r}, {len(lines)} events")
     with tempfile.TemporaryDirectory() as folder:
-        perform(_request(recorded, Path(folder)), NoDisplay(), attendant, comparison.take)
+        request = _request(recorded, Path(folder))
+        # a signal to end is no input of the run: it ends the comparison
+        perform(request, NoDisplay(), attendant, comparison.take, cancellation, heeds_signals=False)
     comparison.end()
     difference = comparison.difference
     if not whole and difference is not None and difference.recorded == "":

@@ -14,6 +14,7 @@ from executive.session import Session
 from executive.statement import Statement
 from executive.task_result import TaskResult
 from executive.trust import OnQuestion
+from trees.failures import Failure
 
 Said = tuple[Statement, list[TaskResult]]
 """A statement with the results of its tasks."""
@@ -58,7 +59,8 @@ def run_statements(
         )
         return drive(errand.steps(), attendant, session)
 
-    return in_order(statements, carry_out)
+    with session.request():
+        return in_order(statements, carry_out)
 
 
 def not_understood(statement: Statement, now_s: float, sink: EventSink) -> TaskResult:
@@ -71,6 +73,11 @@ def not_understood(statement: Statement, now_s: float, sink: EventSink) -> TaskR
     if parsed.question is not None and statement.expect == "question":
         sink(QuestionAsked(now_s, text, parsed.question.text, parsed.question.choices))
     return TaskResult(text, "none", "question")
+
+
+def not_begun(statement: Statement, ended: Failure) -> TaskResult:
+    """The result of a statement that was cancelled, or stopped, before anything of it had moved."""
+    return TaskResult(statement.parsed.to_json()["text"], "none", "cancelled", failure=ended)
 
 
 def verdict(statements: Sequence[Statement], results: Sequence[Said]) -> tuple[str, str, ExitCode]:

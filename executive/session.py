@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from executive.cancellation import Cancellation
 from executive.event_hub import EventHub
 from executive.events import Event, EventSink, InputTaken, TaskAccepted, TaskEnded
 from executive.lockstep import Lockstep, Periods
@@ -111,7 +113,8 @@ class Session:
         self._on_tick = on_tick
         self._build = build
         self._clock: Clock = toolbox.clock
-        self._cancel_reason: str | None = None
+        self._request: Cancellation | None = None
+        self._wakers: list[Callable[[], None]] = []
         self._last_ticket: Ticket | None = None
         self._conversation: Conversation | None = None
 
@@ -160,21 +163,84 @@ class Session:
         """Where every layer's events go; others may listen for a time."""
         return self._sink
 
-    def cancel(self, reason: str) -> None:
-        """Ask for the running task to be halted; safe to call from a signal handler."""
-        self._cancel_reason = reason
+    @contextmanager
+    def request(self, cancellation: Cancellation | None = None) -> Iterator[Cancellation]:
+        """Let what is carried out meanwhile be one request, which a cancel or a pause is for.
 
-    def forget_cancel(self) -> None:
-        """What a cancel was for has ended: one that has halted nothing does not reach what comes next."""
-        self._cancel_reason = None
+        Within another one it is a part of that. An errand, and a task on its own, are one without being told.
+
+        Args:
+            cancellation: Its cancel, where somebody asked for it, or may ask for it, past this session.
+
+        Yields:
+            The request's cancel.
+        """
+        if self._request is not None:
+            yield self._request
+            return
+        self._request = cancellation or Cancellation()
+        try:
+            yield self._request
+        finally:
+            self._request = self._pause_reason = None
+
+    def cancel(self, reason: str) -> None:
+        """Ask for the request under way to be halted; safe to call from a signal handler.
+
+        It ends where it is: in the middle of a task, at a question, between two tasks. While none is under
+        way there is nothing to halt.
+        """
+        if (request := self._request) is not None:
+            request.ask(reason)
+            self.wake()
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether the request under way was cancelled, or the emergency stop is engaged or asked for."""
+        if self._request is not None and self._request.asked:
+            return True
+        return self._supervisor is not None and (
+            self._supervisor.stop_asked or self._supervisor.stopped() is not None
+        )
+
+    def interruption(self) -> Failure | None:
+        """What ends a request that has waited for a person, or None when it may go on.
+
+        A stop that was asked for in the meantime, and that no control period has taken up, is engaged first.
+        """
+        if self._supervisor is not None:
+            if self._supervisor.stop_asked:
+                self._lockstep.tick()
+            if (stopped := self._supervisor.stopped()) is not None:
+                return Failure(FailureKind.CANCELED, stopped)
+        return self._cancelled()
+
+    def _cancelled(self) -> Failure | None:
+        return None if self._request is None else self._request.taken(self.now_s, self._sink)
+
+    @contextmanager
+    def woken_by(self, wake: Callable[[], None]) -> Iterator[None]:
+        """Have something called, from any thread, when a request that waits for a person may go on or end."""
+        self._wakers.append(wake)
+        try:
+            yield
+        finally:
+            self._wakers.remove(wake)
+
+    def wake(self) -> None:
+        """Tell whoever sleeps until a request may go on to look again; safe to call from any thread."""
+        for wake in tuple(self._wakers):
+            wake()
 
     def pause(self, reason: str) -> None:
-        """Ask for the running task to be held where it is; safe to call from a signal handler.
+        """Ask for the request under way to be held where it is; safe to call from a signal handler.
 
-        It goes on with ``resume``; a cancel or a stop ends the pause as well. While no task is under way
-        there is nothing to hold. Time in a pause counts towards no deadline.
+        It goes on with ``resume``; a cancel or a stop ends the pause as well. While none is under way there
+        is nothing to hold; at a question, the task that the answer makes is held at its beginning. Time in a
+        pause counts towards no deadline.
         """
-        self._pause_reason = reason
+        if self._request is not None:
+            self._pause_reason = reason
 
     def resume(self) -> None:
         """Ask for a paused task to go on; safe to call from a signal handler."""
@@ -193,6 +259,7 @@ class Session:
         """
         self._supervised().emergency_stop(reason, category)
         self._lockstep.note_stop(f"{category} {reason}")
+        self.wake()
 
     def reset(self, person: str) -> str | None:
         """Leave the emergency stop on a person's explicit request; returns what stands against it.
@@ -207,12 +274,8 @@ class Session:
         self._lockstep.watch(call)
 
     def hold(self, seconds: float) -> None:
-        """Let simulated time pass while the robot holds what it does.
-
-        No task is under way meanwhile, so that a cancel asked for in this time has nothing to cancel.
-        """
+        """Let simulated time pass while the robot holds what it does."""
         self._lockstep.let_pass(seconds)
-        self._cancel_reason = self._pause_reason = None
 
     def run_task(self, command: Command, timeout_s: float | None = None) -> TaskResult:
         """Carry out one command to its end.
@@ -225,6 +288,10 @@ class Session:
         self, command: Command, timeout_s: float | None = None
     ) -> Generator[None, None, TaskResult]:
         """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
+        with self.request():
+            return (yield from self._task_steps(command, timeout_s))
+
+    def _task_steps(self, command: Command, timeout_s: float | None) -> Generator[None, None, TaskResult]:
         wall = WallClock()
         self._lockstep.settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
@@ -286,8 +353,9 @@ class Session:
         try:
             return (yield from self._ticked(tree, deadline_s))
         finally:
-            self._pause_reason = None
-            self._follow_pause()
+            if self._paused:  # one that was asked for in the last moment holds the next task
+                self._pause_reason = None
+                self._follow_pause()
 
     def _follow_pause(self) -> bool:
         """Begin or end a pause as asked for; tells whether there is one."""
@@ -308,16 +376,13 @@ class Session:
         while True:
             yield
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
-                self._cancel_reason = None
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, stopped)
             if self._supervisor is not None and (unwell := self._supervisor.unwell()) is not None:
                 self._supervisor.note_defect(unwell.message)
                 failure = self._halt(tree, FailureKind.EXECUTION, unwell.message)
                 return "failed", failure
-            if self._cancel_reason is not None:
-                reason, self._cancel_reason = self._cancel_reason, None
-                self._sink(InputTaken(self.now_s, "cancel", reason))
-                return "cancelled", self._halt(tree, FailureKind.CANCELED, reason)
+            if (cancelled := self._cancelled()) is not None:
+                return "cancelled", self._halt(tree, FailureKind.CANCELED, cancelled.message)
             if self._follow_pause():
                 before_s = self.now_s
                 self._lockstep.tick()

@@ -13,13 +13,22 @@ from executive.meaning import Parsed, Refusal
 from executive.statement import Statement
 from executive.trust import OnQuestion
 from trees.build import NoSkillError
+from trees.failures import Failure
 
-Settling = Generator[OpenQuestion, str | None, Statement]
+Settling = Generator[OpenQuestion, str | None, Statement | Failure]
 """A question where one is open; takes its answer, or None when there is none."""
 
 
+def _goes_on() -> Failure | None:
+    return None
+
+
 def settling(
-    statement: Statement, on_question: OnQuestion, sink: EventSink, now_s: Callable[[], float] = lambda: 0.0
+    statement: Statement,
+    on_question: OnQuestion,
+    sink: EventSink,
+    now_s: Callable[[], float] = lambda: 0.0,
+    interruption: Callable[[], Failure | None] = _goes_on,
 ) -> Settling:
     """Ask what is unclear in the words themselves, and refuse what is no skill; nothing moves yet.
 
@@ -28,12 +37,17 @@ def settling(
         on_question: What becomes of questions.
         sink: Told of what is asked and answered.
         now_s: Simulated time; left out where none has passed.
+        interruption: Asked after each wait what ends it all: a cancel, a stop, or None.
 
     Returns:
-        The statement with what the answers mean; with its question still where nobody answered.
+        The statement with what the answers mean; with its question still where nobody answered; what ended
+        it while an answer was waited for.
     """
     if statement.parsed.question is not None and statement.expect != "question":
-        statement = yield from _asked(statement, on_question, sink, now_s)
+        asked = yield from _asked(statement, on_question, sink, now_s, interruption)
+        if isinstance(asked, Failure):
+            return asked
+        statement = asked
     lacking = without_skill(statement.parsed.commands)
     if lacking is not None:
         refusal = Refusal(str(NoSkillError(lacking)))
@@ -47,21 +61,26 @@ def settled(
     on_question: OnQuestion,
     sink: EventSink,
     now_s: Callable[[], float] = lambda: 0.0,
-) -> Statement:
+    interruption: Callable[[], Failure | None] = _goes_on,
+) -> Statement | Failure:
     """The same as ``settling``, with somebody who answers at once or not at all."""
-    steps = settling(statement, on_question, sink, now_s)
+    steps = settling(statement, on_question, sink, now_s, interruption)
     answer: str | None = None
     while True:
         try:
             question = steps.send(answer)
         except StopIteration as end:
-            result: Statement = end.value
+            result: Statement | Failure = end.value
             return result
         answer = attendant.answer(question)
 
 
 def _asked(
-    statement: Statement, on_question: OnQuestion, sink: EventSink, now_s: Callable[[], float]
+    statement: Statement,
+    on_question: OnQuestion,
+    sink: EventSink,
+    now_s: Callable[[], float],
+    interruption: Callable[[], Failure | None],
 ) -> Settling:
     confirmed = statement.if_confirmed
     steps = clarified(statement.parsed, None if confirmed is None else {"yes": confirmed.parsed})
@@ -75,6 +94,8 @@ def _asked(
         sink(QuestionAsked(now_s(), statement.parsed.text, question.text, question.choices))
         if on_question == "ask":
             answer = yield question
+            if (ended := interruption()) is not None:
+                return ended
         else:
             answer = question.choices[0] if on_question == "first" and question.choices else None
         sink(InputTaken(now_s(), "answer", answer or ""))

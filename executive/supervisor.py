@@ -66,6 +66,11 @@ class Supervisor:
         """Ask for the emergency stop before the next control period; safe to call from a signal handler."""
         self._wanted.append((reason, category))
 
+    @property
+    def stop_asked(self) -> bool:
+        """Whether an emergency stop was asked for that waits for the next control period."""
+        return bool(self._wanted)
+
     def before_period(self) -> None:
         """Carry out what was asked for; called before each control period.
 

@@ -12,6 +12,13 @@ from executive.clarification import OpenQuestion
 
 ANSWER_TIMEOUT_S = 60.0
 """A question that nobody answers for so long stays open, and ends the run; nothing moves meanwhile."""
+LOOK_EVERY_S = 0.1
+"""Wall time after which who waits for an answer looks whether there is a run to answer for."""
+
+
+def never() -> bool:
+    """Say no: nothing interrupts."""
+    return False
 
 
 class TerminalAttendant:
@@ -21,12 +28,18 @@ class TerminalAttendant:
         stdin: Where answers come from; at its end nobody answers any more.
         show: Shows a line to the person.
         timeout_s: Wall time that an answer may take.
+        interrupted: Whether the run was cancelled meanwhile: then no answer is waited for.
     """
 
     def __init__(
-        self, stdin: IO[str], show: Callable[[str], None], timeout_s: float = ANSWER_TIMEOUT_S
+        self,
+        stdin: IO[str],
+        show: Callable[[str], None],
+        timeout_s: float = ANSWER_TIMEOUT_S,
+        interrupted: Callable[[], bool] = never,
     ) -> None:
         self._stdin, self._show, self._timeout_s = stdin, show, timeout_s
+        self._interrupted = interrupted
 
     def begin(self, _session: Stoppable) -> None:
         """Nothing to prepare."""
@@ -43,14 +56,24 @@ class TerminalAttendant:
         """Nothing comes in between the questions."""
 
     def _line(self) -> str | None:
-        try:
-            ready, _, _ = select.select([self._stdin], [], [], self._timeout_s)
-        except (io.UnsupportedOperation, ValueError, TypeError):
-            ready = [self._stdin]  # no file of the operating system: it has all its lines already
-        if not ready:
+        if not self._arrives():
             return None
         try:
             line = self._stdin.readline()
         except (OSError, ValueError):
             return None
         return line.strip() if line else None
+
+    def _arrives(self) -> bool:
+        """Wait for something to read; False when nothing comes in time, or the run was cancelled."""
+        looks = max(1, round(self._timeout_s / LOOK_EVERY_S))
+        for _ in range(looks):
+            if self._interrupted():
+                return False
+            try:
+                ready, _, _ = select.select([self._stdin], [], [], self._timeout_s / looks)
+            except (io.UnsupportedOperation, ValueError, TypeError):
+                return True  # no file of the operating system: it has all its lines already
+            if ready:
+                return True
+        return False

@@ -6,7 +6,8 @@
     results = ticket.result()            # or: results = await ticket
 
 Nothing passes by itself: a session in lockstep goes on while somebody waits for a ticket, in the thread that
-waits. Tickets of one session run in the order in which they were submitted.
+waits. Tickets of one session run in the order in which they were submitted; one that was cancelled before its
+turn ends when its turn comes, without a question and without a motion.
 """
 
 from __future__ import annotations
@@ -15,14 +16,16 @@ import asyncio
 from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING, Any
 
+from executive.cancellation import Cancellation
 from executive.clarification import OpenQuestion
 from executive.errand import Errand, Steps
 from executive.events import Event
-from executive.script_run import not_understood
+from executive.script_run import not_begun, not_understood
 from executive.settling import settling
 from executive.statement import Statement
 from executive.task_result import TaskResult
 from executive.trust import OnQuestion
+from trees.failures import Failure
 
 if TYPE_CHECKING:
     from executive.session import Session
@@ -53,7 +56,7 @@ class Ticket:
         self._answer: str | None = None
         self._question: OpenQuestion | None = None
         self._results: tuple[TaskResult, ...] | None = None
-        self._cancelled: str | None = None
+        self._cancellation = Cancellation()
         self._steps = self._begin()
 
     @property
@@ -83,28 +86,34 @@ class Ticket:
         if self._question is None:
             raise RuntimeError("no question is open")
         self._answer, self._question = text, None
+        self._session.wake()
 
     def cancel(self, reason: str = "cancelled") -> None:
         """Halt it, or never begin it; safe from another thread or a signal handler."""
-        self._cancelled = reason
+        self._cancellation.ask(reason)
+        self._session.wake()
 
     def advance(self) -> bool:
-        """Go on by one tick; False while a question is open, and after the end."""
-        if self.done or self._question is not None:
+        """Go on by one tick; False while a question is open, and after the end.
+
+        A question that is open when the ticket is cancelled, or the emergency stop engaged, is one no more.
+        """
+        if self.done:
             return False
         if self._before is not None and not self._before.done:
             return self._before.advance()
         self._before = None
-        if self._cancelled is not None:
-            reason, self._cancelled = self._cancelled, None
-            self._session.cancel(reason)
+        if self._question is not None:
+            if not self._session.interrupted:
+                return False
+            self.answer(None)
         answer, self._answer = self._answer, None
         with self._session.events.heard_by(self._hear):
             try:
                 self._question = self._steps.send(answer)
             except StopIteration as end:
                 self._results = end.value
-                self._session.forget_cancel()
+                self._session.wake()
                 return False
         if self._question is not None and self._answerer is not None:
             self.answer(self._answerer(self._question))
@@ -121,13 +130,22 @@ class Ticket:
         return self._results or ()
 
     def __await__(self) -> Generator[Any, None, tuple[TaskResult, ...]]:
-        """Go on to the end, letting the event loop run between two ticks; waits for answers."""
+        """Go on to the end, letting the event loop run between two ticks; sleeps until there is an answer."""
         return self._awaited().__await__()
 
     async def _awaited(self) -> tuple[TaskResult, ...]:
-        while not self.done:
-            self.advance()
-            await asyncio.sleep(0)
+        loop, woken = asyncio.get_running_loop(), asyncio.Event()
+
+        def wake() -> None:
+            loop.call_soon_threadsafe(woken.set)
+
+        with self._session.woken_by(wake):
+            while not self.done:
+                woken.clear()
+                if self.advance():
+                    await asyncio.sleep(0)
+                elif not self.done:
+                    await woken.wait()
         return self._results or ()
 
     def _leave_open(self) -> None:
@@ -142,11 +160,19 @@ class Ticket:
             hear(event)
 
     def _begin(self) -> Steps:
+        with self._session.request(self._cancellation):
+            return (yield from self._request())
+
+    def _request(self) -> Steps:
         """The statement's questions first, if it has any; then its commands."""
         session = self._session
-        statement = yield from settling(
-            self.statement, self._on_question, session.tell, lambda: session.now_s
-        )
+        statement: Statement | Failure | None = self._cancellation.taken(session.now_s, session.tell)
+        if statement is None:
+            statement = yield from settling(
+                self.statement, self._on_question, session.tell, lambda: session.now_s, session.interruption
+            )
+        if isinstance(statement, Failure):
+            return (not_begun(self.statement, statement),)
         self.statement = statement
         if not statement.parsed.commands:
             return (not_understood(statement, session.now_s, session.tell),)

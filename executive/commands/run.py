@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -65,6 +66,7 @@ def run(
     ] = False,
 ) -> None:
     """Carry out one sentence, or a task script."""
+    from executive.cancellation import Cancellation
     from executive.diagnosis import compile_kernel
     from executive.performance import perform
     from executive.run_search import note_folder
@@ -90,12 +92,13 @@ def run(
         script=Path(text) if is_script(text) else None,
         junit=junit,
     )
+    cancellation = Cancellation()
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
     with ExitStack() as terminal:
-        display, attendant = _terminal(request, quiet, plain, terminal)
+        display, attendant = _terminal(request, quiet, plain, terminal, lambda: cancellation.asked)
         note_folder(request.record)
         try:
-            performance = perform(request, display, attendant)
+            performance = perform(request, display, attendant, cancellation=cancellation)
         finally:
             display.close()
     for complaint in performance.complaints:
@@ -104,22 +107,28 @@ def run(
     raise typer.Exit(performance.exit_code)
 
 
-def _terminal(request: RunRequest, quiet: bool, plain: bool, closing: ExitStack) -> tuple[Display, Attendant]:
+def _terminal(
+    request: RunRequest, quiet: bool, plain: bool, closing: ExitStack, interrupted: Callable[[], bool]
+) -> tuple[Display, Attendant]:
     """Who shows the run and who attends to it: a drawing with keys, lines, or nothing but questions."""
     from executive.outputs.display import LiveDisplay, NoDisplay, PlainDisplay
-    from executive.terminal_attendant import TerminalAttendant
+    from executive.terminal_attendant import ANSWER_TIMEOUT_S, TerminalAttendant
+
+    def lines(show: Callable[[str], None]) -> Attendant:
+        return TerminalAttendant(sys.stdin, show, ANSWER_TIMEOUT_S, interrupted)
 
     if quiet or plain or not sys.stdout.isatty() or not sys.stderr.isatty():
         display = NoDisplay() if quiet else PlainDisplay(sys.stderr)
-        return display, TerminalAttendant(sys.stdin, lambda line: typer.echo(line, err=True))
+        return display, lines(lambda line: typer.echo(line, err=True))
     from rich.console import Console
 
     place = f"{request.robot} in {request.scene}, seed {request.seed}"
     keys = sys.stdin.isatty()
     live = LiveDisplay(Console(stderr=True), place, keys)
     if not keys:
-        return live, TerminalAttendant(sys.stdin, live.note)
+        return live, lines(live.note)
     from executive.keyboard import Keyboard
     from executive.keyboard_attendant import KeyboardAttendant
 
-    return live, KeyboardAttendant(closing.enter_context(Keyboard(sys.stdin)), live)
+    keyboard = closing.enter_context(Keyboard(sys.stdin))
+    return live, KeyboardAttendant(keyboard, live, ANSWER_TIMEOUT_S, interrupted)

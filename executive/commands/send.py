@@ -68,7 +68,7 @@ def _script(path: Path, where: RuntimeFolder) -> list[ScriptLine]:
 
 def _say(where: RuntimeFolder, order: Sequence[Say | ScriptLine], quiet: bool) -> tuple[str, ExitCode]:
     """Give an order, and hear how it ended: the line for people, and the exit code."""
-    from executive.live.caller import Caller, ask_at
+    from executive.live.caller import Caller, NoAnswerError, ask_at
     from executive.live.desk import Cancel, write_desk_message
     from executive.live.hearing import HungError, commander_of, hear_out
     from robots.live.messages import Stop, write_control_message
@@ -91,11 +91,14 @@ def _say(where: RuntimeFolder, order: Sequence[Say | ScriptLine], quiet: bool) -
                 hear_out(caller, take, lambda: commander_of(where))
             except HungError as hung:
                 return f"failed: {hung}", ExitCode.FAILED
-            except KeyboardInterrupt:
+            except NoAnswerError:
+                gone = "the executive ended before it told the result; what moved is braked, and holds"
+                return f"failed: {gone}", ExitCode.FAILED
+            except KeyboardInterrupt as ended:
                 interrupts += 1
                 if interrupts == 1:
                     typer.echo("cancelling; Ctrl-C again is the emergency stop", err=True)
-                    cancel = Cancel("cancelled from the keyboard")
+                    cancel = Cancel(str(ended) or "cancelled from the keyboard")
                     ask_at(where.executive_socket, write_desk_message(cancel))
                 else:
                     ask_at(where.control_socket, write_control_message(Stop(1, "Ctrl-C, twice")))

@@ -108,6 +108,6 @@ def serve(
         trust=Trust(confidence, policy.value),
     )
     note_folder(request.record)
-    service = Service(request, say)
-    say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
-    raise typer.Exit(service.watch())
+    with Service(request, say) as service:
+        say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
+        raise typer.Exit(service.watch())

@@ -10,6 +10,11 @@ import typer
 from executive.commands.serve import FolderOption
 from executive.config import runtime_directory
 
+_UNSUPERVISED = (
+    "nobody: `executive serve` has gone, and an executive that ends or hangs is not replaced; "
+    "`executive shutdown` ends the robot's control"
+)
+
 
 def status(
     as_json: Annotated[bool, typer.Option("--json", help="As one JSON document.")] = False,
@@ -17,7 +22,7 @@ def status(
 ) -> None:
     """Tell how a served robot stands; asks the control process, and the executive if it answers."""
     from executive.live.caller import ask_at
-    from robots.live.errors import LiveError
+    from robots.live.errors import LiveError, NotServedError
     from robots.live.messages import GetStatus, write_control_message
     from robots.live.runtime_folder import RuntimeFolder
 
@@ -25,6 +30,8 @@ def status(
     control = ask_at(where.control_socket, write_control_message(GetStatus()))
     try:
         executive = ask_at(where.executive_socket, write_control_message(GetStatus()), within_s=2.0)
+    except NotServedError:
+        executive = {"silent": "there is none"}
     except LiveError as silent:
         executive = {"silent": str(silent)}
     for answer in (control, executive):
@@ -46,6 +53,7 @@ def _lines(control: dict[str, Any], executive: dict[str, Any]) -> list[str]:
         f"{', paused' if executive.get('paused') else ''}"
         f"{', ' + executive['state'] if 'state' in executive else ''}",
         f"commander  {control['commander'] or 'nobody'}",
+        f"supervisor {control.get('supervisor') or _UNSUPERVISED}",
         f"control    {control['scheduling']}; late p50 {lateness['p50_ms']:.2f} ms, "
         f"p99 {lateness['p99_ms']:.2f} ms, worst {lateness['worst_ms']:.0f} ms",
     ]

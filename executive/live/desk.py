@@ -198,7 +198,9 @@ class Desk:
         self.current = None
 
     def close(self) -> None:
-        """Stop listening."""
+        """Stop listening; who waits for a turn is told that it does not come."""
+        while self._waiting:
+            self._waiting.popleft().end("failed: the executive has ended", "failed", ExitCode.FAILED)
         self._server.close()
 
     def _take(self, connection: Connection, frame: Frame) -> None:

@@ -86,7 +86,8 @@ def _terminated(_number: int, _frame: FrameType | None) -> None:
 def main() -> int:
     """Serve."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, _terminated)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, _terminated)
     folder, robot, record, threshold, policy, *fault = sys.argv[1:]
     trust = Trust(float(threshold), "partial" if policy == "partial" else "ask")
     connection = StruckConnections(fault[0], int(fault[1])) if fault else Connection

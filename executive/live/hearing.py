@@ -21,7 +21,7 @@ class HungError(LiveError):
     def __init__(self) -> None:
         super().__init__(
             "the executive hangs and commands the robot no more, which brakes and holds; "
-            "`executive serve` puts another one in its place"
+            "`executive serve`, if `executive status` tells that it supervises, puts another one in its place"
         )
 
 

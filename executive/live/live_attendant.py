@@ -19,11 +19,13 @@ class LiveAttendant:
     Args:
         desk: Where answers come in.
         let_pass: Lets so many seconds of control time pass while the robot holds.
-        cancelled: Whether the task was cancelled while its question was open.
+        interrupted: Whether the order was cancelled, or the robot stopped, while its question was open.
     """
 
-    def __init__(self, desk: Desk, let_pass: Callable[[float], None], cancelled: Callable[[], bool]) -> None:
-        self._desk, self._let_pass, self._cancelled = desk, let_pass, cancelled
+    def __init__(
+        self, desk: Desk, let_pass: Callable[[float], None], interrupted: Callable[[], bool]
+    ) -> None:
+        self._desk, self._let_pass, self._interrupted = desk, let_pass, interrupted
 
     def begin(self, _session: Stoppable) -> None:
         """Nothing to prepare."""
@@ -41,10 +43,10 @@ class LiveAttendant:
             for _ in range(round(ANSWER_WITHIN_S / _LOOK_EVERY_S)):
                 self._let_pass(_LOOK_EVERY_S)
                 self._desk.poll()
+                if self._interrupted():
+                    return None
                 if self._desk.given:
                     return self._desk.given.pop(0)
-                if self._cancelled():
-                    return None
             return None
         finally:
             self._desk.asking = False

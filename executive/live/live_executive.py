@@ -28,11 +28,11 @@ from executive.outputs.display import PlainDisplay
 from executive.outputs.report import Report
 from executive.run_log import RunLog
 from executive.safety_tally import SafetyTally
-from executive.script_run import run_statements, unstarted, verdict
+from executive.script_run import Said, not_begun, run_statements, unstarted, verdict
 from executive.session import Session
 from executive.settling import settled
+from executive.statement import Statement
 from executive.supervisor import Supervisor
-from executive.task_result import TaskResult
 from executive.trust import USUAL_TRUST, Trust
 from kinematics.robot_model import RobotModel
 from robots.errors import SceneError
@@ -45,6 +45,7 @@ from robots.scene_file import load_scene
 from robots.seeded import seeded
 from trees.build import TaskTree
 from trees.events import Offered
+from trees.failures import Failure
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
@@ -110,7 +111,7 @@ class LiveExecutive:
             yielding=YieldingClient(link, motion, model, world),
         )
         self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
-        self._engaged = self._cancelled = False
+        self._engaged = False
         self._session = Session(
             toolbox,
             self._steps,
@@ -125,23 +126,18 @@ class LiveExecutive:
         """Carry out order after order.
 
         Raises:
-            ControlLostError: The connection to the control process has ended.
+            ControlLostError: The connection to the control process has ended; who gave the order was told.
         """
-        try:
-            while True:
-                order = self._desk.next_order()
-                if order is None:
-                    self._session.hold(_IDLE_S)
-                    self._meanwhile()
-                    continue
-                try:
-                    self._carry_out(order)
-                finally:
-                    self._desk.finish()
-        except ControlLostError as lost:
-            if self._order is not None:
-                self._order.end(f"failed: {lost}", "failed", ExitCode.FAILED)
-            raise
+        while True:
+            order = self._desk.next_order()
+            if order is None:
+                self._session.hold(_IDLE_S)
+                self._meanwhile()
+                continue
+            try:
+                self._carry_out(order)
+            finally:
+                self._desk.finish()
 
     def close(self) -> None:
         """Let go: what moves is braked by the control process."""
@@ -159,7 +155,7 @@ class LiveExecutive:
     # ---------------------------------------------------------------- an order
 
     def _carry_out(self, order: Order) -> None:
-        self._order, self._tally, self._cancelled = order, SafetyTally(), False
+        self._order, self._tally = order, SafetyTally()
         self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
         said, checked_before = order.said, self._planning.checked
         about = self._link.about
@@ -168,7 +164,13 @@ class LiveExecutive:
         try:
             with RunLog(self._record, {"input": text[:200], "live": True, **header}) as log:
                 self._log = log
-                line, outcome, code, results = self._results(said)
+                lost: ControlLostError | None = None
+                results: list[Said] = []
+                try:
+                    results = self._results(said)
+                    line, outcome, code = verdict([one for one, _ in results], results)
+                except ControlLostError as gone:
+                    lost, line, outcome, code = gone, f"failed: {gone}", "failed", ExitCode.FAILED
                 report = Report(
                     input=text,
                     seed=int(about["seed"]),
@@ -178,34 +180,49 @@ class LiveExecutive:
                     exit_code=code,
                     message=line,
                     events_sha256=log.digest.hexdigest(),
-                    tasks=results,
+                    tasks=[result for _, results_of in results for result in results_of],
                     safety=self._tally.counts(self._planning.checked - checked_before),
+                    left_out=tuple(step for statement, _ in results for step in statement.skipped),
                 )
                 log.finish(report.to_json())
             order.end(line, outcome, code)
+            if lost is not None:
+                raise lost
         except NotWritableError as wrong:  # the disk has filled up since the last order
             order.end(f"refused: {wrong}", "refused", ExitCode.INVALID)
+        except ControlLostError:
+            raise
+        except BaseException as ended:  # a defect, or a signal to end: nobody is left without an answer
+            told = "the executive was ended" if isinstance(ended, SystemExit) else f"a defect: {ended!r}"
+            order.end(f"failed: {told}", "failed", ExitCode.FAILED)
+            raise
         finally:
             self._order = self._log = self._display = None
             self._steps.busy = False
 
-    def _results(self, said: Say | Script) -> tuple[str, str, ExitCode, list[TaskResult]]:
+    def _results(self, said: Say | Script) -> list[Said]:
         """Understand all of it, then carry it out."""
-        attendant = LiveAttendant(self._desk, self._session.hold, lambda: self._cancelled)
-        statements = []
-        for understood in statements_of(said, self._conversation, self._trust):
-            self._steps.busy = True
-            statements.append(settled(understood, attendant, "ask", self._note, lambda: self._link.now_s))
-            if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
-                self._session.hold(_IDLE_S)
-                self._desk.poll()
-            if self._cancelled:
-                return "cancelled: before anything moved", "cancelled", ExitCode.CANCELLED, []
-        results = unstarted(statements, self._note, self._link.now_s)
-        if not results:
-            results = run_statements(statements, self._session, attendant, "ask", self._note)
-        line, outcome, code = verdict(statements, results)
-        return line, outcome, code, [result for _, said_results in results for result in said_results]
+        session = self._session
+        attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
+        with session.request() as request:
+            statements: list[Statement] = []
+            for understood in statements_of(said, self._conversation, self._trust):
+                self._steps.busy = True
+                one = settled(understood, attendant, "ask", self._note, self._now_s, session.interruption)
+                if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
+                    session.hold(_IDLE_S)
+                    self._desk.poll()
+                if not isinstance(one, Failure):
+                    statements.append(one)
+                ended = one if isinstance(one, Failure) else request.taken(self._now_s(), self._note)
+                if ended is not None:
+                    return [(understood, [not_begun(understood, ended)])]
+            if results := unstarted(statements, self._note, self._now_s()):
+                return results
+            return run_statements(statements, session, attendant, "ask", self._note)
+
+    def _now_s(self) -> float:
+        return self._link.now_s
 
     # ---------------------------------------------------------------- on the way
 
@@ -220,7 +237,6 @@ class LiveExecutive:
 
     def cancel(self, reason: str) -> None:
         """Halt what is under way, and hold."""
-        self._cancelled = True
         self._session.cancel(reason)
 
     def pause(self, reason: str) -> None:

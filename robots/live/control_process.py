@@ -38,6 +38,7 @@ from robots.live.processor_use import processor_use
 from robots.live.robot_report import ReportLayout, RobotReport
 from robots.live.runtime_folder import RuntimeFolder
 from robots.live.state_slot import StateSlotWriter
+from robots.live.supervision import Supervision
 from robots.live.warming import warm_up
 from robots.perception.stub import PerceptionStub
 from robots.scene_file import load_scene
@@ -50,6 +51,8 @@ _END_WITHIN_S = 3.0
 """Control time after which a shutdown does not wait for rest any longer."""
 _PRIORITY = 20
 _HELD_S = 0.005
+_LOOK_EVERY = 100
+"""Periods from one look for the supervisor to the next: 0.2 s."""
 _FIRST_PERIODS = 50
 """Periods before anybody may connect."""
 
@@ -64,6 +67,7 @@ class ControlOptions:
         pace: Control time that passes in a second of wall time.
         realtime: Whether to ask for real-time scheduling; used only where it is permitted.
         evaluation: Whether evaluations may read the simulator's truth.
+        supervisor: Process that started this one and replaces executives that end; None when none does.
     """
 
     folder: Path
@@ -73,6 +77,7 @@ class ControlOptions:
     pace: float = 1.0
     realtime: bool = True
     evaluation: bool = False
+    supervisor: int | None = None
 
 
 class ControlProcess:
@@ -105,6 +110,7 @@ class ControlProcess:
         self._scheduling = _real_time_scheduling() if options.realtime else "ordinary, as asked"
         self._defects, self._periods, self._told_defect = 0, 0, ""
         self._hold = HoldBack(WallClock(), processor_use)
+        self._supervision = Supervision(options.supervisor)
         self._terminated = self._told_moving = False
         warm_up(description, model)
         for _ in range(_FIRST_PERIODS):  # compiled code is loaded when it is first called
@@ -160,6 +166,8 @@ class ControlProcess:
             if self._evaluation is not None:
                 self._evaluation.poll()
             self._step()
+            if self._periods % _LOOK_EVERY == 0 and (news := self._supervision.news()) is not None:
+                _say(news)
             if server.ending:
                 if ending_s is None:
                     ending_s = self._clock.now_s()
@@ -218,7 +226,12 @@ class ControlProcess:
 
     def _health(self) -> dict[str, Any]:
         lateness = dataclasses.asdict(self._pacer.lateness())
-        return {"scheduling": self._scheduling, "lateness": lateness, "loop_defects": self._defects}
+        return {
+            "scheduling": self._scheduling,
+            "lateness": lateness,
+            "loop_defects": self._defects,
+            "supervisor": self._supervision.supervisor,
+        }
 
     def _truth(self) -> dict[str, Any]:
         truth = self._world.truth
@@ -256,6 +269,7 @@ def main() -> int:
     parser.add_argument("--pace", type=float, default=1.0)
     parser.add_argument("--ordinary", action="store_true", help="do not ask for real-time scheduling")
     parser.add_argument("--evaluation", action="store_true")
+    parser.add_argument("--supervisor", type=int, help="process that replaces executives that end")
     asked = parser.parse_args()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
@@ -268,12 +282,14 @@ def main() -> int:
                 asked.pace,
                 not asked.ordinary,
                 asked.evaluation,
+                asked.supervisor,
             )
         )
     except (RobotsError, KinematicsError, OSError) as wrong:
         _say(" ".join(str(wrong).split()))
         return 2
-    signal.signal(signal.SIGTERM, lambda _number, _frame: process.terminate())
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda _number, _frame: process.terminate())
     try:
         process.run()
     finally:

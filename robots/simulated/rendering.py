@@ -236,6 +236,7 @@ class VideoRecorder:
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=self._messages,
+            start_new_session=True,  # Ctrl-C in a terminal is for the run, which ends the film itself
         )
         self._next_s = world.truth.time_s
 

@@ -6,8 +6,10 @@ from py_trees.blackboard import Blackboard
 
 from executive.planning_jobs import PlanningJobs
 from executive.session import Session
+from executive.supervisor import Supervisor
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory
+from robots.control.emergency_stop import EmergencyStop
 from robots.description import load_description
 from robots.fake.fake_world import FakeWorld, cup, table
 from trees.policy import TreePolicy
@@ -41,10 +43,23 @@ class Loop:
             self.fake.step()
 
 
+class Guard:
+    """A latch that only notes that it is engaged."""
+
+    defects = reservations = ()
+    still, emergency = True, None
+
+    def emergency_stop(self, reason, category=1):
+        self.emergency = EmergencyStop(0.0, category, reason)
+
+    def reset(self, request):
+        self.emergency = None
+
+
 class FakeStage:
     """A session with a fake robot at a table, and what it told."""
 
-    def __init__(self, model, *things, places=()):
+    def __init__(self, model, *things, places=(), guarded=False):
         self.fake, self.events = FakeWorld(model, believed, [table(), *things]), []
         toolbox = Toolbox(
             clock=self.fake.clock, model=model, motion=self.fake.motion, sensing=self.fake.sensing,
@@ -53,7 +68,8 @@ class FakeStage:
             rng=np.random.default_rng(1), policy=QUICK, places=dict(places),
         )  # fmt: skip
         planning = PlanningJobs(None, self.fake.clock, self.events.append)
-        self.session = Session(toolbox, Loop(self.fake), planning, self.events.append)
+        guard = Supervisor(Guard(), self.fake.clock, self.events.append) if guarded else None
+        self.session = Session(toolbox, Loop(self.fake), planning, self.events.append, supervisor=guard)
 
     def arms_moved(self):
         model, q = self.fake.model, self.fake.motion.reference()[7:]

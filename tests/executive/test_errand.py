@@ -154,6 +154,20 @@ def test_a_withdrawn_task_is_cancelled_and_nothing_after_it_begins(stage):
     assert results[0].failure.message == "withdrawn by the answer"
 
 
+@pytest.mark.requirement("S7", "S4")
+@pytest.mark.parametrize("what", ["cancel", "emergency_stop"])
+def test_a_cancel_or_a_stop_while_a_question_is_open_ends_the_errand_whatever_is_answered(fake_stage, what):
+    on = Stage(fake_stage(LEFT, RIGHT, guarded=True))
+    end = getattr(on.fake.session, what)
+    on.answer = lambda _question: end("enough") or "the blue one"
+
+    results = on.run(A_CUP, GoHomeTask("go home"))
+
+    assert [result.outcome for result in results] == ["cancelled"]
+    assert "enough" in results[0].failure.message
+    assert not on.arms_moved()
+
+
 @pytest.mark.parametrize(("policy", "outcome"), [("first", "done"), ("fail", "question")])
 def test_questions_can_be_settled_beforehand(stage, policy, outcome):
     on = stage(LEFT, RIGHT)

@@ -22,8 +22,8 @@ class Typed:
     def key(self, timeout_s=0.0):
         return self.keys.pop(0) if self.keys else ""
 
-    def line(self, timeout_s):
-        return self.typed
+    def line(self, timeout_s, interrupted=lambda: False):
+        return None if interrupted() else self.typed
 
 
 class Screen:
@@ -143,6 +143,16 @@ def test_e_while_a_question_is_open_stops_and_leaves_it_open():
     assert session.done == [("stop", "stopped from the keyboard")]
 
 
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("keys", ["", "a"])
+def test_nobody_is_waited_for_once_the_run_is_cancelled(keys):
+    screen, looks = Screen(), iter([False, True, True])
+    attendant = KeyboardAttendant(Typed(keys, "too late"), screen, 60.0, lambda: next(looks))
+
+    assert attendant.answer(QUESTION) is None
+    assert screen.told[-1] == ("ask", None)
+
+
 def test_a_real_terminal_gives_single_keys_and_is_left_as_it_was():
     master, slave = pty.openpty()
     try:
@@ -157,3 +167,12 @@ def test_a_real_terminal_gives_single_keys_and_is_left_as_it_was():
     finally:
         os.close(master)
         os.close(slave)
+
+
+def test_a_terminal_that_has_gone_gives_no_keys_and_no_lines():
+    master, slave = pty.openpty()
+    with os.fdopen(slave, "r") as stdin, Keyboard(stdin) as keyboard:
+        os.close(master)
+
+        assert keyboard.key() == ""
+        assert keyboard.line(0.2) is None

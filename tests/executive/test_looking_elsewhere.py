@@ -1,5 +1,6 @@
 """What is not to be seen from where the robot stands is walked to, also without rooms on a map."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -24,6 +25,9 @@ class Notes:
     def __init__(self, *failures, can_walk=True):
         self.toolbox = SimpleNamespace(can_walk=can_walk, places=())
         self.told, self.went_to, self.failures = [], [], list(failures)
+
+    def request(self):
+        return nullcontext()
 
     def task_steps(self, command, _timeout_s):
         self.told.append(command.text)

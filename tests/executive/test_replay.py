@@ -45,12 +45,13 @@ position_m = [-0.15, 0.2]
 class Meddling(attendants.Nobody):
     """Answers, cancels, stops or pauses for half a second, at given times."""
 
-    def __init__(self, answers=(), cancel_s=None, stop_s=None, pause_s=None, categories=(1,)):
-        self.categories = categories
+    def __init__(self, answers=(), cancel_s=None, stop_s=None, pause_s=None, categories=(1,), when_asked=""):
+        self.categories, self.when_asked, self.session = categories, when_asked, None
         self.answers, self.cancel_s, self.stop_s = list(answers), cancel_s, stop_s
         self.pauses = [] if pause_s is None else [(pause_s, "pause"), (pause_s + 0.5, "resume")]
 
     def begin(self, session):
+        self.session = session
         session.watch_periods(lambda: self.stop(session))
 
     def stop(self, session):
@@ -60,6 +61,8 @@ class Meddling(attendants.Nobody):
                 session.emergency_stop("the red button", category)
 
     def answer(self, question):
+        if self.when_asked:
+            getattr(self.session, self.when_asked)("while it asked")
         return self.answers.pop(0) if self.answers else None
 
     def attend(self, session):
@@ -103,6 +106,8 @@ def run(tmp_path):
         ("pick up the red cup", {"stop_s": 0.471}, "cancelled"),
         ("pick up the red cup", {"stop_s": 0.471, "categories": (0, 1)}, "cancelled"),
         ("pick up the red cup", {"pause_s": 0.7, "cancel_s": 1.5}, "cancelled"),
+        ("pick up the cup", {"when_asked": "cancel"}, "cancelled"),
+        ("pick up the cup", {"when_asked": "emergency_stop"}, "cancelled"),
     ],
     ids=str,
 )

@@ -42,7 +42,10 @@ class Served:
             self._control.poll()
             if (order := self._desk.next_order()) is not None:
                 self.said.append(order.said)
-                order.end(*self.ending)
+                if self.ending is None:
+                    order.connection.close("killed")
+                else:
+                    order.end(*self.ending)
                 self._desk.finish()
             time.sleep(0.002)
         self._desk.close()
@@ -84,6 +87,16 @@ def test_the_served_robots_line_and_code_are_those_of_the_command(served, ending
 
     assert (result.stdout.strip(), result.exit_code) == (ending[0], ending[2])
     assert served.said == [Say("wave")]
+
+
+@pytest.mark.requirement("S3")
+def test_an_executive_that_ends_before_the_result_has_failed_the_order(served):
+    served.ending = None
+
+    result = served.send("wave")
+
+    assert result.exit_code == 1
+    assert result.stdout.startswith("failed: the executive ended")
 
 
 @pytest.mark.requirement("U1")

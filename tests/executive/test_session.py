@@ -155,6 +155,27 @@ def test_the_session_is_usable_after_a_cancel(stage, monkeypatch):
     assert on.session.run_task(HOME).outcome == "done"
 
 
+@pytest.mark.requirement("S7")
+def test_a_cancel_while_nothing_is_under_way_has_nothing_to_halt(stage):
+    made = stage(Tree(ticks=3))
+    made.session.cancel("too early")
+
+    assert made.session.run_task(HOME).outcome == "done"
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_between_two_tasks_of_a_request_halts_the_second(stage):
+    made = stage(Tree(ticks=3))
+    with made.session.request():
+        first = made.session.run_task(HOME)
+        made.session.cancel("in between")
+        made.session.hold(0.1)
+        second = made.session.run_task(HOME)
+
+    assert (first.outcome, second.outcome) == ("done", "cancelled")
+    assert made.session.run_task(HOME).outcome == "done"
+
+
 def test_a_task_that_never_ends_is_given_up(stage):
     on = stage(Tree())
 

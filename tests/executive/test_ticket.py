@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from executive.events import InputTaken, QuestionAsked, TaskAccepted, TaskEnded
+from executive.ticket import Ticket
 from executive.trust import Trust
 
 GUIDE = Path(__file__).parents[2] / "docs" / "python.md"
@@ -95,6 +96,65 @@ def test_a_cancel_while_a_question_is_open_does_not_reach_the_next_ticket(fake_s
     ticket.result()
 
     assert on.session.submit("go home").result()[0].outcome == "done"
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("text", ["pick up", "pick up the cup"])
+def test_a_cancel_while_a_question_is_open_ends_the_ticket_as_cancelled(fake_stage, text):
+    on = fake_stage()
+    ticket = on.session.submit(text)
+    while ticket.advance():
+        pass
+
+    ticket.cancel("changed my mind")
+
+    [result] = ticket.result()
+    assert (result.outcome, result.failure.message) == ("cancelled", "changed my mind")
+    assert on.of(InputTaken)[-1].what == "cancel"
+    assert [event.value for event in on.of(InputTaken) if event.value] == ["changed my mind"]
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("text", ["pick up", "pick up the red cup"])
+def test_a_ticket_that_is_cancelled_before_its_turn_neither_asks_nor_begins(fake_stage, text):
+    on = fake_stage()
+    ticket = on.session.submit(text)
+    ticket.on_question(lambda question: pytest.fail(f"asked {question.text!r}"))
+
+    ticket.cancel("changed my mind")
+
+    assert [result.outcome for result in ticket.result()] == ["cancelled"]
+    assert not on.of(QuestionAsked)
+    assert not on.of(TaskAccepted)
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancelled_ticket_keeps_its_turn(fake_stage):
+    on = fake_stage()
+    first, second, third = (on.session.submit(text) for text in ("pick up the red cup", "wave", "go home"))
+
+    second.cancel("changed my mind")
+
+    assert third.result()[0].outcome == "done"
+    assert first.result()[0].outcome == "done"
+    assert second.result()[0].outcome == "cancelled"
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("text", ["pick up", "pick up the cup"])
+def test_an_emergency_stop_ends_the_question_of_a_ticket(fake_stage, text):
+    on = fake_stage(guarded=True)
+    ticket = on.session.submit(text)
+    while ticket.advance():
+        pass
+
+    on.session.emergency_stop("the red button")
+
+    ticket.advance()
+    assert ticket.done
+    [result] = ticket.result()
+    assert result.outcome == "cancelled"
+    assert "the red button" in result.failure.message
 
 
 @pytest.mark.requirement("S7")
@@ -210,13 +270,72 @@ def test_a_ticket_can_be_awaited_while_other_coroutines_run(fake_stage):
         results, *_ = await asyncio.gather(_awaited(ticket), beat(ticket), answer())
         return results
 
-    async def _awaited(ticket):
-        return await ticket
-
     [result] = asyncio.run(main())
 
     assert result.acted_on == "red cup"
     assert len(set(beats)) > 50
+
+
+async def _until(condition):
+    while not condition():
+        await asyncio.sleep(0)
+
+
+@pytest.mark.parametrize("waited_for", ["pick up the cup", "go home"])
+def test_who_awaits_a_ticket_sleeps_while_a_question_is_open(fake_stage, monkeypatch, waited_for):
+    on, advanced = fake_stage(), []
+    asking = on.session.submit("pick up the cup")
+    last = asking if waited_for == "pick up the cup" else on.session.submit(waited_for)
+    advance = Ticket.advance
+    monkeypatch.setattr(Ticket, "advance", lambda ticket: advanced.append(ticket) or advance(ticket))
+
+    async def main():
+        waiting = asyncio.ensure_future(_awaited(last))
+        await _until(lambda: asking.question is not None)
+        for _ in range(3):
+            await asyncio.sleep(0)
+        before = len(advanced)
+        for _ in range(50):
+            await asyncio.sleep(0)
+        spun = len(advanced) - before
+        asking.answer("red")
+        return spun, await waiting
+
+    spun, [result] = asyncio.run(main())
+
+    assert (spun, result.outcome) == (0, "done")
+
+
+@pytest.mark.requirement("S7", "S4")
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda session, ticket: ticket.cancel("enough"),
+        lambda session, ticket: session.cancel("enough"),
+        lambda session, ticket: session.emergency_stop("enough"),
+    ],
+    ids=["ticket", "session", "stop"],
+)
+def test_a_cancel_or_stop_from_another_thread_wakes_who_awaits_an_answer(fake_stage, end):
+    on = fake_stage(guarded=True)
+    ticket = on.session.submit("pick up the cup")
+
+    async def main():
+        waiting = asyncio.ensure_future(_awaited(ticket))
+        await _until(lambda: ticket.question is not None)
+        for _ in range(3):
+            await asyncio.sleep(0)
+        await asyncio.to_thread(end, on.session, ticket)
+        return await asyncio.wait_for(waiting, 30.0)
+
+    [result] = asyncio.run(main())
+
+    assert result.outcome == "cancelled"
+    assert "enough" in result.failure.message
+
+
+async def _awaited(ticket):
+    return await ticket
 
 
 def test_the_example_of_the_guide_runs_as_it_stands(fake_stage):

@@ -4,11 +4,13 @@ The pace is low, so that a busy machine keeps up; no time is judged here but con
 """
 
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
 
-from executive.live.caller import Caller
+from executive.live.caller import Caller, ask_at
 from executive.live.desk import Say, write_desk_message
 from executive.live.service import Service, ServiceRequest
 from robots.live.messages import GetStatus, Hello, Reset, Shutdown, Stop, write_control_message, write_message
@@ -130,3 +132,27 @@ def test_it_stops_in_the_middle_is_reset_goes_on_and_stands_when_its_executive_i
     assert status["commander"] is None
     assert status["setpoints"]["refused"] == 0
     assert not served.ask(write_message("truth"), served.folder.evaluation_socket)["fallen"]
+
+
+@pytest.mark.slow
+@pytest.mark.requirement("S3")
+def test_status_tells_that_nobody_supervises_once_serve_is_killed(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("alone")
+    command = [sys.executable, "-m", "executive", "serve", "--folder", folder / "live", "--ordinary"]
+    serve = subprocess.Popen([*map(str, command), "--record", str(folder / "runs")], stderr=subprocess.PIPE)
+    try:
+        assert any(b"stands in" in line for line in serve.stderr)
+        supervisor = _status(folder)["supervisor"]
+    finally:
+        serve.kill()
+        serve.wait()
+    try:
+        assert (supervisor, _status(folder)["supervisor"]) == (serve.pid, None)
+        assert any(b"its supervisor" in line and b"has gone" in line for line in serve.stderr)
+    finally:
+        ask_at(folder / "live" / "control.sock", write_control_message(Shutdown()), PATIENCE_S)
+        serve.stderr.close()
+
+
+def _status(folder):
+    return ask_at(folder / "live" / "control.sock", write_control_message(GetStatus()), PATIENCE_S)

@@ -163,6 +163,16 @@ def test_what_is_left_of_a_script_whose_sender_goes_away_is_forgotten(another, d
     assert [line.text for line in desk.next_order().said.lines] == ["go home"]
 
 
+@pytest.mark.requirement("S3")
+def test_whoever_waits_for_a_turn_is_told_when_the_desk_closes(person, desk):
+    person.says(Say("wave"))
+
+    desk.close()
+
+    (told,) = [read_object(frame.payload) for frame in person.connection.receive()]
+    assert (told["type"], told["exit_code"]) == ("result", 1)
+
+
 @pytest.mark.requirement("S7")
 def test_a_script_that_only_says_stop_cancels_what_is_under_way(busy, attended, another):
     another().says(ScriptLine("stop.toml", "stop", last=True))

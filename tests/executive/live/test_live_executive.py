@@ -1,32 +1,45 @@
 """One attachment: orders are carried out, and their reports tell what became of each."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 
 from executive.live import live_attendant
+from executive.live.control_link import ControlLostError
 from executive.live.desk import Order, Say, Script, ScriptLine
 from executive.live.live_executive import LiveExecutive
 from executive.live.planning_service import Planned
+from executive.trust import Trust
 from kinematics.requests import CheckRequest
 from kinematics.scene import PlanningScene
 from robots.control.events import SetpointRefused, StopStarted
 from robots.live.messages import read_object
+from tests.executive import test_session
 from tests.executive.live.conftest import Worker, go_on_while_waited_for
 from tests.robots.live.conftest import swing
+from trees.failures import Failure
 from trees.world_model import WorldModel
 
 REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
 
 
-class Somebody:
-    """The other end of an order."""
+class Tree(test_session.Tree):
+    """Ends after some ticks, and has nothing to show."""
 
-    def __init__(self):
-        self.told = []
+    leaf_places = frozenset()
+
+
+class Somebody:
+    """The other end of an order, who may do something when a question comes."""
+
+    def __init__(self, when_asked=lambda: None):
+        self.told, self.when_asked = [], when_asked
 
     def send(self, message):
         self.told.append(read_object(message))
+        if "executive answer" in str(self.told[-1].get("text")):
+            self.when_asked()
 
 
 class Serving:
@@ -45,9 +58,14 @@ class Serving:
             self.live._session.hold(0.02)
         assert job.result() is trajectory
 
-    def carry_out(self, said):
+    def carry_out(self, said, somebody=None):
         before = set(self.record.glob("*/report.json"))
-        self.live._carry_out(Order(Say(said) if isinstance(said, str) else said, Somebody()))
+        order = Order(Say(said) if isinstance(said, str) else said, somebody or Somebody())
+        self.live._desk.current = order
+        try:
+            self.live._carry_out(order)
+        finally:
+            self.live._desk.finish()
         (report,) = set(self.record.glob("*/report.json")) - before
         return json.loads(report.read_text())
 
@@ -130,3 +148,103 @@ def test_a_statement_that_expects_a_question_is_not_asked(serving, monkeypatch):
     report = serving.carry_out(script(WAIT, ("pick up something", {"expect": "question"})))
 
     assert (report["exit_code"], report["tasks"][-1]["outcome"]) == (0, "question")
+
+
+@pytest.fixture
+def asking(serving):
+    """Each task asks which of two cups."""
+    which = Failure.infeasible("which cup?", choices="red cup | blue cup", objects="red cup | blue cup")
+    serving.live._session._build = lambda _task, _toolbox: Tree(1, which)
+    return serving
+
+
+GO_ON = {"on_failure": "continue"}
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_while_a_task_asks_ends_a_script_that_goes_on_after_failures(asking):
+    somebody = Somebody(lambda: asking.live.cancel("enough"))
+
+    report = asking.carry_out(script(("go home", GO_ON), ("wait for 0.2 seconds", GO_ON)), somebody)
+
+    assert report["exit_code"] == 4
+    assert [(task["text"], task["outcome"]) for task in report["tasks"]] == [("go home", "cancelled")]
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_while_the_words_are_asked_about_ends_a_script_that_goes_on_after_failures(serving):
+    somebody = Somebody(lambda: serving.live.cancel("enough"))
+
+    report = serving.carry_out(script(("pick up something", GO_ON), WAIT), somebody)
+
+    assert report["exit_code"] == 4
+    assert [task["outcome"] for task in report["tasks"]] == ["cancelled"]
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_of_one_order_does_not_reach_the_next(asking):
+    asking.carry_out("go home", Somebody(lambda: asking.live.cancel("enough")))
+    asking.live._session._build = None
+
+    assert asking.carry_out("wait for 0.2 seconds")["outcome"] == "done"
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("text", ["go home", "pick up something"])
+def test_an_emergency_stop_ends_a_question_that_waits(asking, text):
+    def stop():
+        asking.far.loop.emergency_stop("the red button", 1)
+
+    began_s = asking.far.clock.now_s()
+    report = asking.carry_out(script((text, GO_ON), WAIT), Somebody(stop))
+
+    assert report["exit_code"] == 4
+    assert "the red button" in report["message"]
+    assert asking.far.clock.now_s() - began_s < live_attendant.ANSWER_WITHIN_S / 2
+
+
+@pytest.mark.requirement("S7")
+def test_what_is_paused_while_it_asks_is_held_after_the_answer(asking):
+    session, desk, held = asking.live._session, asking.live._desk, []
+    session._pausing = SimpleNamespace(pause=held.append, resume=lambda: held.append("it goes on"))
+    ticks = iter(range(30))
+    session.watch_periods(lambda: desk.asking and not desk.given and desk.given.append("red cup"))
+    session.watch_periods(lambda: held and next(ticks, None) is None and session.resume())
+
+    def pause():
+        asking.live.pause("a moment")
+        session._build = lambda _task, _toolbox: Tree(3)
+
+    report = asking.carry_out("pick up the cup", Somebody(pause))
+
+    assert (held, report["outcome"]) == (["a moment", "it goes on"], "done")
+
+
+@pytest.mark.requirement("S9")
+def test_a_report_of_a_live_run_tells_what_was_left_out(serving):
+    serving.live._trust = Trust(0.8, "partial")
+    steps = [
+        {"command": "wait for 0.2 seconds", "confidence": 0.95},
+        {"command": "go home", "confidence": 0.5},
+    ]
+
+    report = serving.carry_out(json.dumps(steps))
+
+    assert [step["text"] for step in report["left_out"]] == ["go home"]
+
+
+@pytest.mark.requirement("S3")
+def test_a_lost_control_process_is_told_to_who_gave_the_order(serving):
+    def lose(_tree):
+        serving.live._link._connection.close("gone")
+
+    serving.live._session._on_tick = lose
+    somebody = Somebody()
+
+    with pytest.raises(ControlLostError):
+        serving.carry_out("wait for 5 seconds", somebody)
+
+    assert (somebody.told[-1]["type"], somebody.told[-1]["exit_code"]) == ("result", 1)
+    assert "the control process ended" in somebody.told[-1]["text"]
+    (report,) = serving.record.glob("*/report.json")
+    assert json.loads(report.read_text())["outcome"] == "failed"
