@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.errors import UnknownNameError
 from kinematics.poses import Transform
 from kinematics.shapes import Box, Shape
@@ -32,7 +33,7 @@ def _frozen(mapping: Mapping[str, V]) -> Mapping[str, V]:
 
 
 @dataclass(frozen=True, slots=True)
-class SceneObject:
+class SceneObject(Sealed):
     """A solid in the world.
 
     Attributes:
@@ -58,7 +59,7 @@ def floor() -> SceneObject:
 
 
 @dataclass(frozen=True, slots=True)
-class AttachedBody:
+class AttachedBody(Sealed):
     """An object that moves with a link because a hand holds it.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import InFloat64
 from kinematics.trajectory_sampler import MotionSample
 from robots.control.refusal import Refusal
 
@@ -14,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Proposal:
+class Proposal(InFloat64):
     """What the streamer wants the robot to follow next.
 
     Attributes:
