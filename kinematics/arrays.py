@@ -40,7 +40,7 @@ def as_float64(values: ArrayLike, shape: tuple[int | None, ...] | None = None, w
     if type(values) is np.ndarray and values.dtype is _FLOAT64 and values.flags.carray:
         found = values
     else:
-        found = np.require(_real(values, what), _FLOAT64, ("C", "A", "W"))
+        found = np.array(_real(values, what), _FLOAT64, order="C")
     if shape is not None and not _fits(found.shape, shape):
         wanted = ", ".join("n" if length is None else str(length) for length in shape)
         raise InvalidArrayError(what, f"has shape {found.shape}, not ({wanted}{',' * (len(shape) == 1)})")
@@ -98,10 +98,11 @@ class InFloat64:
         kind: Any = type(self)
         for name in _array_fields(kind):
             value = getattr(self, name)
+            # nearly always it is so already, and this runs at 500 Hz
+            if type(value) is np.ndarray and value.dtype is _FLOAT64 and value.flags.carray:
+                continue
             if value is not None:
-                found = as_float64(value, what=name)
-                if found is not value:
-                    object.__setattr__(self, name, found)
+                object.__setattr__(self, name, as_float64(value, what=name))
 
 
 @functools.cache

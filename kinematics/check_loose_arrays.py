@@ -31,20 +31,26 @@ def in_one_piece(*values: object) -> None:
         ValueError: One is not like that.
     """
     for value in values:
-        _require(value, _FLOATS)
+        if isinstance(value, tuple):
+            # the arrays of a named tuple at once: a check asks for fifty
+            for part, item in zip(value, _declared(type(value)) or (_FLOATS,) * len(value), strict=True):
+                if isinstance(part, np.ndarray):
+                    if part.dtype is not item or not part.flags.carray:
+                        _refuse(part, item)
+                elif isinstance(part, tuple):
+                    in_one_piece(part)
+        elif isinstance(value, np.ndarray) and (value.dtype is not _FLOATS or not value.flags.carray):
+            _refuse(value, _FLOATS)
 
 
-def _require(value: object, item: np.dtype[Any]) -> None:
-    if isinstance(value, tuple):
-        for part, its in zip(value, _declared(type(value)) or (item,) * len(value), strict=True):
-            _require(part, its)
-    elif isinstance(value, np.ndarray):
-        if not value.flags.c_contiguous:
-            raise ValueError(f"an array of shape {value.shape} has gaps")
-        if value.dtype != item:
-            raise ValueError(f"an array of shape {value.shape} holds {value.dtype}, not {item}")
-        if not value.flags.carray:
-            raise ValueError(f"an array of shape {value.shape} is read-only or not aligned")
+def _refuse(value: NDArray[Any], item: np.dtype[Any]) -> None:
+    """Say what is wrong with an array, if something is."""
+    if not value.flags.c_contiguous:
+        raise ValueError(f"an array of shape {value.shape} has gaps")
+    if value.dtype != item:
+        raise ValueError(f"an array of shape {value.shape} holds {value.dtype}, not {item}")
+    if not value.flags.carray:
+        raise ValueError(f"an array of shape {value.shape} is read-only or not aligned")
 
 
 @functools.cache

@@ -53,8 +53,8 @@ class Timeline:
     """
 
     def __init__(self, trajectory: Trajectory) -> None:
-        # compiled code takes writeable arrays: these are copies of what nobody can change
-        t_s, q, v = (as_float64(array) for array in (trajectory.t_s, trajectory.q, trajectory.v))
+        # compiled code takes writeable arrays: times are copied here, columns wherever they are joined
+        t_s, q, v = as_float64(trajectory.t_s), trajectory.q, trajectory.v
         self.t_s = t_s
         self.spacing_s = np.diff(t_s)
         self.joints_rad = q[:, 7:]

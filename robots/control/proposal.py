@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import InFloat64
 from kinematics.trajectory_sampler import MotionSample
 from robots.control.refusal import Refusal
 
@@ -15,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Proposal(InFloat64):
+class Proposal:
     """What the streamer wants the robot to follow next.
 
     Attributes:

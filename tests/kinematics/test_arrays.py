@@ -104,6 +104,7 @@ WORKING = {
     "kinematics.walking.foot_wrenches.SoleWrench",
     "kinematics.walking.legged_estimator.ComEstimate",
     "kinematics.walking.ways.WayFinder",
+    "robots.control.proposal.Proposal",
     "robots.simulated.true_contacts.PadContact",
 }
 
