@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arm_frames import ArmFrames, ArmKinematics
+from kinematics.arrays import Sealed
 from kinematics.robot_model import RobotModel
 
 Array = NDArray[np.float64]
@@ -32,7 +33,7 @@ _LEAST_DAMPING = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
-class ArmPosture:
+class ArmPosture(Sealed):
     """One answer.
 
     Attributes:

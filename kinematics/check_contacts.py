@@ -8,6 +8,7 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
 from kinematics.check_certificate import Limbs, PairList, certify
 from kinematics.check_collision import CollisionCheck
 from kinematics.check_course import Course, running_lengths
@@ -71,7 +72,7 @@ class ContactFinder:
         inside = jumps_s[(jumps_s > 0.0) & (jumps_s < timeline.duration_s)]
         course = _course(timeline)
         cuts = min(_MOST_CUTS, max(1, int(np.ceil(course.so_far[-1].max() / self._settings.cut_rad))))
-        links, jumps = self._kinematics.links, np.ascontiguousarray(jumps_s)
+        links, jumps = self._kinematics.links, as_float64(jumps_s)
         in_one_piece(course, links, limbs, solids, listed, jumps)
         certify(
             course,
@@ -191,7 +192,7 @@ def _plain(solids: Sequence[Solid]) -> kernel.Solids:
 
 
 def _course(timeline: Timeline) -> Course:
-    t_s, values, rates, quaternions = (np.ascontiguousarray(array) for array in timeline.arrays())
+    t_s, values, rates, quaternions = (as_float64(array) for array in timeline.arrays())
     so_far = np.empty((len(t_s), values.shape[1] - 1))
     running_lengths(t_s, values, rates, quaternions, so_far)
     return Course(t_s, values, rates, quaternions, so_far)

@@ -5,6 +5,9 @@ They are found again by address and shape alone: who calls makes sure that they 
 
 from __future__ import annotations
 
+import functools
+from typing import Any, get_type_hints
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,18 +18,46 @@ from kinematics.kernel.solids import Solids
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+_FLOATS, _INTS = np.dtype(np.float64), np.dtype(np.int64)
+
 
 def in_one_piece(*values: object) -> None:
-    """Refuse arrays with gaps, also inside of tuples: they would be read as others than they are.
+    """Refuse arrays that would be read as others than they are, also inside of tuples.
+
+    An array has no gaps, holds float64, or int64 where a named tuple declares ``Indices``, and can be
+    written: to the compiler, one that cannot is of another type.
 
     Raises:
-        ValueError: There is one.
+        ValueError: One is not like that.
     """
     for value in values:
         if isinstance(value, tuple):
-            in_one_piece(*value)
-        elif isinstance(value, np.ndarray) and not value.flags.c_contiguous:
-            raise ValueError(f"an array of shape {value.shape} has gaps")
+            # the arrays of a named tuple at once: a check asks for fifty
+            for part, item in zip(value, _declared(type(value)) or (_FLOATS,) * len(value), strict=True):
+                if isinstance(part, np.ndarray):
+                    if part.dtype is not item or not part.flags.carray:
+                        _refuse(part, item)
+                elif isinstance(part, tuple):
+                    in_one_piece(part)
+        elif isinstance(value, np.ndarray) and (value.dtype is not _FLOATS or not value.flags.carray):
+            _refuse(value, _FLOATS)
+
+
+def _refuse(value: NDArray[Any], item: np.dtype[Any]) -> None:
+    """Say what is wrong with an array, if something is."""
+    if not value.flags.c_contiguous:
+        raise ValueError(f"an array of shape {value.shape} has gaps")
+    if value.dtype != item:
+        raise ValueError(f"an array of shape {value.shape} holds {value.dtype}, not {item}")
+    if not value.flags.carray:
+        raise ValueError(f"an array of shape {value.shape} is read-only or not aligned")
+
+
+@functools.cache
+def _declared(kind: type) -> tuple[np.dtype[Any], ...]:
+    """What the arrays of a named tuple hold; nothing of a plain tuple."""
+    hints = get_type_hints(kind)
+    return tuple(_INTS if hints[name] == Indices else _FLOATS for name in getattr(kind, "_fields", ()))
 
 
 @inlined

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
 from kinematics.check_effort import loads_of
 from kinematics.check_kinematics import WORLD, BatchedKinematics, BodyPoses
 from kinematics.check_placing import FIRST_JOINT, Links, place_all
@@ -28,7 +29,7 @@ class CompiledKinematics(BatchedKinematics):
         super().__init__(model)
         self.links = Links(
             parent=np.array(self.parent, np.int64),
-            offset=np.ascontiguousarray(self.offset_m),
+            offset=as_float64(self.offset_m),
             axis=self.axis,
             fixed=self.fixed,
             sine=self.sine,
@@ -45,9 +46,9 @@ class CompiledKinematics(BatchedKinematics):
         rotation, origin = np.empty((self.count, n, 3, 3)), np.empty((self.count, n, 3))
         place_all(
             self.links,
-            np.ascontiguousarray(configurations.base_rotation),
-            np.ascontiguousarray(configurations.base_position_m),
-            np.ascontiguousarray(configurations.joints_rad),
+            as_float64(configurations.base_rotation),
+            as_float64(configurations.base_position_m),
+            as_float64(configurations.joints_rad),
             needed,
             self.mass_kg,
             self.lever_m,
@@ -78,8 +79,8 @@ class CompiledKinematics(BatchedKinematics):
             self.inertia,
             poses.rotation,
             poses.origin_m,
-            np.ascontiguousarray(v),
-            np.ascontiguousarray(a),
+            as_float64(v),
+            as_float64(a),
             feet,
             soles_m,
             share,
@@ -94,9 +95,9 @@ class CompiledKinematics(BatchedKinematics):
         if settings.discontinuity_factor < 1.0 + settings.acceleration_fraction:
             return False
         return plainly_within(
-            np.ascontiguousarray(timeline.t_s),
-            np.ascontiguousarray(timeline.joints_rad),
-            np.ascontiguousarray(timeline.joint_velocity),
+            as_float64(timeline.t_s),
+            as_float64(timeline.joints_rad),
+            as_float64(timeline.joint_velocity),
             model.lower_rad - settings.position_rad,
             model.upper_rad + settings.position_rad,
             model.velocity * (1.0 + settings.velocity_fraction),

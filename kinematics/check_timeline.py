@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
 from kinematics.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -52,19 +53,21 @@ class Timeline:
     """
 
     def __init__(self, trajectory: Trajectory) -> None:
-        self.t_s = trajectory.t_s
-        self.spacing_s = np.diff(trajectory.t_s)
-        self.joints_rad = trajectory.q[:, 7:]
-        self.joint_velocity = trajectory.v[:, 6:]
-        self.base_position_m = trajectory.q[:, :3]
-        self.quaternions = _continuous(trajectory.q[:, 3:7])
+        # compiled code takes writeable arrays: times are copied here, columns wherever they are joined
+        t_s, q, v = as_float64(trajectory.t_s), trajectory.q, trajectory.v
+        self.t_s = t_s
+        self.spacing_s = np.diff(t_s)
+        self.joints_rad = q[:, 7:]
+        self.joint_velocity = v[:, 6:]
+        self.base_position_m = q[:, :3]
+        self.quaternions = _continuous(q[:, 3:7])
         # the chord's length gives small angles without the cancellation of arccos
         chord = np.linalg.norm(np.diff(self.quaternions, axis=0), axis=1)
         self.base_turn_rad = 4.0 * np.arcsin(np.minimum(0.5 * chord, 1.0))
         self._turns = bool(self.base_turn_rad.any())
         rotation = self._rotations(self.quaternions)
-        self.base_velocity = np.einsum("nij,nj->ni", rotation, trajectory.v[:, :3])
-        self.duration_s = float(trajectory.t_s[-1])
+        self.base_velocity = np.einsum("nij,nj->ni", rotation, v[:, :3])
+        self.duration_s = float(t_s[-1])
         self._values = np.hstack([self.base_position_m, self.joints_rad])
         self._rates = np.hstack([self.base_velocity, self.joint_velocity])
         self._accelerations: tuple[Array, Array] | None = None

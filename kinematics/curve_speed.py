@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
 from kinematics.curves import Curve
 from kinematics.timing_kernel import fastest_rates
 
@@ -38,12 +39,12 @@ class CurveGrid:
     @classmethod
     def along(cls, curve: Curve, per_piece: int = PER_PIECE) -> CurveGrid:
         """Divide a curve between its knots."""
-        knots = curve.knots
+        knots = as_float64(curve.knots, (None,), "knots")
         pieces = max(per_piece, -(-AT_LEAST // (len(knots) - 1)))
         parts = np.linspace(0.0, 1.0, 2 * pieces + 1)[:-1]
         s = (knots[:-1, None] + np.diff(knots)[:, None] * parts).ravel()
         step = np.repeat(np.diff(knots) / pieces, pieces)
-        return cls(step, np.ascontiguousarray(curve(np.append(s, 1.0))))
+        return cls(step, as_float64(curve(np.append(s, 1.0)), what="points"))
 
     def bounded(self, joints: Array, velocity: Array, acceleration: Array) -> SpeedBounds:
         """What limits of joints mean for the speed along the curve.
@@ -62,9 +63,7 @@ class CurveGrid:
         fast[1:] = np.maximum(fast[1:], np.abs(last))
         top = (1.0 / np.maximum(np.max(fast / velocity, axis=1), SHORTEST_S)) ** 2
         moving = np.ptp(joints, axis=0) > STILL
-        first, last, bend = (
-            np.ascontiguousarray((part / acceleration)[:, moving]) for part in (first, last, bend)
-        )
+        first, last, bend = (as_float64((part / acceleration)[:, moving]) for part in (first, last, bend))
         return SpeedBounds(self.step, first, last, bend, top, np.ones(len(h)))
 
 

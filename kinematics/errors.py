@@ -4,6 +4,7 @@ KinematicsError
 ├── UnknownNameError      a frame, joint, group or object that is not there
 ├── ModelError            a robot description that cannot be turned into a model
 ├── MissingPartError      a part that this robot does not have
+├── InvalidArrayError     values that are no array of real numbers of the shape that is wanted
 ├── InvalidMotionError    arrays that cannot be a path or a trajectory
 └── TrajectoryDocumentError  a stored trajectory that cannot be one: place and reason
 
@@ -38,6 +39,18 @@ class MissingPartError(KinematicsError):
 
     def __init__(self, robot: str, part: str) -> None:
         super().__init__(f"{robot} has no {part}")
+
+
+class InvalidArrayError(KinematicsError):
+    """Values that are no array of real numbers of the shape that is wanted."""
+
+    def __init__(self, what: str, reason: str) -> None:
+        self.what, self.reason = what, reason
+        super().__init__(f"{what} {reason}")
+
+    def __reduce__(self) -> tuple[type[InvalidArrayError], tuple[str, str]]:
+        """For worker processes: an exception is made anew from its arguments."""
+        return InvalidArrayError, (self.what, self.reason)
 
 
 class InvalidMotionError(KinematicsError):

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
 from kinematics.leg_ik import LegIk
 from kinematics.model_tree import model_tree
 from kinematics.robot_model import RobotModel
@@ -66,7 +67,12 @@ class FreeCoordinates:
         return self.base_size + self.joints.index(joint)
 
     def from_q(self, q: Array) -> Array:
-        """Free coordinates of one configuration."""
+        """Free coordinates of one configuration.
+
+        Raises:
+            InvalidArrayError: It has not the shape (nq,), or holds no real numbers.
+        """
+        q = as_float64(q, (self._model.nq,), "q")
         if self._mount is not None:
             return np.array(q[self._columns])
         vector, w = q[3:6], q[6]
@@ -90,7 +96,8 @@ class FreeCoordinates:
         return x
 
     def from_many(self, q: Array) -> Array:
-        """``from_q`` of many configurations, shape (n, nq), at once, shape (n, size)."""
+        """``from_q`` of many configurations, shape (n, nq), at once, shape (n, size); raises alike."""
+        q = as_float64(q, (None, self._model.nq), "q")
         if self._mount is not None:
             return q[:, self._columns]
         # a quaternion and its negative are one rotation
@@ -108,7 +115,11 @@ class FreeCoordinates:
 
         Returns:
             Configurations, shape (n, nq), and whether both feet can be reached, shape (n,).
+
+        Raises:
+            InvalidArrayError: They have another shape, or are no real numbers.
         """
+        x = as_float64(x, (None, self.size), "x")
         q = np.zeros((len(x), self._model.nq))
         if self._mount is not None:
             q[:, :7], q[:, self._columns] = self._mount, x
@@ -118,8 +129,7 @@ class FreeCoordinates:
             from kinematics.compiled_configurations import configurations
 
             reached = np.empty(len(x), dtype=bool)
-            points = np.ascontiguousarray(x, dtype=np.float64)
-            configurations(*self._flattened, points, q, reached)
+            configurations(*self._flattened, x, q, reached)
             return q, reached
         q[:, self._columns] = x[:, self.base_size :]
         q[:, :3] = x[:, :3]

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.robot_description import HANDS, Hand
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
@@ -19,7 +20,7 @@ Point = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class RaiseHandRequest:
+class RaiseHandRequest(Sealed):
     """Turn the trunk to a point and raise one hand beside the head, fingers up: ready to wave.
 
     Attributes:
@@ -40,7 +41,7 @@ class RaiseHandRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class SwingRequest:
+class SwingRequest(Sealed):
     """Swing a raised hand from side to side, and bring it back to where it was.
 
     Attributes:
@@ -61,7 +62,7 @@ class SwingRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class PointRequest:
+class PointRequest(Sealed):
     """Stretch an arm so that the line through forearm and hand meets a point.
 
     Attributes:
@@ -82,7 +83,7 @@ class PointRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class OfferRequest:
+class OfferRequest(Sealed):
     """Bring a held object, upright, to where a person can take it comfortably.
 
     Attributes:
@@ -103,7 +104,7 @@ class OfferRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class CarryRequest:
+class CarryRequest(Sealed):
     """Bring a held object, upright, before the shoulder, and the trunk and pelvis home: ready to walk.
 
     Attributes:

@@ -14,6 +14,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.boxed_least_squares import boxed_least_squares
 from kinematics.free_coordinates import free_coordinates
 from kinematics.robot_description import Hand
@@ -59,7 +60,7 @@ _LOWEST_SHARE = 0.73
 
 
 @dataclass(frozen=True, slots=True)
-class HandGoal:
+class HandGoal(Sealed):
     """Where the hand shall be.
 
     Attributes:

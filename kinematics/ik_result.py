@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 
 Array = NDArray[np.float64]
@@ -23,7 +24,7 @@ class IkTolerance:
 
 
 @dataclass(frozen=True, slots=True)
-class IkResult:
+class IkResult(Sealed):
     """One inverse-kinematics answer, with the evidence to judge it by.
 
     Attributes:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 
 Array = NDArray[np.float64]
@@ -20,7 +21,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True)
-class HandlePoint:
+class HandlePoint(Sealed):
     """The handle at one opening.
 
     Attributes:
@@ -62,7 +63,7 @@ class OpeningPath(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class DoorArc:
+class DoorArc(Sealed):
     """A door's.
 
     Attributes:
@@ -122,7 +123,7 @@ class DoorArc:
 
 
 @dataclass(frozen=True, slots=True)
-class DrawerLine:
+class DrawerLine(Sealed):
     """A drawer's.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
@@ -15,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class Spot(Sealed):
     """Where an object could be put down.
 
     Attributes:
@@ -33,7 +34,7 @@ class Spot:
 
 
 @dataclass(frozen=True, slots=True)
-class PlaceRequest:
+class PlaceRequest(Sealed):
     """Plan to bring a held object over one of several spots, down onto it, and the hand away from it.
 
     Attributes:

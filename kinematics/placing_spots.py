@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Shape
 
@@ -52,7 +53,7 @@ _TURN_RAD = math.radians(15.0)
 
 
 @dataclass(frozen=True, slots=True)
-class FreeSpot:
+class FreeSpot(Sealed):
     """A spot on a top.
 
     Attributes:

@@ -13,6 +13,7 @@ import placo
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arrays import as_float64
 from kinematics.errors import MissingPartError
 from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.leg_ik import LegIk
@@ -116,8 +117,15 @@ class PlacoIk:
             iterations: Most steps of the solver.
             q_preferred: Posture to stay near where there is a choice; home when left out.
             upright: Makes no difference: this solver bends knees only where it must.
+
+        Raises:
+            InvalidArrayError: One has another shape, or holds no real numbers.
         """
-        home = self._model.q_home if q_preferred is None else q_preferred
+        world_T_tcp = as_float64(world_T_tcp, (4, 4), "world_T_tcp")
+        q_seed = as_float64(q_seed, (self._model.nq,), "q_seed")
+        home = self._model.q_home
+        if q_preferred is not None:
+            home = as_float64(q_preferred, (self._model.nq,), "q_preferred")
         self._posture.set_joints(dict(zip(self._model.joints, home[7:].tolist(), strict=True)))
         robot = self._robot
         robot.state.q = q_seed

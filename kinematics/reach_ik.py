@@ -11,6 +11,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics import planning_reserve
+from kinematics.arrays import as_float64
 from kinematics.errors import MissingPartError, ModelError
 from kinematics.free_coordinates import free_coordinates
 from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
@@ -134,7 +135,14 @@ class ReachIk:
             q_preferred: Posture to stay near where there is a choice; home when left out.
             upright: Try only what does not bend the knees: half of the time where nothing is found.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
+
+        Raises:
+            InvalidArrayError: One has another shape, or holds no real numbers.
         """
+        world_T_tcp = as_float64(world_T_tcp, (4, 4), "world_T_tcp")
+        q_seed = as_float64(q_seed, (self._model.nq,), "q_seed")
+        if starts is not None:
+            starts = as_float64(starts, (None, self._space.size), "starts")
         if q_preferred is None:
             seed, where = self._search_from(q_seed)
         else:
@@ -167,7 +175,7 @@ class ReachIk:
                 break
             unbalanced, at_lowest = self._memory.noted.tolist()
             tried.append((limits, lower, bool(unbalanced), bool(at_lowest)))
-        return self._measured(self._memory.q[None].copy(), np.asarray(world_T_tcp)[None], [taken])[0]
+        return self._measured(self._memory.q[None].copy(), world_T_tcp[None], [taken])[0]
 
     def follow(
         self,
@@ -190,12 +198,17 @@ class ReachIk:
 
         Returns:
             Answers as far as they are within the tolerance.
+
+        Raises:
+            InvalidArrayError: One has another shape, or holds no real numbers.
         """
+        if len(world_T_tcp) == 0:
+            return []
+        targets = as_float64(world_T_tcp, (None, 4, 4), "world_T_tcp")
         x = self._space.from_q(q_seed)
         where = self._search(x, x, reserve_rad)
         x = np.clip(x, where.lower, where.upper)
         found = np.empty((len(world_T_tcp), self._model.nq))
-        targets = np.array(world_T_tcp, dtype=np.float64)
         steady, farthest = self._margins(tolerance)
         reached = self._reach_in_turn(
             self._tree,
@@ -238,8 +251,8 @@ class ReachIk:
             body,
             offset_R,
             offset_p,
-            np.array(world_T_tcp[:3, :3], dtype=np.float64),
-            np.array(world_T_tcp[:3, 3], dtype=np.float64),
+            np.array(world_T_tcp[:3, :3]),
+            np.array(world_T_tcp[:3, 3]),
         )
 
     def _settings(self, tolerance: IkTolerance, iterations: int) -> ReachSettings:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.gesture_requests import GestureRequest
 from kinematics.opening_path import OpeningPath
 from kinematics.place_requests import PlaceRequest
@@ -24,7 +25,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Grasp:
+class Grasp(Sealed):
     """A way to take hold of an object.
 
     Attributes:
@@ -43,7 +44,7 @@ class Grasp:
 
 
 @dataclass(frozen=True, slots=True)
-class PickRequest:
+class PickRequest(Sealed):
     """Plan reach, approach and lift for one object of the scene.
 
     Attributes:
@@ -68,7 +69,7 @@ class PickRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class MoveRequest:
+class MoveRequest(Sealed):
     """Plan a motion to body joint positions; joints left out go home.
 
     Attributes:
@@ -91,7 +92,7 @@ class MoveRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class RetreatRequest:
+class RetreatRequest(Sealed):
     """Plan a straight motion of one TCP along its own axis or the world's, e.g. back out of a grasp.
 
     Attributes:
@@ -117,7 +118,7 @@ class RetreatRequest:
 
 
 @dataclass(frozen=True, slots=True)
-class HandleRequest:
+class HandleRequest(Sealed):
     """Plan to take hold of a handle, with the whole way of it within reach.
 
     Attributes:
@@ -202,7 +203,7 @@ class PickPlan:
 
 
 @dataclass(frozen=True, slots=True)
-class PlacePlan:
+class PlacePlan(Sealed):
     """Over the spot, and straight down; the way back of the hand was looked at, and is planned later.
 
     Attributes:

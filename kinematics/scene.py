@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.errors import UnknownNameError
 from kinematics.poses import Transform
 from kinematics.shapes import Box, Shape
@@ -28,11 +29,12 @@ V = TypeVar("V")
 
 
 def _frozen(mapping: Mapping[str, V]) -> Mapping[str, V]:
-    return MappingProxyType(dict(mapping))
+    """A private copy that cannot be changed; what is one already stays the same object."""
+    return mapping if type(mapping) is MappingProxyType else MappingProxyType(dict(mapping))
 
 
 @dataclass(frozen=True, slots=True)
-class SceneObject:
+class SceneObject(Sealed):
     """A solid in the world.
 
     Attributes:
@@ -58,7 +60,7 @@ def floor() -> SceneObject:
 
 
 @dataclass(frozen=True, slots=True)
-class AttachedBody:
+class AttachedBody(Sealed):
     """An object that moves with a link because a hand holds it.
 
     Attributes:
@@ -86,6 +88,10 @@ class PlanningScene:
     objects: Mapping[str, SceneObject] = field(default_factory=lambda: _frozen({}))
     attached: Mapping[str, AttachedBody] = field(default_factory=lambda: _frozen({}))
     allowed: frozenset[Pair] = frozenset()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "objects", _frozen(self.objects))
+        object.__setattr__(self, "attached", _frozen(self.attached))
 
     def with_object(self, item: SceneObject) -> PlanningScene:
         """Add an object, or replace the one of the same name."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.json_reader import Node
 from kinematics.poses import Transform
 from kinematics.scene import Pair, SceneObject
@@ -27,7 +28,7 @@ UNIT_TOLERANCE = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
-class HeldObject:
+class HeldObject(Sealed):
     """An object that a frame of the robot carries during the whole motion.
 
     Attributes:

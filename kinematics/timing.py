@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed, as_float64
 from kinematics.curve_speed import CurveGrid
 from kinematics.curves import Curve
 from kinematics.free_coordinates import FreeCoordinates
@@ -58,7 +59,7 @@ class Pace:
 
 
 @dataclass(frozen=True, slots=True)
-class JointLimits:
+class JointLimits(Sealed):
     """What each of k joints may do, shape (k,) each, SI units."""
 
     velocity: Array
@@ -73,7 +74,7 @@ class JointLimits:
 
 
 @dataclass(frozen=True, slots=True)
-class TimedCurve:
+class TimedCurve(Sealed):
     """Samples of the motion along a curve.
 
     Attributes:
@@ -150,7 +151,7 @@ def placed_curve(curve: Curve, configurations: Configurations) -> tuple[CurveGri
     """A curve's grid and the configurations there, or None when a point has none."""
     grid = CurveGrid.along(curve)
     q = configurations(grid.points)
-    return None if q is None else (grid, q)
+    return None if q is None else (grid, as_float64(q, (len(grid.points), None), "configurations"))
 
 
 def _timed(
@@ -159,6 +160,8 @@ def _timed(
     """``time_coordinates`` of a curve whose configurations are known."""
     grid, q = placed
     k = len(limits.velocity)
+    weights = as_float64(weights, (grid.points.shape[1],), "weights")
+    most = [as_float64(array) for array in (limits.velocity, limits.acceleration, limits.jerk)]
     window_s = max(float(np.max(2.0 * limits.acceleration / limits.jerk)), LEAST_WINDOW * SAMPLE_S)
     # a cubic between samples overshoots what comes to rest at a limit there: accelerations by up to 8/27
     # of jerk times spacing (see CheckSettings), speeds by less than this
@@ -177,8 +180,8 @@ def _timed(
         if motion is None:
             return None
         q, rate = motion
-        joints, speeds = np.ascontiguousarray(q[:, -k:]), np.ascontiguousarray(rate[:, -k:])
-        factor = excess(joints, speeds, t_s[1], limits.velocity, limits.acceleration, limits.jerk)
+        joints, speeds = as_float64(q[:, -k:]), as_float64(rate[:, -k:])
+        factor = excess(joints, speeds, t_s[1], *most)
         far = stray / FOLLOWING
         if max(factor.max(), far.max()) <= 1.0 + TOLERANCE:
             return TimedCurve(t_s, q, rate)
@@ -193,7 +196,7 @@ def _differences(configurations: Configurations, x: Array, v: Array) -> tuple[Ar
     beside = configurations(np.concatenate([x, x + STEP_S * v, x - STEP_S * v]))
     if beside is None:
         return None
-    q, ahead, behind = beside.reshape(3, len(x), -1)
+    q, ahead, behind = as_float64(beside, (3 * len(x), None), "configurations").reshape(3, len(x), -1)
     return q, (ahead - behind) / (2.0 * STEP_S)
 
 

@@ -14,17 +14,25 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.errors import InvalidMotionError
+from kinematics.arrays import Sealed, sealed
+from kinematics.errors import InvalidArrayError, InvalidMotionError
 from kinematics.poses import Transform
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Stance:
-    """The soles that carry and where they stand: sole frame name to ``world_T_sole``."""
+class Stance(Sealed):
+    """The soles that carry and where they stand: sole frame name to ``world_T_sole``.
+
+    Raises:
+        InvalidArrayError: A pose is no array of real numbers.
+    """
 
     soles: tuple[tuple[str, Transform], ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "soles", tuple((frame, sealed(pose, frame)) for frame, pose in self.soles))
 
     @property
     def key(self) -> tuple[tuple[str, bytes], ...]:
@@ -33,7 +41,7 @@ class Stance:
 
 
 @dataclass(frozen=True, slots=True)
-class Path:
+class Path(Sealed):
     """Waypoints without time; ``q`` has shape (n, nq)."""
 
     joints: tuple[str, ...]
@@ -42,8 +50,8 @@ class Path:
 
 
 @dataclass(frozen=True, slots=True)
-class Trajectory:
-    """A motion in time.
+class Trajectory(Sealed):
+    """A motion in time, which nobody can change: what it is made of is copied.
 
     Between two samples a joint moves as the cubic Hermite polynomial of their positions and
     velocities; the base likewise (its orientation by the normalised blend of quaternions).
@@ -51,12 +59,12 @@ class Trajectory:
     Attributes:
         joints: Names of the body joints, the order of ``q[7:]`` and ``v[6:]``.
         stance: Where the feet stand during the whole motion.
-        t_s: Times, shape (n,), rising from 0.
+        t_s: Times, shape (n,), rising from 0; real numbers of any type, kept as float64, as all three.
         q: Configurations, shape (n, nq).
         v: Velocities, shape (n, nv).
 
     Raises:
-        InvalidMotionError: Shapes disagree, times do not rise, or a value is not finite.
+        InvalidMotionError: Shapes disagree, times do not rise, a value is not finite or no real number.
     """
 
     joints: tuple[str, ...]
@@ -66,6 +74,12 @@ class Trajectory:
     v: Array
 
     def __post_init__(self) -> None:
+        try:
+            Sealed.__post_init__(self)
+        except InvalidArrayError as error:
+            raise InvalidMotionError(f"of a trajectory, {error}") from error
+        if self.t_s.ndim != 1:
+            raise InvalidMotionError(f"times need one dimension, got shape {self.t_s.shape}")
         n, k = len(self.t_s), len(self.joints)
         if self.q.shape != (n, k + 7) or self.v.shape != (n, k + 6):
             raise InvalidMotionError(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
 
@@ -14,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class ViewRequest:
+class ViewRequest(Sealed):
     """Take the eyes to where most of some points are seen; answered by ``MovePlan`` or ``NoPlan``.
 
     Attributes:

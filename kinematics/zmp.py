@@ -13,6 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
 from kinematics.kernel import readiness
 from kinematics.model_tree import model_tree
 from kinematics.planning_memory import planning_memory
@@ -85,7 +86,16 @@ def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Arra
     from kinematics.ground_loads import ground_loads
 
     force, moment, com = (np.empty((len(motion.q), 3)) for _ in range(3))
-    ground_loads(*_masses(model), motion.q, motion.v, motion.a, force, moment, com)
+    n = len(motion.q)
+    ground_loads(
+        *_masses(model),
+        as_float64(motion.q, (n, model.nq), "q"),
+        as_float64(motion.v, (n, model.nv), "v"),
+        as_float64(motion.a, (n, model.nv), "a"),
+        force,
+        moment,
+        com,
+    )
     return force, moment, com
 
 

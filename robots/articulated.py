@@ -14,6 +14,7 @@ from typing import Final, Literal
 import numpy as np
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.shapes import Box, Cylinder
 from robots.scene_description import Furniture, MovingPart
@@ -46,7 +47,7 @@ BAR_MASS_KG = 0.3
 
 
 @dataclass(frozen=True, slots=True)
-class MovingSolid:
+class MovingSolid(Sealed):
     """One solid of a door or drawer, closed.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.shapes import Box
 from robots.articulated import ARTICULATED_KINDS, fixed_boxes
@@ -23,7 +24,7 @@ FURNITURE_KINDS = ("table", *BOARD_KINDS, WALL, *ARTICULATED_KINDS)
 
 
 @dataclass(frozen=True, slots=True)
-class FurnitureSolid:
+class FurnitureSolid(Sealed):
     """One solid of a piece of furniture; ``name`` is "table/top", "table/leg_1", ..."""
 
     name: str

@@ -11,13 +11,14 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import InFloat64
 from kinematics.robot_description import RobotDescription
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class RobotState:
+class RobotState(InFloat64):
     """The sensors' readings of one control period. Nothing here is the simulator's truth.
 
     Attributes:
@@ -30,6 +31,9 @@ class RobotState:
         foot_wrench: Force and torque of the ground on each sole in the sole's frame (N, Nm), shape
             (feet, 6), in the order of ``RobotDescription.soles``.
         battery: Share of the charge that is left, 0 to 1.
+
+    Raises:
+        InvalidArrayError: A reading holds no real numbers; numbers of another type are converted.
     """
 
     stamp_s: float
@@ -43,7 +47,7 @@ class RobotState:
 
 
 @dataclass(frozen=True, slots=True)
-class JointSetpoint:
+class JointSetpoint(InFloat64):
     """What the joints shall do until the next setpoint.
 
     Attributes:
@@ -53,6 +57,9 @@ class JointSetpoint:
         q: Positions, rad, shape (n,).
         v: Velocities, rad/s, shape (n,).
         tau: Feed-forward efforts, Nm, shape (n,).
+
+    Raises:
+        InvalidArrayError: One of them holds no real numbers; numbers of another type are converted.
     """
 
     stamp_s: float

@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
 
@@ -105,7 +106,7 @@ class Furniture:
 
 
 @dataclass(frozen=True, slots=True)
-class SceneItem:
+class SceneItem(Sealed):
     """A movable object with its pose in the world.
 
     A box or bowl with ``wall_m`` is hollow and open at the top, with walls and a bottom so thick.

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder, Shape
@@ -21,7 +22,7 @@ PERSON = "person"
 
 
 @dataclass(frozen=True, slots=True)
-class BelievedThing:
+class BelievedThing(Sealed):
     """One thing of the world model.
 
     Attributes:
@@ -88,7 +89,7 @@ class BelievedThing:
 
 
 @dataclass(frozen=True, slots=True)
-class Surroundings:
+class Surroundings(Sealed):
     """What the robot believes to be around it.
 
     Attributes:

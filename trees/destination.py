@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Shape
@@ -43,7 +44,7 @@ _ANYBODY = ("me", "in_front", "in front", "person", "somebody")
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class Place(Sealed):
     """Something that a task is aimed at.
 
     Attributes:

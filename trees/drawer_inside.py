@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.place_requests import Spot
 from kinematics.placing_spots import footprint_radius_m
 from kinematics.poses import Transform
@@ -32,7 +33,7 @@ _CLEAR_M = 0.03
 
 
 @dataclass(frozen=True, slots=True)
-class DrawerInside:
+class DrawerInside(Sealed):
     """The part of a drawer that is open to above.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.gaze import gaze_joints
 from kinematics.robot_description import HANDS, Hand
 from kinematics.robot_model import RobotModel
@@ -34,7 +35,7 @@ _MOVED_M = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class UnseenPlaces:
+class UnseenPlaces(Sealed):
     """Where something could stand unseen under a hand.
 
     Attributes:

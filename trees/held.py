@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand
 from kinematics.shapes import Shape
@@ -17,7 +18,7 @@ LOST = "lost"
 
 
 @dataclass(frozen=True, slots=True)
-class HeldObject:
+class HeldObject(Sealed):
     """An attached body with the hand that holds it.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.opening_path import OpeningPath
 from kinematics.requests import Grasp
 from kinematics.scene import PlanningScene
@@ -18,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class HeldHandle:
+class HeldHandle(Sealed):
     """A handle in a hand.
 
     Attributes:

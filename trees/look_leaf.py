@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from py_trees.common import Status
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from robots.perception.detector import PerceptionFrame
 from robots.perception.object_estimate import ObjectEstimate, fuse_frames
@@ -14,7 +15,7 @@ from trees.leaf import RUNNING, Leaf
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class View(Sealed):
     """One picture and where it was taken from: ``odom_T_camera`` at its stamp, shape (4, 4)."""
 
     odom_T_camera: Transform

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 
 
 @dataclass(frozen=True, slots=True)
-class Origin:
+class Origin(Sealed):
     """A place on a piece of furniture.
 
     Attributes:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed, sealed
 from kinematics.poses import Transform
 from kinematics.robot_description import HANDS, CameraDescription
 from kinematics.robot_model import RobotModel
@@ -65,7 +66,7 @@ def behind_a_hand(model: RobotModel, q: Array, eye: Array, point: Array, within_
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Glimpse:
+class Glimpse(Sealed):
     """One look: from where, and what of the robot itself was in the way.
 
     Attributes:
@@ -79,6 +80,8 @@ class Glimpse:
 
     def __post_init__(self) -> None:
         """Note where the parts are from the eye: a glimpse is asked about many points."""
+        Sealed.__post_init__(self)
+        object.__setattr__(self, "in_the_way", tuple(sealed(part, "in_the_way") for part in self.in_the_way))
         eye = self.odom_T_camera[:3, 3]
         object.__setattr__(self, "_parts", [(part - eye).tolist() for part in self.in_the_way])
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.requests import PlannedStep
 from kinematics.robot_description import Hand
@@ -13,7 +14,7 @@ from kinematics.trajectory import CheckedTrajectory, Trajectory
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class Target(Sealed):
     """The object that a task is about, as it was last seen.
 
     Attributes:
@@ -65,7 +66,7 @@ class CheckedStep:
 
 
 @dataclass(frozen=True, slots=True)
-class Placement:
+class Placement(Sealed):
     """Where a held object is to stand.
 
     Attributes:

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import as_float64
+from kinematics.errors import InvalidArrayError
 from kinematics.kernel import door, judge
 from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.coordinates import (
@@ -210,31 +212,32 @@ class CollisionKernel:
 
     def collides(self, q: Array) -> bool:
         """Tell whether any pair that may not touch is nearer than its margin, at ``q``, shape (nq,)."""
-        return self._ask(door.AT_CONFIGURATION, q[None])[0] != judge.FREE
+        return self._ask(door.AT_CONFIGURATION, self._posture(q))[0] != judge.FREE
 
     def contacts(self, q: Array) -> NDArray[np.bool_]:
         """``collides`` of many configurations, shape (n, nq), at once, shape (n,)."""
-        found = np.empty(len(q))
-        self._ask(door.CONTACTS, q, 0.0, found)
+        postures = as_float64(q, (None, self._nq), "q")
+        found = np.empty(len(postures))
+        self._ask(door.CONTACTS, postures, 0.0, found)
         return np.asarray(found >= 0.0)
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of the first pair that collides, or None."""
-        refusal = self._refusal(self._ask(door.AT_CONFIGURATION, q[None]))
+        refusal = self._refusal(self._ask(door.AT_CONFIGURATION, self._posture(q)))
         return None if refusal is None else refusal.pair
 
     def why_not(self, x: Array) -> str | None:
         """Why a point, shape (size,), is not free, in words for people; None when it is."""
-        refusal = self._refusal(self._ask(door.AT_POINTS, x[None]))
+        refusal = self._refusal(self._ask(door.AT_POINTS, self._point(x)))
         return None if refusal is None else why_not_free(refusal.reason, refusal.pair)
 
     def is_free(self, x: Array) -> bool:
         """Tell whether one point, shape (size,), keeps feet, limits, balance and distances."""
-        return self._ask(door.AT_POINTS, x[None])[0] == judge.FREE
+        return self._ask(door.AT_POINTS, self._point(x))[0] == judge.FREE
 
     def points_are_free(self, x: Array) -> bool:
         """Tell whether every one of many points, shape (n, size), is free."""
-        return self._ask(door.AT_POINTS, x)[0] == judge.FREE
+        return self._ask(door.AT_POINTS, self._points(x))[0] == judge.FREE
 
     def edge_is_free(self, a: Array, b: Array, effort: int = EFFORT) -> bool:
         """Tell whether the whole line between two points, shape (size,) each, is proven to be free."""
@@ -242,11 +245,11 @@ class CollisionKernel:
 
     def polyline_is_free(self, x: Array, effort: int = EFFORT) -> bool:
         """Tell whether the lines between neighbouring points, shape (n, size), are proven to be free."""
-        return self._ask(door.ALONG_POINTS, x, effort)[0] == judge.FREE
+        return self._ask(door.ALONG_POINTS, self._points(x), effort)[0] == judge.FREE
 
     def polyline_refusal(self, x: Array, effort: int = EFFORT) -> Refusal | None:
         """Why lines between neighbouring points, shape (n, size), are not free, or None."""
-        return self._refusal(self._ask(door.ALONG_POINTS, x, effort))
+        return self._refusal(self._ask(door.ALONG_POINTS, self._points(x), effort))
 
     def connect(
         self,
@@ -272,7 +275,7 @@ class CollisionKernel:
         Returns:
             Shape (n, size), or None when none was found.
         """
-        points = np.stack([start, goal, lower, upper, weights])
+        points = self._points(np.stack([start, goal, lower, upper, weights]))
         found = np.empty(_MOST_ROWS * self.size)
         found[0] = seed
         found[1] = extend
@@ -287,8 +290,11 @@ class CollisionKernel:
             weights: Of the coordinates in its length, shape (size,).
             attempts: Most lines that are tried; fewer give an answer too, a longer one.
         """
-        found = np.empty((2 * len(polyline) + _ROOM_ROWS) * self.size)
-        rows = int(self._ask(door.SHORTEN, np.vstack([weights, polyline]), attempts, found)[1])
+        points = self._points(np.vstack([weights, polyline]))
+        if len(points) < 2:
+            raise InvalidArrayError("polyline", "has no points")
+        found = np.empty((2 * (len(points) - 1) + _ROOM_ROWS) * self.size)
+        rows = int(self._ask(door.SHORTEN, points, attempts, found)[1])
         return found[: rows * self.size].reshape(-1, self.size).copy()
 
     def distances_m(self, q: Array, cap_m: float = 1.0) -> Array:
@@ -298,7 +304,7 @@ class CollisionKernel:
         touches or overlaps; infinite for pairs that may touch. ``pair_names`` tells which they are.
         """
         found = np.empty(self.pair_count)
-        self._ask(door.DISTANCES, q[None], cap_m, found)
+        self._ask(door.DISTANCES, self._posture(q), cap_m, found)
         return found
 
     def pair_names(self, pair: int) -> tuple[str, str]:
@@ -312,13 +318,24 @@ class CollisionKernel:
     def configuration(self, x: Array) -> Array | None:
         """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
         q = np.empty(self._nq)
-        return q if self._ask(door.TO_CONFIGURATION, x[None], 0.0, q)[0] == judge.FREE else None
+        return q if self._ask(door.TO_CONFIGURATION, self._point(x), 0.0, q)[0] == judge.FREE else None
+
+    def _posture(self, q: Array) -> Array:
+        """The row of one configuration: compiled code believes what it is told of sizes."""
+        return as_float64(q, (self._nq,), "q")[None]
+
+    def _point(self, x: Array) -> Array:
+        """The row of one point of free coordinates."""
+        return as_float64(x, (self.size,), "x")[None]
+
+    def _points(self, x: Array) -> Array:
+        """Rows of points of free coordinates."""
+        return as_float64(x, (None, self.size), "x")
 
     def _ask(
         self, question: int, points: Array, number: float = 0.0, found: Array | None = None
     ) -> tuple[int, float, int]:
-        # one type of argument only, so that nothing is ever compiled anew
-        points = np.ascontiguousarray(points, dtype=np.float64)
+        # one type of argument only, so that nothing is ever compiled anew: see ``as_float64``
         found = self._nothing if found is None else found
         shared = self._shared
         if shared.judged is not self._judged:

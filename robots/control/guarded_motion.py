@@ -13,13 +13,14 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from robots.interface import RobotState
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class MotionBounds:
+class MotionBounds(Sealed):
     """What a guarded motion promises to keep to; arrays have one entry for each of ``joints``.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Literal
 
+from kinematics.arrays import Sealed
 from kinematics.opening_path import OpeningPath
 from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
@@ -23,7 +24,7 @@ MANNERS: Mapping[Manner, YieldSettings] = MappingProxyType({"usual": USUAL, "gen
 
 
 @dataclass(frozen=True, slots=True)
-class YieldOrder:
+class YieldOrder(Sealed):
     """A hand that leads along a path from where it is commanded now, and yields across it.
 
     Attributes:

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.opening_rehearsal import GATHERING
 
 Array = NDArray[np.float64]
@@ -65,7 +66,7 @@ USUAL = YieldSettings()
 
 
 @dataclass(frozen=True, slots=True)
-class YieldReport:
+class YieldReport(Sealed):
     """What a yielding hand felt.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import Stance
@@ -19,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class RobotReport:
+class RobotReport(Sealed):
     """Everything that the commander is told of the robot, at one instant.
 
     Attributes:

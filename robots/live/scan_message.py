@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from robots.live.errors import ProtocolError
 from robots.live.messages import write_message
 
@@ -17,7 +18,7 @@ _MOST_POINTS = 2_000
 
 
 @dataclass(frozen=True, slots=True)
-class RangeScan:
+class RangeScan(Sealed):
     """What a range sensor saw.
 
     Attributes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
 
@@ -12,7 +13,7 @@ Category = Literal["object", "furniture", "person"]
 
 
 @dataclass(frozen=True, slots=True)
-class Detection:
+class Detection(Sealed):
     """One thing seen in one frame.
 
     Attributes:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.shapes import Ball, Box, Cylinder, Shape
 from robots.perception.detector import Category, Detection, PerceptionFrame
@@ -32,7 +33,7 @@ _OUTLIER_M = 0.008
 
 
 @dataclass(frozen=True, slots=True)
-class ObjectEstimate:
+class ObjectEstimate(Sealed):
     """One thing, estimated from several frames.
 
     Attributes:

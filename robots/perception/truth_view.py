@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.poses import Transform
 from kinematics.shapes import Shape
 from robots.furniture_names import own_name
@@ -19,7 +20,7 @@ from robots.perception.detector import Category
 
 
 @dataclass(frozen=True, slots=True)
-class TrueObject:
+class TrueObject(Sealed):
     """One solid of the world as it really is; a piece of furniture may be several solids.
 
     Attributes:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.shapes import Ball, Box, Shape
 from robots.simulated.person_hand import PersonHand
 
@@ -26,7 +27,7 @@ _HEIGHTS = 7
 
 
 @dataclass(frozen=True, slots=True)
-class Pinch:
+class Pinch(Sealed):
     """A way to take hold.
 
     Attributes:

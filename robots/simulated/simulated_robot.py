@@ -127,13 +127,9 @@ class SimulatedRobot:
         if not np.shape(setpoint.q) == np.shape(setpoint.v) == np.shape(setpoint.tau) == (n,):
             raise SetpointRefusedError(f"setpoint {setpoint.sequence} is not for {n} joints")
         target = np.empty(n)
-        try:
-            finite = servo_inputs(
-                setpoint.q, setpoint.v, setpoint.tau, self._damping_ratio, self._inverse_stiffness, target
-            )
-        except TypeError as wrong:
-            raise SetpointRefusedError(f"setpoint {setpoint.sequence} is no numbers: {wrong}") from wrong
-        if not finite:
+        if not servo_inputs(
+            setpoint.q, setpoint.v, setpoint.tau, self._damping_ratio, self._inverse_stiffness, target
+        ):
             raise SetpointRefusedError(f"setpoint {setpoint.sequence} is not finite")
         self._former = self._target if self._commanded else target
         self._target, self._commanded = target, True

@@ -38,12 +38,13 @@ WALL_CLOCK = re.compile(
     r"|gmtime|strftime)|datetime\.(datetime\.)?(now|utcnow|today)|datetime\.date\.today)$"
 )
 GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|numpy\.random\.[a-z]\w*$")
-# What the judge of motions shares with those who plan them: what is judged, and how far two solids are apart.
+# What the judge of motions shares with those who plan them: what is judged, in which
+# form its numbers come, and how far two solids are apart.
 JUDGE = ("kinematics.trajectory_check", "kinematics.check_")
 SHARED_WITH_THE_JUDGE = tuple(
     f"kinematics.{name}"
     for name in (
-        "trajectory", "errors", "robot_model", "robot_description", "scene", "shapes", "poses",
+        "arrays", "trajectory", "errors", "robot_model", "robot_description", "scene", "shapes", "poses",
         "kernel.compiler", "kernel.pointers", "kernel.readiness", "kernel.separation", "kernel.solids",
     )
 )  # fmt: skip

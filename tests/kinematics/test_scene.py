@@ -40,3 +40,14 @@ def test_allowed_pairs_have_no_order():
 
     assert scene.is_allowed("b", "a")
     assert not scene.is_allowed("a", "c")
+
+
+def test_who_gave_a_scene_its_objects_cannot_change_them(make):
+    own = {"cup": make.cup()}
+    scene = PlanningScene(objects=own)
+
+    own.clear()
+
+    assert list(scene.objects) == ["cup"]
+    with pytest.raises(TypeError):
+        scene.objects["cup"] = make.cup(x=0.9)

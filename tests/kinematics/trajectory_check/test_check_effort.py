@@ -75,6 +75,7 @@ def test_what_is_called_plainly_within_limits_has_no_findings(talos, stance):
 
 def test_a_number_that_is_none_is_not_within_limits(talos, stance):
     timeline = Timeline(hasty(talos, stance, 0))
+    timeline.joint_velocity = timeline.joint_velocity.copy()
     timeline.joint_velocity[5, 3] = np.nan
 
     assert not CompiledKinematics.keeps_limits(talos, timeline, DEFAULT_SETTINGS)
