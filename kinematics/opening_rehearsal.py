@@ -15,8 +15,8 @@ from kinematics.opening_path import DoorArc, OpeningPath
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
+from kinematics.standing_judge import Kept, StandingJudge
 from kinematics.trajectory import Stance
-from kinematics.validity import validity
 
 Array = NDArray[np.float64]
 
@@ -133,11 +133,19 @@ def rehearse(
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
     step, every = 0.0, _JUDGED_SHARE * abs(s_to - s_from)
+    kept: Kept | None = None
     while True:
         if abs(s - judged_s) >= every or s in (s_from, s_to):
-            judge = validity(model, stance, scene_at(scene, parts, path, s_from, s))
-            if not judge.points_are_free(space.from_q(tracker.q)[None, :]):
-                return Rehearsal(judged_s, "something is in the way of the arm")
+            around, x = scene_at(scene, parts, path, s_from, s), space.from_q(tracker.q)
+            if kept is None:
+                judge = StandingJudge.beginning_at(model, stance, around, x, tracker.q)
+                kept = judge.kept
+            else:
+                judge = StandingJudge(model, stance, around, kept)
+            found = judge.not_free(x, tracker.q)
+            if found is not None:
+                blocked = found.pair is not None
+                return Rehearsal(judged_s, "something is in the way of the arm" if blocked else str(found))
             judged_s = s
         if s == s_to:
             return Rehearsal(s, "")

@@ -9,3 +9,7 @@ SEARCH_COM_RESERVE_M = 0.01
 
 LIMIT_NOISE_RAD = 1e-6
 """What numerical noise may overstep a joint limit by; plans keep to shrunk ones anyway."""
+
+BRAKING_RESERVE_M = 0.004
+"""Kept beyond touching by motions that are made as they go: a stop brakes within that, and what comes to rest
+in collision is not planned for again."""
