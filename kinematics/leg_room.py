@@ -14,6 +14,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.kernel import readiness
+from kinematics.planning_reserve import LEAST_RESERVE_M
 from kinematics.robot_build import RobotBuild, robot_build
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -24,15 +25,16 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-RESERVE_M = 0.001
-"""Plans keep this between the legs, against the checker, which wants them not to touch."""
-
 
 class LegRoom(Protocol):
     """Tells how far a robot's legs are apart."""
 
     def too_near(self, q: Array) -> NDArray[np.bool_]:
         """Tell whether two links of the legs are nearer than the reserve, at each of q, shape (n, nq)."""
+        ...
+
+    def touches(self, q: Array) -> bool:
+        """``too_near`` of one configuration, shape (nq,)."""
         ...
 
     def touching(self, q: Array) -> tuple[str, str] | None:
@@ -52,7 +54,7 @@ class LegRoom(Protocol):
 
 
 @functools.lru_cache(maxsize=8)
-def leg_room(model: RobotModel, reserve_m: float = RESERVE_M) -> LegRoom | None:
+def leg_room(model: RobotModel, reserve_m: float = LEAST_RESERVE_M) -> LegRoom | None:
     """The judge of a robot's legs, by the kernel where it is compiled; None when it has no such pairs.
 
     Args:
@@ -107,6 +109,9 @@ class _KernelLegRoom:
     def too_near(self, q: Array) -> NDArray[np.bool_]:
         return self._kernel.contacts(q)
 
+    def touches(self, q: Array) -> bool:
+        return self._kernel.collides(q)
+
     def touching(self, q: Array) -> tuple[str, str] | None:
         return self._kernel.colliding_pair(q)
 
@@ -115,7 +120,9 @@ class _KernelLegRoom:
 
 
 class _CoalLegRoom:
-    def __init__(self, model: RobotModel, geometry: pin.GeometryModel, reserve_m: float = RESERVE_M) -> None:
+    def __init__(
+        self, model: RobotModel, geometry: pin.GeometryModel, reserve_m: float = LEAST_RESERVE_M
+    ) -> None:
         self._model, self._geometry, self._reserve_m = model.pin, geometry, reserve_m
         self._names = [model.link_of(item) for item in geometry.geometryObjects]
         self._data, self._placed = model.pin.createData(), geometry.createData()
@@ -125,8 +132,11 @@ class _CoalLegRoom:
     def too_near(self, q: Array) -> NDArray[np.bool_]:
         return np.asarray(self.clearances_m(q) <= self._reserve_m)
 
+    def touches(self, q: Array) -> bool:
+        return bool(self.too_near(q[None])[0])
+
     def touching(self, q: Array) -> tuple[str, str] | None:
-        if not self.too_near(q[None])[0]:
+        if not self.touches(q):
             return None
         distances_m = [result.min_distance for result in self._placed.distanceResults]
         pair = self._geometry.collisionPairs[int(np.argmin(distances_m))]

@@ -87,9 +87,11 @@ class StandingJudge:
             x: Its free coordinates, shape (size,).
             q: The same with its legs, shape (nq,).
         """
-        return self._validity.points_are_free(x[None]) and (
-            self._legs is None or not self._legs.too_near(q[None])[0]
-        )
+        return self._validity.points_are_free(x[None]) and (self._legs is None or not self._legs.touches(q))
+
+    def configuration(self, x: Array) -> Array | None:
+        """Configuration of a point, shape (nq,), or None when a foot cannot be kept."""
+        return self._validity.configuration(x)
 
     def not_free(self, x: Array, q: Array) -> NotFree | None:
         """What was found at a posture that is not free, or None; arguments as of ``is_free``."""

@@ -51,6 +51,10 @@ class Validity(Protocol):
         """Names of a pair that collides at a configuration, shape (nq,), or None."""
         ...
 
+    def configuration(self, x: Array) -> Array | None:
+        """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
+        ...
+
     def not_free(self, x: Array) -> NotFree | None:
         """What was found at a point, shape (size,), that is not free; None at one that is."""
         ...
@@ -216,6 +220,11 @@ class SampledValidity:
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of the first pair that collides, or None."""
         return self._world.colliding_pair(q)
+
+    def configuration(self, x: Array) -> Array | None:
+        """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
+        (q,), (reached,) = self._space.to_q(x[None])
+        return q if reached else None
 
     def not_free(self, x: Array) -> NotFree | None:
         """What is found first at a point that is not free, in the kernel's order; None at one that is."""

@@ -41,7 +41,7 @@ class BodyChecker:
         if self._judge is None or scene is not self._scene:
             self._scene, self._judge = scene, self._judge_of(scene, x, body.q)
         if self._judge.is_free(x, body.q):
-            return self._stance_refusal(body, x)
+            return self._stance_refusal(self._judge, body, x)
         return self._explain(self._judge, x, body)
 
     def _judge_of(self, scene: PlanningScene, x: Array, q: Array) -> StandingJudge:
@@ -50,8 +50,11 @@ class BodyChecker:
             return StandingJudge.beginning_at(self._model, self._stance, scene, x, q)
         return StandingJudge(self._model, self._stance, scene, self._judge.kept)
 
-    def _stance_refusal(self, body: MotionSample, x: Array) -> Refusal | None:
-        gap = np.abs(self._space.to_q(x[None, :])[0][0, 7:] - body.q[7:])
+    def _stance_refusal(self, judge: StandingJudge, body: MotionSample, x: Array) -> Refusal | None:
+        placed = judge.configuration(x)
+        if placed is None:
+            return _no_reach()
+        gap = np.abs(placed[7:] - body.q[7:])
         worst = int(np.argmax(gap))
         if gap[worst] <= _LEGS_RAD:
             return None
@@ -66,20 +69,17 @@ class BodyChecker:
         """What the judge itself found, with the numbers that it is judged by."""
         found = judge.not_free(x, body.q)
         if found is None:  # asked again, the same judge sees a pair within a micrometre of its margin apart
-            return self._stance_refusal(body, x)
+            return self._stance_refusal(judge, body, x)
         if found.pair is not None:
             return Refusal(Limit.COLLISION, " and ".join(found.pair), 0.0, 0.0)
+        placed = judge.configuration(x)
+        if placed is None:
+            return _no_reach()
         if found.reason == "balance":
-            margin_m = self._polygon.com_margin_m(self._model.com(self._legs_placed(x)))
+            margin_m = self._polygon.com_margin_m(self._model.com(placed))
             least_m = self._model.description.com_margin_m + COM_RESERVE_M
             return Refusal(Limit.BALANCE, "centre of mass", margin_m, least_m)
-        if found.reason == "limits":
-            return self._limit_refusal(self._legs_placed(x))
-        return Refusal(Limit.REACH, "a leg, whose foot could not stay where it stands", 0.0, 0.0)
-
-    def _legs_placed(self, x: Array) -> Array:
-        """The posture that the judge saw, shape (nq,): its legs are where base and stance put them."""
-        return self._space.to_q(x[None, :])[0][0]
+        return self._limit_refusal(placed)
 
     def _limit_refusal(self, q: Array) -> Refusal:
         margin = self._model.description.planning_margin_rad
@@ -88,3 +88,7 @@ class BodyChecker:
         value = float(q[7 + worst])
         bound = float(lower[worst] if value < lower[worst] else upper[worst])
         return Refusal(Limit.POSITION, self._model.joints[worst], value, bound)
+
+
+def _no_reach() -> Refusal:
+    return Refusal(Limit.REACH, "a leg, whose foot could not stay where it stands", 0.0, 0.0)
