@@ -160,8 +160,9 @@ class _HandleTask:
             return "no inverse kinematics at the handle"
         scene = self._touching(grasp.hand)
         near = self._planner(scene)
-        if not near.is_free(self._space.from_q(found.q)):
-            return "collision at the handle"
+        blocked = near.judge.not_free(self._space.from_q(found.q))
+        if blocked is not None:
+            return "collision at the handle" if blocked.pair is not None else f"at the handle {blocked}"
         back = along_line(ik, found.q, grasp.world_T_tcp, self._before(grasp), _POINTS)
         if back is None:
             return "no straight approach"
