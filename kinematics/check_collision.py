@@ -83,6 +83,7 @@ class CollisionCheck:
         self._kinematics = kinematics
         self._timeline = timeline
         self._pairs = pairs
+        self._clearance_m = pairs.clearance_m + settings.spare_m
         self._settings = settings
         self._jumps_s = jumps_s
         self._contacts: dict[int, _Contact] = {}
@@ -147,7 +148,7 @@ class CollisionCheck:
         """Prove cells; return those of each pair that remain open."""
         pairs = np.array(list(open_cells), dtype=np.intp)
         used = np.unique(np.concatenate([open_cells[pair] for pair in open_cells]))
-        need = level.lengths[used] @ self._pairs.rate[:, pairs] + self._pairs.clearance_m[pairs]
+        need = level.lengths[used] @ self._pairs.rate[:, pairs] + self._clearance_m[pairs]
         apart = self._ball_distances(level, used, pairs)
         proven = apart > need
         unproven = {}
@@ -192,7 +193,7 @@ class CollisionCheck:
     def _judge_pair(self, level: _Level, pair: int, cells: Indices, need: Array) -> Indices:
         """Prove what planes and exact distances can prove; return the cells that must be split."""
         unproven: list[int] = []
-        limit = self._pairs.clearance_m[pair] + self._settings.collision_m
+        limit = self._clearance_m[pair] + self._settings.collision_m
         contact = self._contacts.get(pair)
         if contact is not None:
             keep = level.starts_s[cells] < contact.t_s
@@ -209,7 +210,7 @@ class CollisionCheck:
                     distance = min(distance, before.distance_m)
                 self._contacts[pair] = _Contact(t_s, distance)
                 # the cell itself may hold an earlier contact: split it too
-                if need[pick] - self._pairs.clearance_m[pair] > self._settings.collision_m:
+                if need[pick] - self._clearance_m[pair] > self._settings.collision_m:
                     unproven.append(int(cells[pick]))
                 cells, need = cells[:pick], need[:pick]
                 continue

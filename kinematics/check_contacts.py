@@ -108,7 +108,8 @@ class ContactFinder:
         value = np.minimum(coarse.min(axis=1), fine.min(axis=1))
         for row, pair in enumerate(touching):
             limit = float(pairs.clearance_m[pair])
-            if coarse[row, 0] > limit + 2.0 * self._settings.collision_m + _AGREEMENT_M:
+            touching_m = limit + self._settings.spare_m + 2.0 * self._settings.collision_m
+            if coarse[row, 0] > touching_m + _AGREEMENT_M:
                 doubted.append(pair)
                 continue
             names = tuple(pairs.solids[int(side[pair])].name for side in (pairs.first, pairs.second))
@@ -159,7 +160,7 @@ class ContactFinder:
                 pairs.second.astype(np.int64, copy=False),
                 self._first_level[bodies],
                 self._second_level[bodies],
-                pairs.clearance_m,
+                pairs.clearance_m + self._settings.spare_m,
             )
             self._last = (pairs, limbs, solids, listed)
         return self._last[1:]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinematics.start_gap import SPARE_M
+
 
 @dataclass(frozen=True, slots=True)
 class CheckSettings:
@@ -23,8 +25,10 @@ class CheckSettings:
         stance_m, stance_rad: A sole may stray this far from where the stance says it stands.
         base_jump_m, base_jump_rad: Two neighbouring base poses may depart this far from what the base
             velocities of both samples say.
-        collision_m: Two solids nearer than this (beyond the margin to keep) count as touching. It
-            also ends the refinement: nearer pairs are findings, farther ones are certified.
+        collision_m: Two solids nearer than this (beyond the margin to keep and ``spare_m``) count as
+            touching. It also ends the refinement: nearer pairs are findings, farther ones are certified.
+        spare_m: Two solids are certified to keep so much more than the margin: what they may approach
+            each other by while a motion is led in, which nobody checks (see ``kinematics.start_gap``).
         cell_s: Length of the time intervals that the collision check with Coal starts from.
         cut_rad: The compiled one starts from parts in which no joint goes farther than about this: in
             longer ones hardly anything near is proven.
@@ -48,6 +52,7 @@ class CheckSettings:
     base_jump_m: float = 1e-3
     base_jump_rad: float = 2e-3
     collision_m: float = 2e-5
+    spare_m: float = SPARE_M
     cell_s: float = 0.04
     cut_rad: float = 0.1
     subdivision: int = 4

@@ -117,12 +117,14 @@ class CollisionWorld:
 
 
 def with_floor(model: RobotModel, scene: PlanningScene) -> PlanningScene:
-    """A scene with the floor, for an arm that could reach into it; who stands has his hands up.
+    """A scene with the floor, which the soles may touch, and the links of a welded base bolted to it.
 
-    The links of a welded base touch the floor that they are bolted to.
+    Plans of who stands leave it out, as he has his hands up; an arm on a table could reach into it.
     """
     if FLOOR not in scene.objects:
         scene = scene.with_object(floor())
+    if not model.description.welded:
+        return scene.allowing((sole.link, FLOOR) for sole in model.description.soles)
     base = model.pin.frames[model.frame_id(model.description.base_link)].parentJoint
     parts = model.geometry().geometryObjects
     return scene.allowing((model.link_of(part), FLOOR) for part in parts if part.parentJoint == base)

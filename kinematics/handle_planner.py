@@ -27,6 +27,7 @@ from kinematics.lead_in import lead_in
 from kinematics.opening_path import DoorArc
 from kinematics.opening_rehearsal import rehearse
 from kinematics.path_planner import PathPlanner
+from kinematics.planning_reserve import HANDED_ON_RESERVE_M, PLANNING_RESERVE_M
 from kinematics.pushing import assumed_bars, outward_of, push_grasps
 from kinematics.requests import Grasp, HandlePlan, HandleRequest, NoPlan, PlannedStep
 from kinematics.robot_description import Hand
@@ -46,7 +47,6 @@ is no more room than they need."""
 # Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
 _REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
 _STRAIGHT_PACE = Pace(velocity=0.2, acceleration=0.5)
-_RESERVE_M, _SELF_MARGIN_M = 0.004, 0.005
 _POINTS = 4
 _TURNS_RAD = tuple(math.radians(a) for a in (20, 0, 40, -20))
 """About the bar, away from the hinge: turned like this the arm follows farthest."""
@@ -160,8 +160,9 @@ class _HandleTask:
             return "no inverse kinematics at the handle"
         scene = self._touching(grasp.hand)
         near = self._planner(scene)
-        if not near.is_free(self._space.from_q(found.q)):
-            return "collision at the handle"
+        blocked = near.judge.not_free(self._space.from_q(found.q))
+        if blocked is not None:
+            return "collision at the handle" if blocked.pair is not None else f"at the handle {blocked}"
         back = along_line(ik, found.q, grasp.world_T_tcp, self._before(grasp), _POINTS)
         if back is None:
             return "no straight approach"
@@ -225,5 +226,5 @@ class _HandleTask:
         return x
 
     def _planner(self, scene: PlanningScene) -> PathPlanner:
-        judge = validity(self._model, self.request.stance, scene, _RESERVE_M, _SELF_MARGIN_M)
+        judge = validity(self._model, self.request.stance, scene, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M)
         return PathPlanner(self._model, self._space, judge)

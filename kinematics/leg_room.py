@@ -14,6 +14,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.kernel import readiness
+from kinematics.planning_reserve import LEAST_RESERVE_M
 from kinematics.robot_build import RobotBuild, robot_build
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -24,15 +25,20 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-RESERVE_M = 0.001
-"""Kept between the legs, against the checker, which wants them not to touch."""
-
 
 class LegRoom(Protocol):
     """Tells how far a robot's legs are apart."""
 
     def too_near(self, q: Array) -> NDArray[np.bool_]:
-        """Tell whether two links of the legs are nearer than ``RESERVE_M``, at each of q, shape (n, nq)."""
+        """Tell whether two links of the legs are nearer than the reserve, at each of q, shape (n, nq)."""
+        ...
+
+    def touches(self, q: Array) -> bool:
+        """``too_near`` of one configuration, shape (nq,)."""
+        ...
+
+    def touching(self, q: Array) -> tuple[str, str] | None:
+        """Names of two links that are nearer than the reserve at a configuration, shape (nq,), or None."""
         ...
 
     def clearances_m(self, q: Array) -> Array:
@@ -42,24 +48,29 @@ class LegRoom(Protocol):
             q: Configurations, shape (n, nq).
 
         Returns:
-            Shape (n,), m; exact below twice ``RESERVE_M``, more than that where there is more room.
+            Shape (n,), m; exact below twice the reserve, more than that where there is more room.
         """
         ...
 
 
-@functools.lru_cache(maxsize=4)
-def leg_room(model: RobotModel) -> LegRoom | None:
-    """The judge of a robot's legs, by the kernel where it is compiled; None when it has no such pairs."""
+@functools.lru_cache(maxsize=8)
+def leg_room(model: RobotModel, reserve_m: float = LEAST_RESERVE_M) -> LegRoom | None:
+    """The judge of a robot's legs, by the kernel where it is compiled; None when it has no such pairs.
+
+    Args:
+        model: The robot.
+        reserve_m: Links of the legs that are nearer than this are too near.
+    """
     geometry = _between_legs(model)
     if not len(geometry.collisionPairs):
         return None
     if not readiness.usable():
-        return _CoalLegRoom(model, geometry)
+        return _CoalLegRoom(model, geometry, reserve_m)
     # imported here: it brings the compiler
     from kinematics.kernel.collision_kernel import CollisionKernel
 
     arrays = _leg_arrays(robot_build(model))
-    return _KernelLegRoom(CollisionKernel(arrays, PlanningScene(), self_margin_m=RESERVE_M))
+    return _KernelLegRoom(CollisionKernel(arrays, PlanningScene(), self_margin_m=reserve_m), reserve_m)
 
 
 @functools.lru_cache(maxsize=4)
@@ -92,25 +103,44 @@ def _between_legs(model: RobotModel) -> pin.GeometryModel:
 
 
 class _KernelLegRoom:
-    def __init__(self, kernel: CollisionKernel) -> None:
-        self._kernel = kernel
+    def __init__(self, kernel: CollisionKernel, reserve_m: float) -> None:
+        self._kernel, self._reserve_m = kernel, reserve_m
 
     def too_near(self, q: Array) -> NDArray[np.bool_]:
         return self._kernel.contacts(q)
 
+    def touches(self, q: Array) -> bool:
+        return self._kernel.collides(q)
+
+    def touching(self, q: Array) -> tuple[str, str] | None:
+        return self._kernel.colliding_pair(q)
+
     def clearances_m(self, q: Array) -> Array:
-        return np.array([self._kernel.distances_m(row, 2.0 * RESERVE_M).min() for row in q])
+        return np.array([self._kernel.distances_m(row, 2.0 * self._reserve_m).min() for row in q])
 
 
 class _CoalLegRoom:
-    def __init__(self, model: RobotModel, geometry: pin.GeometryModel) -> None:
-        self._model, self._geometry = model.pin, geometry
+    def __init__(
+        self, model: RobotModel, geometry: pin.GeometryModel, reserve_m: float = LEAST_RESERVE_M
+    ) -> None:
+        self._model, self._geometry, self._reserve_m = model.pin, geometry, reserve_m
+        self._names = [model.link_of(item) for item in geometry.geometryObjects]
         self._data, self._placed = model.pin.createData(), geometry.createData()
         for request in self._placed.distanceRequests:
             request.enable_signed_distance = True
 
     def too_near(self, q: Array) -> NDArray[np.bool_]:
-        return np.asarray(self.clearances_m(q) <= RESERVE_M)
+        return np.asarray(self.clearances_m(q) <= self._reserve_m)
+
+    def touches(self, q: Array) -> bool:
+        return bool(self.too_near(q[None])[0])
+
+    def touching(self, q: Array) -> tuple[str, str] | None:
+        if not self.touches(q):
+            return None
+        distances_m = [result.min_distance for result in self._placed.distanceResults]
+        pair = self._geometry.collisionPairs[int(np.argmin(distances_m))]
+        return self._names[pair.first], self._names[pair.second]
 
     def clearances_m(self, q: Array) -> Array:
         found = []

@@ -13,7 +13,7 @@ from kinematics.free_coordinates import FreeCoordinates, free_coordinates
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner, PathSettings
 from kinematics.pick_task import REACH_PACE
-from kinematics.planned_gesture import RESERVE_M
+from kinematics.planning_reserve import MOVING_RESERVE_M as RESERVE_M
 from kinematics.requests import MovePlan, MoveRequest, NoPlan, PlannedStep
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene

@@ -12,11 +12,12 @@ from kinematics import poses
 from kinematics.free_coordinates import free_coordinates
 from kinematics.hand_tracker import TICK_S, HandGoal, HandTracker
 from kinematics.opening_path import DoorArc, OpeningPath
+from kinematics.planning_reserve import BRAKING_RESERVE_M
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
+from kinematics.standing_judge import Kept, StandingJudge
 from kinematics.trajectory import Stance
-from kinematics.validity import validity
 
 Array = NDArray[np.float64]
 
@@ -37,8 +38,6 @@ _OFF_M, _OFF_COSINE = 0.012, math.cos(math.radians(14.0))
 """A hand that stays behind by more has come to the end of its reach."""
 _JUDGED_SHARE = 1.0 / 10.0
 """Of the path between two judgements of collision and balance."""
-_MARGIN_M = 0.004
-"""Kept from everything along the path; what was perceived is known no better, but a held handle is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,9 +86,12 @@ def scene_at(
 
 
 def guarded_scene(scene: PlanningScene) -> PlanningScene:
-    """The scene with the margins of motions that are made as they go."""
+    """The scene with the margins of motions that are made as they go.
+
+    They keep no more than a brake needs: what was perceived is known no better, but a held handle is.
+    """
     near = [
-        replace(item, margin_m=min(item.margin_m, _MARGIN_M)) if not item.movable else item
+        replace(item, margin_m=min(item.margin_m, BRAKING_RESERVE_M)) if not item.movable else item
         for item in scene.objects.values()
     ]
     return scene.with_objects(near)
@@ -133,11 +135,19 @@ def rehearse(
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
     step, every = 0.0, _JUDGED_SHARE * abs(s_to - s_from)
+    kept: Kept | None = None
     while True:
         if abs(s - judged_s) >= every or s in (s_from, s_to):
-            judge = validity(model, stance, scene_at(scene, parts, path, s_from, s))
-            if not judge.points_are_free(space.from_q(tracker.q)[None, :]):
-                return Rehearsal(judged_s, "something is in the way of the arm")
+            around, x = scene_at(scene, parts, path, s_from, s), space.from_q(tracker.q)
+            if kept is None:
+                judge = StandingJudge.beginning_at(model, stance, around, x, tracker.q)
+                kept = judge.kept
+            else:
+                judge = StandingJudge(model, stance, around, kept)
+            found = judge.not_free(x, tracker.q)
+            if found is not None:
+                blocked = found.pair is not None
+                return Rehearsal(judged_s, "something is in the way of the arm" if blocked else str(found))
             judged_s = s
         if s == s_to:
             return Rehearsal(s, "")

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from kinematics.curves import Curve, PolynomialCurve, RoundedPolyline
 from kinematics.free_coordinates import FreeCoordinates
-from kinematics.leg_room import RESERVE_M, leg_room
+from kinematics.leg_room import leg_room
+from kinematics.planning_reserve import LEAST_RESERVE_M
 from kinematics.robot_model import RobotModel
 from kinematics.validity import RESOLUTION, Validity
 
@@ -130,7 +131,7 @@ class PathPlanner:
         if not self._legs.too_near(q).any():
             return True
         clearances_m = self._legs.clearances_m(q)
-        return from_start and bool(clearances_m.min() >= min(RESERVE_M, float(clearances_m[0])))
+        return from_start and bool(clearances_m.min() >= min(LEAST_RESERVE_M, float(clearances_m[0])))
 
     def _edge_is_free(self, a: Array, b: Array) -> bool:
         return self.judge.polyline_is_free(np.stack([a, b]))

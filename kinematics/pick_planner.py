@@ -10,13 +10,10 @@ from collections.abc import Sequence
 from kinematics.curves import Curve
 from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, least_width_m, widest_between_pads_m
 from kinematics.pick_task import Goal, PickTask, Way
+from kinematics.planning_reserve import LEAST_RESERVE_M, PLANNING_RESERVE_M
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.robot_model import RobotModel
 
-# Kept in reserve against the checker, which judges with the scene's own margins.
-PLANNING_RESERVE_M = 0.004
-# What is left of it when there is no other way: the checker has the last word anyway.
-LEAST_RESERVE_M = 0.001
 # So many grasps that a straight reach comes to are compared; without one, so many get a detour.
 CHOICES = 2
 # One whose cost can be undercut by no more than this is taken at once: half of what a hand without any

@@ -11,14 +11,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kinematics.pick_planner import LEAST_RESERVE_M
 from kinematics.place_requests import PlaceRequest
 from kinematics.place_task import PlaceGoal, PlaceTask
+from kinematics.planning_reserve import LEAST_RESERVE_M
+from kinematics.planning_reserve import MOVING_RESERVE_M as RESERVE_M
 from kinematics.requests import NoPlan, PlacePlan
 from kinematics.robot_model import RobotModel
 from kinematics.wide_berth import wide_berth
 
-RESERVE_M = 0.003
 # So many goals that only a detour may come to are kept.
 MOST_BLOCKED = 5
 # The same for who asks about many places to stand.

@@ -19,9 +19,9 @@ from kinematics.ik import LINE_RESERVE_RAD, along_line, inverse_kinematics
 from kinematics.ik_result import DEFAULT_TOLERANCE, IkResult
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
-from kinematics.pick_planner import LEAST_RESERVE_M
 from kinematics.pick_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
 from kinematics.place_requests import PlaceRequest, Spot
+from kinematics.planning_reserve import LEAST_RESERVE_M
 from kinematics.pointing import link_moved_by
 from kinematics.poses import Transform
 from kinematics.requests import PlacePlan, PlannedStep

@@ -15,6 +15,7 @@ from kinematics.gesture_requests import GestureRequest
 from kinematics.gesture_task import GestureTask, Wish
 from kinematics.lead_in import lead_in
 from kinematics.path_planner import PathPlanner
+from kinematics.planning_reserve import MOVING_RESERVE_M as RESERVE_M
 from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
@@ -30,8 +31,6 @@ GESTURE_PACE = Pace(velocity=0.5, acceleration=0.7)
 SWING_PACE = Pace(velocity=0.7, acceleration=0.9)
 # Of the corners of a hand's way to and fro.
 _ROUNDED = 0.06
-# Kept in reserve against the checker, which judges with the scene's own margins.
-RESERVE_M = 0.003
 
 
 class PlannedGesture(GestureTask):

@@ -20,6 +20,8 @@ _SHORT_S = 0.6
 """What would take less than this at full speed may be gone more slowly."""
 _STEP_S = 0.004
 _SEARCH_S = 1e-4
+_NEWTON = 3
+"""Steps from the nearest of the instants that were looked at to the nearest of all."""
 _LOOK_EVERY = 5
 _KNOTS_S = 1e-3
 """Knots nearer than this are one."""
@@ -73,7 +75,15 @@ def _nearest_s(sampler: TrajectorySampler, q: Array, near_s: float, within_s: fl
     steps = np.arange(-within_s, within_s + 0.5 * _SEARCH_S, _SEARCH_S, dtype=np.float64)
     window_s: Array = np.clip(near_s + steps, 0.0, sampler.duration_s)
     off = np.abs(sampler.many(window_s).q[:, 7:] - q[7:]).max(axis=1)
-    return float(window_s[int(np.argmin(off))])
+    t = float(window_s[int(np.argmin(off))])
+    for _ in range(_NEWTON):
+        there = sampler.at(t)
+        speed = there.v[6:]
+        if not speed.any():
+            break
+        step_s = float((q[7:] - there.q[7:]) @ speed / (speed @ speed))
+        t = float(np.clip(t + np.clip(step_s, -_SEARCH_S, _SEARCH_S), 0.0, sampler.duration_s))
+    return t
 
 
 def _gathered(

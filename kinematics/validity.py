@@ -25,7 +25,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
 from kinematics.trajectory import Stance
-from kinematics.why_not_free import why_not_free
+from kinematics.why_not_free import NotFree
 
 if TYPE_CHECKING:
     from kinematics.kernel.robot_arrays import RobotArrays
@@ -49,6 +49,14 @@ class Validity(Protocol):
 
     def colliding_pair(self, q: Array) -> tuple[str, str] | None:
         """Names of a pair that collides at a configuration, shape (nq,), or None."""
+        ...
+
+    def configuration(self, x: Array) -> Array | None:
+        """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
+        ...
+
+    def not_free(self, x: Array) -> NotFree | None:
+        """What was found at a point, shape (size,), that is not free; None at one that is."""
         ...
 
     def why_not(self, x: Array) -> str | None:
@@ -213,17 +221,28 @@ class SampledValidity:
         """Names of the first pair that collides, or None."""
         return self._world.colliding_pair(q)
 
+    def configuration(self, x: Array) -> Array | None:
+        """Configuration of one point, shape (nq,), or None when a foot cannot be kept."""
+        (q,), (reached,) = self._space.to_q(x[None])
+        return q if reached else None
+
+    def not_free(self, x: Array) -> NotFree | None:
+        """What is found first at a point that is not free, in the kernel's order; None at one that is."""
+        (q,), (reached,) = self._space.to_q(x[None])
+        if not reached:
+            return NotFree("reach")
+        if np.any(q[7:] < self._lower) or np.any(q[7:] > self._upper):
+            return NotFree("limits")
+        least_m = self._model.description.com_margin_m + COM_RESERVE_M
+        if self._polygon.com_margin_m(self._model.com(q)) < least_m:
+            return NotFree("balance")
+        pair = self.colliding_pair(q)
+        return None if pair is None else NotFree("contact", pair)
+
     def why_not(self, x: Array) -> str | None:
         """Why a point is not free, in words for people; None when it is."""
-        if self.points_are_free(x[None]):
-            return None
-        (q,), (reached,) = self._space.to_q(x[None])
-        pair = self.colliding_pair(q)
-        if not reached:
-            return why_not_free("reach")
-        if np.any(q[7:] < self._lower) or np.any(q[7:] > self._upper):
-            return why_not_free("limits")
-        return why_not_free("balance") if pair is None else why_not_free("contact", pair)
+        found = self.not_free(x)
+        return None if found is None else str(found)
 
     def allowing(self, scene: PlanningScene) -> None:
         """Nothing is shared."""

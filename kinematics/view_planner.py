@@ -22,6 +22,7 @@ from kinematics.line_of_sight import hidden, near_line
 from kinematics.path_planner import PathPlanner
 from kinematics.pick_task import REACH_PACE
 from kinematics.picture import in_picture
+from kinematics.planning_reserve import MOVING_RESERVE_M as RESERVE_M
 from kinematics.pointing import elbow_frame
 from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import HANDS
@@ -32,7 +33,6 @@ from kinematics.view_request import ViewRequest
 
 Array = NDArray[np.float64]
 
-RESERVE_M = 0.003
 # Of the pelvis from where it is at home: ahead, to the left, up.
 SHIFTS_M = (
     (0.0, 0.0, 0.0),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from types import MappingProxyType
 
 _WHY_NOT = MappingProxyType(
@@ -11,6 +12,22 @@ _WHY_NOT = MappingProxyType(
         "balance": "the robot would lean too far over its feet",
     }
 )
+
+
+@dataclass(frozen=True, slots=True)
+class NotFree:
+    """Why a point is not free: the judge's own finding.
+
+    Attributes:
+        reason: "reach" (a foot cannot be kept), "limits", "balance" or "contact".
+        pair: Names of the two solids, when it is a contact.
+    """
+
+    reason: str
+    pair: tuple[str, str] | None = None
+
+    def __str__(self) -> str:
+        return why_not_free(self.reason, self.pair)
 
 
 def why_not_free(reason: str, pair: tuple[str, str] | None = None) -> str:

@@ -34,7 +34,7 @@ from kinematics.kernel.tuning import Tuning
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import Stance
-from kinematics.why_not_free import why_not_free
+from kinematics.why_not_free import NotFree
 
 Array = NDArray[np.float64]
 
@@ -226,10 +226,15 @@ class CollisionKernel:
         refusal = self._refusal(self._ask(door.AT_CONFIGURATION, self._posture(q)))
         return None if refusal is None else refusal.pair
 
+    def not_free(self, x: Array) -> NotFree | None:
+        """What was found at a point, shape (size,), that is not free; None at one that is."""
+        refusal = self._refusal(self._ask(door.AT_POINTS, self._point(x)))
+        return None if refusal is None else NotFree(refusal.reason, refusal.pair)
+
     def why_not(self, x: Array) -> str | None:
         """Why a point, shape (size,), is not free, in words for people; None when it is."""
-        refusal = self._refusal(self._ask(door.AT_POINTS, self._point(x)))
-        return None if refusal is None else why_not_free(refusal.reason, refusal.pair)
+        found = self.not_free(x)
+        return None if found is None else str(found)
 
     def is_free(self, x: Array) -> bool:
         """Tell whether one point, shape (size,), keeps feet, limits, balance and distances."""

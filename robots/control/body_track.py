@@ -11,6 +11,7 @@ from kinematics.robot_model import RobotModel
 from kinematics.stance import standing_at
 from kinematics.trajectory import Stance, Trajectory
 from kinematics.trajectory_sampler import MotionSample, TrajectorySampler
+from robots.control.motion_start import starts_elsewhere
 from robots.control.stop_profile import StopProfile
 from robots.control.way_back import way_back
 
@@ -120,7 +121,7 @@ class BodyTrack:
         if at_s is None or trajectory is None:
             return False
         rest = rest_of(self._model, trajectory, self.now.q, at_s, self._period_s)
-        if rest is None:
+        if rest is None or starts_elsewhere(self._model, rest, self.now.q) is not None:
             return False
         self._begin(lead_in(rest, self.now.q, self._model.acceleration))
         return True

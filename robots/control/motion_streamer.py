@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from kinematics.lead_in import lead_in
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
+from kinematics.start_gap import start_gap
 from kinematics.trajectory import CheckedTrajectory, Stance
 from robots.clock import Clock
 from robots.control.authority import STOP, Authority, together
@@ -21,7 +22,7 @@ from robots.control.guarded_track import GuardedTrack
 from robots.control.guarded_tracks import GuardedTracks
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.motion_ledger import MotionLedger
-from robots.control.motion_start import why_not
+from robots.control.motion_start import starts_elsewhere, why_not
 from robots.control.proposal import Proposal
 from robots.control.refusal import Limit, Refusal
 from robots.interface import RobotState
@@ -71,6 +72,7 @@ class MotionStreamer:
         self._authority = authority
         self._ledger = MotionLedger(clock, sink)
         self._period_s = period_s
+        start_gap(model)  # read the robot's solids now, not in the period in which a motion begins
         self._track = BodyTrack(model, stance, q, period_s)
         self._body_handle: MotionHandle | None = None
         self._body_owner = ""
@@ -247,7 +249,12 @@ class MotionStreamer:
             self._closed_for = ""
             if self._waiting is not None:
                 (checked, waiting), self._waiting = self._waiting, None
-                self._play(checked, waiting)
+                # it waited for where the body was braking to, which a halt may have kept it from
+                elsewhere = starts_elsewhere(self._model, checked.trajectory, self._track.now.q)
+                if elsewhere is None:
+                    self._play(checked, waiting)
+                else:
+                    self._ledger.refuse(waiting, elsewhere)
 
     def stop(
         self,
@@ -309,9 +316,7 @@ class MotionStreamer:
 
     def _start_trajectory(self, checked: CheckedTrajectory) -> MotionHandle:
         handle = self._ledger.open("trajectory")
-        reason = self.why_closed or why_not(
-            checked.trajectory, self.reference(), self._stance, self._model.joints
-        )
+        reason = self.why_closed or why_not(self._model, checked.trajectory, self.reference(), self._stance)
         if reason is None and self._track.braking and self._waiting is None:
             self._waiting = (checked, handle)
             return handle

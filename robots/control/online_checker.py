@@ -36,8 +36,10 @@ class OnlineChecker:
             state: The newest readings.
         """
         bounds = self._bounds
-        if q.shape != (len(bounds.joints),) or v.shape != q.shape:
-            return Refusal(Limit.SHAPE, bounds.joints[0], float(q.size), float(len(bounds.joints)))
+        count = len(bounds.joints)
+        for values in (q, v):
+            if values.shape != (count,):
+                return Refusal(Limit.SHAPE, bounds.joints[0], float(values.size), float(count))
         if elapsed_s > bounds.duration_s + _ROUNDING:
             return Refusal(Limit.DURATION, bounds.joints[0], elapsed_s, bounds.duration_s)
         efforts = state.effort[self._indices]
@@ -46,11 +48,13 @@ class OnlineChecker:
             (Limit.VELOCITY, v, -bounds.velocity, bounds.velocity),
             (Limit.MEASURED_EFFORT, efforts, -bounds.effort, bounds.effort),
         ):
-            # Written so that a value that is not a number counts as outside.
+            # written so that a value that is not a number counts as outside
             outside = ~((values >= lower - _ROUNDING) & (values <= upper + _ROUNDING))
             if outside.any():
                 joint = int(np.argmax(outside))
                 value = float(values[joint])
+                if not np.isfinite(value):
+                    return Refusal(Limit.NOT_FINITE, bounds.joints[joint], value, 0.0)
                 bound = float(lower[joint] if value < lower[joint] else upper[joint])
                 return Refusal(limit, bounds.joints[joint], value, bound)
         return None

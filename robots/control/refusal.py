@@ -26,8 +26,12 @@ class Limit(Enum):
     COLLISION = "collision"
     BALANCE = "balance"
     STANCE = "stance"
+    REACH = "reach"
     DEFECT = "defect"
 
+
+_UNMEASURED = (Limit.DEFECT, Limit.COLLISION, Limit.REACH)
+"""Those that are there or not: no number tells how much."""
 
 _UNITS = {
     Limit.POSITION: "rad",
@@ -62,8 +66,10 @@ class Refusal:
     bound: float
 
     def __str__(self) -> str:
-        if self.limit in (Limit.DEFECT, Limit.COLLISION):
+        if self.limit in _UNMEASURED:
             return f"{self.limit.value} of {self.joint}"
+        if self.limit is Limit.NOT_FINITE:
+            return f"{self.joint} is {self.value:g}, {self.limit.value}"
         unit = _UNITS.get(self.limit, "")
         asked, allowed = f"{self.value:.6g} {unit}".rstrip(), f"{self.bound:.6g} {unit}".rstrip()
         return f"{self.limit.value} of {self.joint}: {asked}, allowed {allowed}"

@@ -130,7 +130,8 @@ class SetpointGate:
         last = self.last
         n = len(self._joints)
         if not setpoint.q.shape == setpoint.v.shape == setpoint.tau.shape == (n,):
-            return Refusal(Limit.SHAPE, setpoint.owner, float(setpoint.q.size), float(n))
+            wrong = next(each for each in (setpoint.q, setpoint.v, setpoint.tau) if each.shape != (n,))
+            return Refusal(Limit.SHAPE, setpoint.owner, float(wrong.size), float(n))
         if setpoint.sequence != last.sequence + 1:
             return Refusal(Limit.SEQUENCE, setpoint.owner, float(setpoint.sequence), float(last.sequence + 1))
         age_s = self._clock.now_s() - setpoint.stamp_s

@@ -7,8 +7,9 @@ import pytest
 from kinematics import pick_planner, pick_task, poses
 from kinematics.collision import CollisionWorld
 from kinematics.grasping import ABOVE_MIDDLE, PAD_OVERLAP_M
-from kinematics.pick_planner import MOST_BLOCKED, PLANNING_RESERVE_M, PickPlanner
+from kinematics.pick_planner import MOST_BLOCKED, PickPlanner
 from kinematics.pick_task import PickTask
+from kinematics.planning_reserve import PLANNING_RESERVE_M
 from kinematics.requests import NoPlan, PickPlan, PickRequest
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder

@@ -9,12 +9,13 @@ import pytest
 from kinematics.handle_planner import HandlePlanner
 from kinematics.opening_path import DoorArc
 from kinematics.pushing import assumed_bars, hand_points, outward_of, push_grasps
-from kinematics.requests import HandlePlan, HandleRequest
+from kinematics.requests import HandlePlan, HandleRequest, NoPlan
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.stance import stance_at
 from kinematics.validity import validity
+from kinematics.why_not_free import NotFree
 from robots.description import load_description
 
 THICK_M, WIDE_M = 0.04, 0.60
@@ -113,3 +114,15 @@ def test_the_way_to_a_push_keeps_clear_of_where_the_bar_may_be(model):
     assert bar.name in plan.reach.scene.objects
     judge = validity(model, asked.stance, PlanningScene().with_object(replace(bar, margin_m=0.0)), 0.0, 0.0)
     assert all(judge.colliding_pair(q) is None for q in plan.reach.trajectory.q)
+
+
+def test_a_push_that_leans_too_far_is_refused_for_that_and_not_for_a_collision(model, monkeypatch):
+    asked = request(model, -1.0, 1.1)
+    kernel = type(validity(model, asked.stance, asked.scene))
+    monkeypatch.setattr(kernel, "not_free", lambda _self, _x: NotFree("balance"))
+
+    answer = HandlePlanner(model).plan(asked)
+
+    assert isinstance(answer, NoPlan)
+    assert "at the handle the robot would lean too far over its feet" in answer.reasons
+    assert not any("collision" in reason for reason in answer.reasons)

@@ -6,6 +6,7 @@ import pytest
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.start_gap import SPARE_M
 from kinematics.trajectory import CheckedTrajectory, FindingKind, Trajectory, Unsafe
 from tools.checking.solid_world import SolidWorld
 
@@ -101,6 +102,21 @@ def test_the_margin_of_an_object_is_kept_to_a_tenth_of_a_millimetre(talos, motio
     assert isinstance(broken, Unsafe)
     assert broken.findings[0].value == pytest.approx(gap, abs=1e-6)
     assert broken.findings[0].limit == pytest.approx(gap + 1e-4)
+
+
+@pytest.mark.requirement("S6")
+def test_what_is_checked_has_room_for_a_lead_in_at_its_start(talos, motions, checker):
+    away = motions.joint("arm_left_4_joint", -0.3)
+    x, y, z = hand_at(talos, talos.q_home)
+    ball = SceneObject("ball", Ball(0.05), poses.translation(x + 0.2, y, z))
+    gap_m = exact_gap(talos, PlanningScene().with_object(ball))
+
+    def judged(room_m):
+        return checker.check(away, PlanningScene().with_object(replace(ball, margin_m=gap_m - room_m)))
+
+    for room_m in np.linspace(0.02, 0.98, 25) * SPARE_M:
+        assert isinstance(judged(room_m), Unsafe), room_m
+    assert isinstance(judged(5.0 * SPARE_M), CheckedTrajectory)
 
 
 def exact_gap(talos, scene):

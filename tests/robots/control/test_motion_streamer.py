@@ -67,15 +67,46 @@ def test_a_trajectory_that_starts_elsewhere_is_refused_with_joint_and_numbers(ri
     assert np.ptp(rig.commanded(ELBOW)[:, 0]) == 0.0
 
 
-def test_a_start_within_a_milliradian_is_led_in_without_a_jump(rig, motions):
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("place", [0, 7 + 3, 7 + 20])
+def test_a_start_that_would_have_to_be_led_in_farther_than_was_checked_is_refused(rig, motions, place):
     q = rig.loop.motion.reference()
-    q[7 + rig.model.joint_index(ELBOW)] += 0.0009
+    q[place] += 0.0009
+
+    handle = rig.loop.motion.start(motions.arms(q))
+
+    assert handle.status is MotionStatus.REFUSED
+    assert "nobody checked" in handle.reason
+
+
+def test_a_start_within_what_the_checker_leaves_is_led_in_without_a_jump(rig, motions):
+    q = rig.loop.motion.reference()
+    q[7 + rig.model.joint_index(ELBOW)] += 5e-6
 
     handle = rig.loop.motion.start(motions.arms(q))
     rig.run(2.0)
 
     assert handle.status is MotionStatus.DONE
     assert rig.loop.statistics.refused == 0
+
+
+@pytest.mark.requirement("S6")
+def test_a_motion_that_waits_for_a_brake_is_refused_where_that_did_not_end_as_foreseen(rig, motions):
+    streamer = rig.loop.motion
+    first = streamer.start(motions.arms(streamer.reference(), amount=0.8))
+    rig.run_until(lambda: first.progress >= 0.5)
+    streamer.cancel(first, "enough")
+    waiting = streamer.start(motions.arms(streamer.reference()))
+    rig.run(0.02)
+    assert waiting.status is MotionStatus.RUNNING
+
+    streamer.halt()
+    streamer.propose(rig.robot.read())
+    streamer.commit()
+
+    assert waiting.status is MotionStatus.REFUSED
+    assert "nobody checked" in waiting.reason
+    assert streamer.resting
 
 
 def test_a_trajectory_for_other_feet_is_refused(rig, motions):

@@ -1,9 +1,15 @@
 """A pause holds what is under way, within the limits and on its path; it goes on and arrives all the same."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
+from kinematics.lead_in import lead_in
+from kinematics.resuming import rest_of
+from kinematics.start_gap import LEAD_IN_M, start_gap
 from kinematics.trajectory_sampler import TrajectorySampler
+from robots.control import body_track
 from robots.control.events import MotionPaused, MotionResumed
 from robots.control.motion_handle import MotionStatus
 
@@ -69,6 +75,46 @@ def test_a_motion_may_be_paused_again_and_again(rig, motions):
     assert handle.status is MotionStatus.DONE
     np.testing.assert_allclose(rig.loop.motion.reference(), motion.trajectory.q[-1], atol=1e-6)
     assert max(shares(rig)) <= 1.005
+
+
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("at_s", [0.2, 0.3, 0.5, 0.8])
+def test_what_goes_on_is_led_in_by_no_more_than_the_checker_leaves(rig, motions, monkeypatch, at_s):
+    led_m = []
+
+    def measured(trajectory, q_start, acceleration):
+        led_m.append(start_gap(rig.model).moves_m(q_start, trajectory.q[0]))
+        return lead_in(trajectory, q_start, acceleration)
+
+    monkeypatch.setattr(body_track, "lead_in", measured)
+    handle = rig.loop.motion.start(motions.arms(rig.loop.motion.reference(), amount=0.8, duration_s=1.5))
+    rig.run(1.5 * at_s)
+    rig.loop.pause("by the test")
+    rig.run(1.0)
+    rig.loop.resume()
+    rig.run(3.0)
+
+    assert handle.status is MotionStatus.DONE
+    assert len(led_m) == 1
+    assert led_m[0] <= LEAD_IN_M
+
+
+@pytest.mark.requirement("S6")
+def test_what_could_only_go_on_from_elsewhere_is_ended(rig, motions, monkeypatch):
+    def elsewhere(model, trajectory, q, near_s, period_s):
+        rest = rest_of(model, trajectory, q, near_s, period_s)
+        return dataclasses.replace(rest, q=rest.q + 1e-3 * (np.arange(len(q)) == 27))
+
+    monkeypatch.setattr(body_track, "rest_of", elsewhere)
+    handle = rig.loop.motion.start(motions.arms(rig.loop.motion.reference(), amount=0.8, duration_s=1.5))
+    rig.run(0.7)
+    rig.loop.pause("by the test")
+    rig.run(1.0)
+    rig.loop.resume()
+    rig.run(0.5)
+
+    assert handle.status is MotionStatus.REFUSED
+    assert rests(rig, 200)
 
 
 def test_what_is_begun_in_a_pause_waits_at_its_start(rig, motions):
