@@ -8,14 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.check_rest import AT_REST
 from kinematics.trajectory import Stance, Trajectory
 
 Array = NDArray[np.float64]
 
 _START_RAD = 1e-3
 _START_M = 1e-3
-_AT_REST = 1e-3
-"""Speed, rad/s and m/s, that counts as rest at both ends."""
 _STANCE_M = 1e-3
 _STANCE_RAD = 2e-3
 
@@ -39,7 +38,7 @@ def why_not(trajectory: Trajectory, reference: Array, stance: Stance, joints: Se
         return f"its base starts {1e3 * away_m:.1f} mm and {1e3 * away_rad:.1f} mrad from the robot's"
     for index, end in ((0, "start"), (-1, "end")):
         speed = np.abs(trajectory.v[index])
-        if speed.max() > _AT_REST:
+        if speed.max() > AT_REST:
             return f"it does not {end} at rest: {speed.max():.4g}"
     return _other_stance(trajectory.stance, stance)
 
