@@ -29,7 +29,9 @@ from robots.control.yield_order import MANNERS, Manner, YieldOrder
 _MOST_PARTS = 20
 _MOST_WAY = 10.0
 """Radians or metres along a path: more than any door or drawer has."""
-_MOST_FELT = 1e4
+_MOST_FELT = 10.0
+"""N and Nm that may count as none: a hand that touches nothing feels less than one of them, and who could set
+more would set how hard a hand pulls."""
 _WRENCH = ("fx", "fy", "fz", "mx", "my", "mz")
 
 
