@@ -48,7 +48,7 @@ class Loosened:
 LOOSENED: tuple[Loosened, ...] = (
     Loosened(
         "allowed: a link of a gripper and an object",
-        "links of the robot's own grippers; of what a hand holds, that hand's; never a person of a scene file",
+        "links of the robot's grippers; of what a hand holds, that hand's; never a person of a scene file",
         "a hand closes on a thing or a handle, and opens from it",
     ),
     Loosened(

@@ -56,10 +56,21 @@ def test_an_order_comes_back_as_it_was_given(talos, path, bias):
 @pytest.mark.requirement("F4", "F8")
 @pytest.mark.parametrize(
     ("key", "value"),
-    [("hand", "third"), ("manner", "with all its might"), ("s_to", 1e9), ("s_to", None), ("holding", 1),
-     ("bias", [1.0]), ("bias", [0.0, 11.0, 0.0, 0.0, 0.0, 0.0]), ("allowed", [["arm_left_5_link", "torso_2_link"]]),
-     ("allowed", [["gripper_left_base_link", "floor"]]), ("path", {"kind": "elevator"}), ("force_limit_n", 500.0), ("allowed", [["door", "x"]])],
-)  # fmt: skip
+    [
+        ("hand", "third"),
+        ("manner", "with all its might"),
+        ("s_to", 1e9),
+        ("s_to", None),
+        ("holding", 1),
+        ("bias", [1.0]),
+        ("bias", [0.0, 11.0, 0.0, 0.0, 0.0, 0.0]),
+        ("path", {"kind": "elevator"}),
+        ("force_limit_n", 500.0),
+        ("allowed", [["door", "x"]]),
+        ("allowed", [["arm_left_5_link", "torso_2_link"]]),
+        ("allowed", [["gripper_left_base_link", "floor"]]),
+    ],
+)
 def test_an_order_that_is_none_is_refused_with_its_place(talos, key, value):
     order = YieldOrder("left", scene(talos), ("door",), ARC, 0.1, 0.9)
     document = json.loads(write_yield_order(order, talos))
