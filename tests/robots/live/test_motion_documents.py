@@ -80,6 +80,18 @@ def test_an_order_that_is_none_is_refused_with_its_place(talos, key, value):
         read_yield_order(json.dumps(document), talos, talos.q_home)
 
 
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("key", ["objects", "held"])
+def test_an_order_cannot_make_a_solid_vanish_by_naming_another_like_it(talos, key):
+    document = json.loads(
+        write_yield_order(YieldOrder("left", scene(talos), ("door",), ARC, 0.1, 0.9), talos)
+    )
+    document[key].append({**document[key][0], "shape": {"kind": "ball", "radius_m": 0.001}})
+
+    with pytest.raises(KinematicsError, match=f"{key}: .* is there twice"):
+        read_yield_order(json.dumps(document), talos, talos.q_home)
+
+
 def steerings(settings):
     poses_ = (PlanarPose(0.1, 0.2, 0.3), PlanarPose(1.0, -0.5, 7.0))
     return [
