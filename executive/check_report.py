@@ -22,8 +22,14 @@ _UNITS = {
     FindingKind.JERK_LIMIT: "rad/s^3",
     FindingKind.EFFORT_LIMIT: "Nm",
     FindingKind.DISCONTINUITY: "rad/s^2",
+    FindingKind.BOUNDARY_VELOCITY: "rad/s",
 }
-_SUBJECT_UNITS = {"base position": "m", "base orientation": "rad", "base quaternion": ""}
+_SUBJECT_UNITS = {
+    "base position": "m",
+    "base orientation": "rad",
+    "base quaternion": "",
+    "base velocity": "m/s",
+}
 
 
 def unit_of(finding: Finding) -> str:

@@ -14,6 +14,7 @@ _OF_A_JOINT: Mapping[str, tuple[str, str]] = MappingProxyType(
         "velocity limit": ("would have to move at", "rad/s"),
         "acceleration limit": ("would have to speed up at", "rad/s²"),
         "jerk limit": ("would have to jerk at", "rad/s³"),
+        "boundary velocity": ("would not be at rest, but move at", "rad/s"),
         "effort limit": ("would have to push with", "Nm"),
     }
 )

@@ -68,6 +68,7 @@ def check_stored(
         scene = str(beside)
     surroundings = _surroundings(stored, scene, margin_m)
     model = RobotModel(load_description(robot or stored.robot))
+    _require_no_person(path, stored, scene)
     try:
         asked = fit(stored, model, surroundings)
     except TrajectoryDocumentError as unfit:
@@ -92,6 +93,16 @@ def _surroundings(stored: StoredTrajectory, scene: str | None, margin_m: float) 
         return planning_scene(load_scene(scene), margin_m)
     around = [replace(item, margin_m=max(item.margin_m, margin_m)) for item in stored.objects or ()]
     return PlanningScene().with_objects(around)
+
+
+def _require_no_person(path: Path, stored: StoredTrajectory, scene: str | None) -> None:
+    """Nobody may be touched because a trajectory says so."""
+    named = {name for pair in stored.allowed for name in pair}
+    if scene is None or not named:
+        return
+    for person in load_scene(scene).people:
+        if person.name in named:
+            raise TrajectoryFileError(path, f"allowed: {person.name!r} is a person, whom nothing may touch")
 
 
 def _notes(

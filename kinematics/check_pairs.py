@@ -30,14 +30,14 @@ _KEPT = 8
 class PairLayout:
     """Which pairs a check judges, wherever things are and whatever their size.
 
+    All of the robot's own pairs come first: no scene says which of its links may touch.
+
     Attributes:
-        own: Which of the robot's own pairs come first.
         first, second: Indices of all pairs' solids, shape (p,).
         row: Of the pairs after the own ones: which of the solids that are not the robot's they have.
         kinds: What a pair's contact is called.
     """
 
-    own: Indices
     first: Indices
     second: Indices
     row: Indices
@@ -103,7 +103,6 @@ class PairBuilder:
             for pair in geometry.collisionPairs
             if self.robot[pair.first].body != self.robot[pair.second].body
         ]
-        self._self_names = [frozenset((self.robot[i].name, self.robot[j].name)) for i, j in self._self_pairs]
         self._self_index = np.array(self._self_pairs, dtype=np.intp).reshape(-1, 2)
         self._solids_of: dict[str, list[int]] = {}
         for number, solid in enumerate(self.robot):
@@ -145,7 +144,7 @@ class PairBuilder:
             solids,
             layout.first,
             layout.second,
-            np.concatenate([np.zeros(len(layout.own)), margins_m[layout.row]]),
+            np.concatenate([np.zeros(len(self._self_pairs)), margins_m[layout.row]]),
             layout.kinds,
             functools.cache(lambda: self._every_rate(solids, layout)),
         )
@@ -165,9 +164,6 @@ class PairBuilder:
         touching = list(scene.attached.values())
         names = [*(body.body.name for body in touching), *things]
         first_held, first_world = len(self.robot), len(self.robot) + len(touching)
-        own = np.arange(len(self._self_pairs))
-        if any(pair <= self._solids_of.keys() for pair in scene.allowed):
-            own = own[[pair not in scene.allowed for pair in self._self_names]]
         may_touch: dict[str, set[str]] = {}
         for pair in scene.allowed:
             for name in pair:
@@ -188,11 +184,12 @@ class PairBuilder:
                 apart[row, solids_of[other]] = False
         row_of, those = np.nonzero(apart)
         with_held = (row_of < len(touching)) | (those >= first_held)
-        kinds = [FindingKind.SELF_COLLISION] * len(own) + _BETWEEN[with_held.astype(np.intp)].tolist()
+        kinds = [FindingKind.SELF_COLLISION] * len(self._self_pairs) + _BETWEEN[
+            with_held.astype(np.intp)
+        ].tolist()
         return PairLayout(
-            own=own,
-            first=np.concatenate([self._self_index[own, 0], those]),
-            second=np.concatenate([self._self_index[own, 1], row_of + first_held]),
+            first=np.concatenate([self._self_index[:, 0], those]),
+            second=np.concatenate([self._self_index[:, 1], row_of + first_held]),
             row=row_of,
             kinds=tuple(kinds),
         )
@@ -211,9 +208,9 @@ class PairBuilder:
         return [self._known[id(item)][1] for item in things]
 
     def _every_rate(self, solids: Sequence[Solid], layout: PairLayout) -> Array:
-        count = len(layout.own)
+        count = len(self._self_pairs)
         more = zip(layout.first[count:].tolist(), layout.second[count:].tolist(), strict=True)
-        return np.hstack([self._self_rate[:, layout.own], self._rates(solids, list(more))])
+        return np.hstack([self._self_rate, self._rates(solids, list(more))])
 
     def _rates(self, solids: Sequence[Solid], pairs: Sequence[tuple[int, int]]) -> Array:
         if not pairs:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.errors import ModelError, UnknownNameError
+from kinematics.judged_bodies import require_hinges, require_judged_solids, require_no_capsules
 from kinematics.poses import Transform
 from kinematics.robot_description import Hand, RobotDescription
 from kinematics.trajectory import Stance
@@ -35,7 +36,8 @@ class RobotModel:
             that order, SI units.
 
     Raises:
-        ModelError: The URDF's joints are not those of the description.
+        ModelError: The URDF's joints are not those of the description, or it has joints or collision solids
+            that the trajectory checker cannot judge.
     """
 
     def __init__(self, description: RobotDescription) -> None:
@@ -44,6 +46,8 @@ class RobotModel:
         self.joints = tuple(self.pin.names)[2:]
         if self.joints != description.joints:
             raise ModelError(f"{description.name}: URDF joints {self.joints} are not those described")
+        require_hinges(description.name, self.pin)
+        require_no_capsules(description.name, description.planning_urdf)
         limits = [description.limits[name] for name in self.joints]
         self.lower_rad = np.array([limit.position[0] for limit in limits])
         self.upper_rad = np.array([limit.position[1] for limit in limits])
@@ -225,6 +229,7 @@ class RobotModel:
                 # too large, by up to 13 cm for the grippers' hollow parts
                 item.geometry.buildConvexHull(True, "Qt")
                 item.geometry = item.geometry.convex
+        require_judged_solids(self.description.name, geometry)
         for item in geometry.geometryObjects:
             item.geometry.computeLocalAABB()  # and the ball about it
         link = [self.link_of(item) for item in geometry.geometryObjects]

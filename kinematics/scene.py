@@ -81,7 +81,8 @@ class PlanningScene:
     """World objects, attached bodies and the pairs that may touch.
 
     ``allowed`` is the allowed collision matrix: pairs of names (links, objects) that are not
-    judged. Pairs of links that the robot description disables are not repeated here.
+    judged. Which links of the robot may touch each other is its description's to say: a pair of two
+    links says nothing here.
     """
 
     version: int = 0

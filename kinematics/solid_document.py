@@ -6,6 +6,7 @@ its place.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -49,6 +50,15 @@ class HeldObject(Sealed):
 def optional_items(node: Node, key: str) -> list[Node]:
     """Entries of a list that need not be there; raises as ``read_held``."""
     return node.key(key).items(0, MAX_ENTRIES) if node.has(key) else []
+
+
+def require_unique(root: Node, key: str, names: Sequence[str]) -> None:
+    """Refuse a name that is there twice, of which one would vanish; raises as ``read_held``."""
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
+            raise root.key(key).error(f"{name!r} is there twice")
+        seen.add(name)
 
 
 def held_json(item: HeldObject) -> dict[str, object]:

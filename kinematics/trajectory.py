@@ -111,6 +111,7 @@ class FindingKind(Enum):
     BALANCE = "balance"
     STANCE = "stance"
     DISCONTINUITY = "discontinuity"
+    BOUNDARY_VELOCITY = "boundary velocity"
 
 
 @dataclass(frozen=True, slots=True)

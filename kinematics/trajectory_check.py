@@ -16,6 +16,7 @@ from kinematics.check_dynamics import DynamicsCheck
 from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_limits import base_findings, jump_intervals, limit_findings
 from kinematics.check_pairs import PairBuilder, Pairs
+from kinematics.check_rest import rest_findings
 from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
 from kinematics.check_stance import stance_findings
 from kinematics.check_timeline import Timeline
@@ -87,6 +88,7 @@ class TrajectoryChecker:
         if self._compiled is None or not self._compiled.keeps_limits(model, timeline, settings):
             findings += limit_findings(model, timeline, settings)
             jumps_s = jump_intervals(model, timeline, settings)
+        findings += rest_findings(trajectory)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
         unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)

@@ -7,7 +7,6 @@ that names its place. Written exactly: times, configurations and velocities come
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,6 +25,7 @@ from kinematics.solid_document import (
     read_object,
     read_pair,
     read_pose,
+    require_unique,
 )
 from kinematics.trajectory import Stance, Trajectory
 
@@ -104,25 +104,17 @@ def read_trajectory(text: str) -> StoredTrajectory:
         raise schema.error(f"must be {SCHEMA}, not {schema.shown()}")
     robot = root.key("robot").text()
     joints = tuple(item.text() for item in root.key("joints").items(0, MAX_JOINTS))
-    _require_unique(root, "joints", joints)
+    require_unique(root, "joints", joints)
     soles = tuple((frame, read_pose(node)) for frame, node in root.key("stance").entries(MAX_ENTRIES))
     motion = _motion(root.key("samples"), joints, Stance(soles))
     held = tuple(read_held(node) for node in optional_items(root, "held"))
-    _require_unique(root, "held", [item.name for item in held])
+    require_unique(root, "held", [item.name for item in held])
     pairs = frozenset(read_pair(node) for node in optional_items(root, "allowed"))
     if not root.has("objects"):
         return StoredTrajectory(robot, motion, held, pairs)
     objects = tuple(read_object(node) for node in optional_items(root, "objects"))
-    _require_unique(root, "objects", [item.name for item in objects])
+    require_unique(root, "objects", [item.name for item in objects])
     return StoredTrajectory(robot, motion, held, pairs, objects)
-
-
-def _require_unique(root: Node, key: str, names: Sequence[str]) -> None:
-    seen: set[str] = set()
-    for name in names:
-        if name in seen:
-            raise root.key(key).error(f"{name!r} is there twice")
-        seen.add(name)
 
 
 def _motion(samples: Node, joints: tuple[str, ...], stance: Stance) -> Trajectory:

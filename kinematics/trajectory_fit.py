@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.errors import TrajectoryDocumentError, UnknownNameError
+from kinematics.loosening import is_of_a_hand, is_smaller, links_about, why_not_allowed
 from kinematics.requests import CheckRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import FLOOR, Pair, PlanningScene, SceneObject
@@ -33,16 +34,21 @@ def fit(stored: StoredTrajectory, model: RobotModel, surroundings: PlanningScene
 
     Raises:
         TrajectoryDocumentError: A name of the document is none of the robot or the scene, or one of the
-            scene is ambiguous; a sole of the stance is not on the floor.
+            scene is ambiguous; a sole of the stance is none, or not on the floor; it loosens more than
+            ``kinematics.loosening`` lists.
     """
     name = model.description.name
     if stored.robot != name:
         raise TrajectoryDocumentError("robot", f"is {stored.robot!r}, to be judged as {name!r}")
-    frames = _frames(model)
     motion = _arranged(stored.trajectory, model)
+    soles = [sole.frame for sole in model.description.soles]
+    if soles and not motion.stance.soles:
+        raise TrajectoryDocumentError(
+            "stance", f"names no sole that carries; the robot has {', '.join(soles)}"
+        )
     for frame, world_T_sole in motion.stance.soles:
         place = f"stance.{frame}"
-        _require_known(place, "frame", frame, frames)
+        _require_known(place, "sole", frame, soles)
         height_m = float(world_T_sole[2, 3])
         tilt_rad = float(np.arccos(np.clip(world_T_sole[2, 2], -1.0, 1.0)))
         if abs(height_m) > SOLE_HEIGHT_M or tilt_rad > SOLE_TILT_RAD:
@@ -59,7 +65,7 @@ def stored_from(request: CheckRequest, model: RobotModel) -> StoredTrajectory:
         robot=model.description.name,
         trajectory=request.trajectory,
         held=held_in(request.scene),
-        allowed=allowed_in(request.scene, model),
+        allowed=allowed_in(request.scene, model, request.trajectory.q[0]),
         objects=tuple(request.scene.objects.values()),
     )
 
@@ -72,10 +78,19 @@ def held_in(scene: PlanningScene) -> tuple[HeldObject, ...]:
     )
 
 
-def allowed_in(scene: PlanningScene, model: RobotModel) -> frozenset[Pair]:
-    """Pairs that may touch; those with things that are gone say nothing any more, and are left out."""
+def allowed_in(scene: PlanningScene, model: RobotModel, q: Array | None = None) -> frozenset[Pair]:
+    """Pairs that a document may say to be allowed; those with things that are gone say nothing any more.
+
+    Args:
+        scene: Of the motion.
+        model: The robot.
+        q: Where the motion begins, shape (nq,); when left out, all of them are kept that may be allowed
+            wherever it begins.
+    """
     known = {*_frames(model), FLOOR, *scene.objects, *scene.attached}
-    return frozenset(pair for pair in scene.allowed if pair <= known)
+    return frozenset(
+        pair for pair in scene.allowed if pair <= known and why_not_allowed(pair, scene, model, q) is None
+    )
 
 
 def furnished(
@@ -95,7 +110,8 @@ def furnished(
         q: Its configuration, shape (nq,).
 
     Raises:
-        TrajectoryDocumentError: A name is none of the robot or the scene, or one of the scene is ambiguous.
+        TrajectoryDocumentError: A name is none of the robot or the scene, or one of the scene is ambiguous;
+            more is loosened than ``kinematics.loosening`` lists.
     """
     frames = _frames(model)
     for name in surroundings.objects:
@@ -105,8 +121,16 @@ def furnished(
         place = f"held[{i}]"
         _require_free(f"{place}.name", item.name, frames)
         _require_known(f"{place}.frame", "frame", item.frame, frames)
+        if not is_of_a_hand(model, item.frame):
+            raise TrajectoryDocumentError(f"{place}.frame", f"{item.frame!r} is of no hand of the robot")
+        about = links_about(model, item.frame)
         for link in sorted(item.touch_links):
             _require_known(f"{place}.touch_links", "link", link, frames)
+            if link not in about:
+                raise TrajectoryDocumentError(
+                    f"{place}.touch_links", f"{link!r} is of another part of the robot than {item.frame!r}"
+                )
+        _require_taken(place, item, surroundings)
         world_T_object = model.frame_pose(q, item.frame) @ item.frame_T_object
         scene = scene.with_object(SceneObject(item.name, item.shape, world_T_object))
         scene = scene.with_attached(item.name, item.frame, item.frame_T_object, item.touch_links)
@@ -114,7 +138,22 @@ def furnished(
     for pair in allowed:
         for name in pair:
             _require_known("allowed", "link or object", name, known)
+        if (reason := why_not_allowed(pair, scene, model, q)) is not None:
+            raise TrajectoryDocumentError("allowed", reason)
     return scene.allowing((first, second) for first, second in map(tuple, allowed))
+
+
+def _require_taken(place: str, item: HeldObject, surroundings: PlanningScene) -> None:
+    """What a hand holds of the scene is something that a hand can hold, and the thing itself."""
+    there = surroundings.objects.get(item.name)
+    if there is None:
+        return
+    if not there.movable:
+        raise TrajectoryDocumentError(
+            f"{place}.name", f"{item.name!r} is nothing of the scene that a hand holds"
+        )
+    if is_smaller(item.shape, there.shape):
+        raise TrajectoryDocumentError(f"{place}.shape", f"is smaller than the scene's {item.name!r}")
 
 
 def _frames(model: RobotModel) -> list[str]:

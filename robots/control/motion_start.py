@@ -6,14 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import poses
+from kinematics.check_rest import AT_REST
 from kinematics.robot_model import RobotModel
 from kinematics.start_gap import LEAD_IN_M, start_gap
 from kinematics.trajectory import Stance, Trajectory
 
 Array = NDArray[np.float64]
 
-_AT_REST = 1e-3
-"""Speed, rad/s and m/s, that counts as rest at both ends."""
 _STANCE_M = 1e-3
 _STANCE_RAD = 2e-3
 
@@ -27,7 +26,7 @@ def why_not(model: RobotModel, trajectory: Trajectory, reference: Array, stance:
         return elsewhere
     for index, end in ((0, "start"), (-1, "end")):
         speed = np.abs(trajectory.v[index])
-        if speed.max() > _AT_REST:
+        if speed.max() > AT_REST:
             return f"it does not {end} at rest: {speed.max():.4g}"
     return _other_stance(trajectory.stance, stance)
 

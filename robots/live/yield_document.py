@@ -22,6 +22,7 @@ from kinematics.solid_document import (
     read_held,
     read_object,
     read_pair,
+    require_unique,
 )
 from kinematics.trajectory_fit import allowed_in, furnished, held_in
 from robots.control.yield_order import MANNERS, Manner, YieldOrder
@@ -29,7 +30,9 @@ from robots.control.yield_order import MANNERS, Manner, YieldOrder
 _MOST_PARTS = 20
 _MOST_WAY = 10.0
 """Radians or metres along a path: more than any door or drawer has."""
-_MOST_FELT = 1e4
+_MOST_FELT = 10.0
+"""N and Nm that may count as none: a hand that touches nothing feels less than one of them, and who could set
+more would set how hard a hand pulls."""
 _WRENCH = ("fx", "fy", "fz", "mx", "my", "mz")
 
 
@@ -79,6 +82,8 @@ def read_yield_order(text: str, model: RobotModel, q: NDArray[np.float64]) -> Yi
         dataclasses.replace(item, movable=item.name not in furniture) for item in objects
     )
     held = [read_held(node) for node in optional_items(root, "held")]
+    require_unique(root, "objects", [item.name for item in objects])
+    require_unique(root, "held", [item.name for item in held])
     allowed = frozenset(read_pair(node) for node in optional_items(root, "allowed"))
     hands = tuple(hand for hand in HANDS if hand in model.description.grippers)
     hand: Hand = "left" if root.key("hand").choice(hands) == "left" else "right"

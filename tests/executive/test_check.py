@@ -94,6 +94,34 @@ def obstacle(talos, tmp_path, name):
     return scene
 
 
+def test_a_trajectory_cannot_say_that_a_person_may_be_touched(executive, store, tmp_path):
+    path, scene = store("head_1_joint", 0.1), tmp_path / "visited.toml"
+    scene.write_text('[[person]]\nname = "Anna"\nposition_m = [2.0, 0.0]\nyaw_rad = 3.1\n')
+    document = json.loads(path.read_text())
+    document["allowed"] = [["gripper_left_base_link", "Anna"]]
+    path.write_text(json.dumps(document))
+
+    answer = executive("check", str(path), "--scene", str(scene))
+
+    assert answer.exit_code == 2
+    assert "allowed: 'Anna' is a person" in answer.output
+
+
+def test_a_motion_that_ends_moving_is_unsafe_here_as_it_is_for_the_streamer(executive, store):
+    path = store("head_1_joint", 0.1)
+    document = json.loads(path.read_text())
+    column = 6 + document["joints"].index("head_1_joint")
+    document["samples"][-1]["v"][column] = 0.0015
+    path.write_text(json.dumps(document))
+
+    answer = executive("check", str(path), "--report", "report.json")
+
+    report = json.loads(Path("report.json").read_text())
+    jsonschema.validate(report, SCHEMA)
+    assert answer.exit_code == 5
+    assert "boundary velocity of head_1_joint: 0.0015 rad/s, limit 0.001 rad/s" in answer.output
+
+
 @pytest.mark.requirement("S6")
 def test_the_scene_of_a_file_is_judged_as_the_file_says(executive, store, talos, tmp_path):
     path, scene = store("head_2_joint", 0.3), obstacle(talos, tmp_path, "high.toml")

@@ -7,6 +7,7 @@ import pytest
 
 from kinematics import poses
 from kinematics.errors import TrajectoryDocumentError
+from kinematics.requests import CheckRequest
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
 from kinematics.solid_document import HeldObject
@@ -82,7 +83,7 @@ def test_what_is_held_collides(checker, talos, still):
 
 
 def test_a_held_object_leaves_the_world(checker, talos, still):
-    in_the_arm = SceneObject("cup", Ball(0.1), talos.frame_pose(talos.q_home, "arm_left_4_link"))
+    in_the_arm = SceneObject("cup", Ball(0.02), talos.frame_pose(talos.q_home, "arm_left_4_link"))
     scene = PlanningScene().with_object(in_the_arm)
     touch = talos.description.grippers["left"].links
 
@@ -181,3 +182,105 @@ def test_a_scene_cannot_take_the_floor_away_or_pose_as_the_robot(talos, still, n
 
     with pytest.raises(TrajectoryDocumentError, match=name):
         fit(still, talos, scene)
+
+
+def block_at(talos, link, name="block", **more):
+    return SceneObject(name, Ball(0.02), talos.frame_pose(talos.q_home, link), **more)
+
+
+def touching(still, *pairs):
+    return replace(still, allowed=frozenset(map(frozenset, pairs)))
+
+
+@pytest.mark.requirement("S6")
+def test_a_document_cannot_let_the_robot_go_through_itself(talos, still):
+    loose = touching(still, ("arm_left_5_link", "torso_2_link"))
+
+    with pytest.raises(TrajectoryDocumentError, match=r"allowed: .*both parts of the robot"):
+        fit(loose, talos, PlanningScene())
+
+
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("name", ["arm_left_5_link", "gripper_left_base_link", "cup", "wall"])
+def test_a_document_cannot_let_anything_go_through_the_floor(talos, still, name):
+    held = replace(touching(still, (name, "floor")), held=(in_left_hand(),))
+    scene = PlanningScene().with_object(block_at(talos, "arm_left_4_link", "wall"))
+
+    with pytest.raises(TrajectoryDocumentError, match=r"allowed: .*may not touch the floor"):
+        fit(held, talos, scene)
+
+
+def test_a_document_cannot_let_a_link_that_is_no_hand_go_through_what_it_is_not_beside(talos, still):
+    far = PlanningScene().with_object(SceneObject("block", Ball(0.02), poses.translation(1.0, 0.0, 1.0)))
+
+    with pytest.raises(TrajectoryDocumentError, match=r"does not begin with them side by side"):
+        fit(touching(still, ("arm_left_4_link", "block")), talos, far)
+
+
+def test_a_hand_may_touch_what_it_is_to_take(talos, still):
+    far = PlanningScene().with_object(SceneObject("block", Ball(0.02), poses.translation(1.0, 0.0, 1.0)))
+
+    asked = fit(touching(still, ("gripper_left_fingertip_1_link", "block")), talos, far)
+
+    assert asked.scene.is_allowed("gripper_left_fingertip_1_link", "block")
+
+
+def test_what_is_held_may_touch_what_carries_it_and_not_what_the_other_hand_holds(talos, still):
+    table = PlanningScene().with_object(SceneObject("table", Box((1, 1, 0.1)), poses.translation(1, 0, 0.7)))
+    can = HeldObject("can", "tcp_right", np.eye(4), Ball(0.025))
+    both = replace(still, held=(in_left_hand(), can))
+
+    assert fit(replace(both, allowed=frozenset([frozenset(("cup", "table"))])), talos, table)
+    with pytest.raises(TrajectoryDocumentError, match=r"allowed: .*both held"):
+        fit(replace(both, allowed=frozenset([frozenset(("cup", "can"))])), talos, table)
+
+
+def test_what_is_held_cannot_be_let_through_the_other_arm(talos, still):
+    with pytest.raises(TrajectoryDocumentError, match=r"touch_links: 'arm_right_5_link'"):
+        fit(replace(still, held=(in_left_hand(touch=["arm_right_5_link"]),)), talos, PlanningScene())
+
+
+def test_what_is_held_moves_with_a_hand(talos, still):
+    with pytest.raises(TrajectoryDocumentError, match=r"held\[0\].frame: 'base_link'"):
+        fit(replace(still, held=(replace(in_left_hand(), frame="base_link"),)), talos, PlanningScene())
+
+
+def test_furniture_does_not_leave_the_world_as_something_held(talos, still):
+    wall = PlanningScene().with_object(block_at(talos, "arm_left_4_link", "wall", movable=False))
+
+    with pytest.raises(TrajectoryDocumentError, match=r"held\[0\].name: 'wall'"):
+        fit(replace(still, held=(in_left_hand(name="wall"),)), talos, wall)
+
+
+def test_what_is_held_is_not_much_smaller_than_the_scene_says(talos, still):
+    scene = PlanningScene().with_object(SceneObject("cup", Ball(0.1), poses.translation(1.0, 0.0, 1.0)))
+
+    with pytest.raises(TrajectoryDocumentError, match=r"held\[0\].shape: .*smaller"):
+        fit(replace(still, held=(in_left_hand(0.05),)), talos, scene)
+
+
+@pytest.mark.parametrize(
+    ("soles", "says"),
+    [
+        ((), "stance: names no sole"),
+        ((("arm_left_7_link", np.eye(4)),), "stance.arm_left_7_link: no sole 'arm_left_7_link'"),
+    ],
+)
+def test_a_document_cannot_stand_on_nothing_or_on_what_is_no_sole(talos, still, soles, says):
+    with pytest.raises(TrajectoryDocumentError, match=says):
+        fit(
+            replace(still, trajectory=replace(still.trajectory, stance=Stance(soles))), talos, PlanningScene()
+        )
+
+
+def test_what_a_document_could_not_say_is_not_written_into_one(talos, still):
+    block = block_at(talos, "arm_left_4_link")
+    far = SceneObject("far", Ball(0.02), poses.translation(1.0, 0.0, 1.0))
+    kept = {frozenset(("arm_left_4_link", "block")), frozenset(("gripper_left_base_link", "far"))}
+    scene = PlanningScene().with_objects([block, far]).allowing(tuple(pair) for pair in kept)
+    loose = [("arm_left_4_link", "far"), ("arm_left_5_link", "torso_2_link"), ("far", "floor")]
+
+    stored = stored_from(CheckRequest(still.trajectory, scene.allowing(loose)), talos)
+
+    assert stored.allowed == kept
+    assert fit(stored, talos, PlanningScene().with_objects(stored.objects)).scene.allowed == kept

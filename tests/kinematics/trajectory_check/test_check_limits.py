@@ -175,7 +175,8 @@ def test_a_step_of_acceleration_is_judged_as_jerk(motions, checker, findings_of)
     q[:, 7 + j] += 0.5 * 1.5 * late**2
     v[:, 6 + j] = 1.5 * late
 
-    assert findings_of(judge(checker, replace(motion, q=q, v=v))) == {(FindingKind.JERK_LIMIT, HEAD)}
+    found = findings_of(judge(checker, replace(motion, q=q, v=v)))
+    assert found == {(FindingKind.JERK_LIMIT, HEAD), (FindingKind.BOUNDARY_VELOCITY, HEAD)}
 
 
 def test_efforts_beyond_the_motors_are_refused(motions, checker, findings_of, talos):

@@ -6,6 +6,7 @@ from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_pairs import PairBuilder
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
+from kinematics.trajectory import FindingKind
 
 
 @pytest.fixture(scope="module")
@@ -53,3 +54,13 @@ def test_pairs_of_one_scene_after_another_are_those_of_each_scene_alone(talos, k
 
         assert described(found) == described(expected)
         assert np.array_equal(found.rate, expected.rate)
+
+
+def test_no_scene_lets_two_links_of_the_robot_touch(talos, kinematics):
+    links = sorted({solid.name for solid in PairBuilder(talos, kinematics).robot})
+    loose = PlanningScene().allowing((one, other) for one in links for other in links if one < other)
+
+    found = [PairBuilder(talos, kinematics).pairs(scene) for scene in (PlanningScene(), loose)]
+
+    own = [[kind for kind in pairs.kinds if kind is FindingKind.SELF_COLLISION] for pairs in found]
+    assert len(own[0]) == len(own[1]) > 0

@@ -56,15 +56,39 @@ def test_an_order_comes_back_as_it_was_given(talos, path, bias):
 @pytest.mark.requirement("F4", "F8")
 @pytest.mark.parametrize(
     ("key", "value"),
-    [("hand", "third"), ("manner", "with all its might"), ("s_to", 1e9), ("s_to", None), ("holding", 1),
-     ("bias", [1.0]), ("path", {"kind": "elevator"}), ("force_limit_n", 500.0), ("allowed", [["door", "x"]])],
-)  # fmt: skip
+    [
+        ("hand", "third"),
+        ("manner", "with all its might"),
+        ("s_to", 1e9),
+        ("s_to", None),
+        ("holding", 1),
+        ("bias", [1.0]),
+        ("bias", [0.0, 11.0, 0.0, 0.0, 0.0, 0.0]),
+        ("path", {"kind": "elevator"}),
+        ("force_limit_n", 500.0),
+        ("allowed", [["door", "x"]]),
+        ("allowed", [["arm_left_5_link", "torso_2_link"]]),
+        ("allowed", [["gripper_left_base_link", "floor"]]),
+    ],
+)
 def test_an_order_that_is_none_is_refused_with_its_place(talos, key, value):
     order = YieldOrder("left", scene(talos), ("door",), ARC, 0.1, 0.9)
     document = json.loads(write_yield_order(order, talos))
     document[key] = value
 
     with pytest.raises(KinematicsError, match=key):
+        read_yield_order(json.dumps(document), talos, talos.q_home)
+
+
+@pytest.mark.requirement("S6")
+@pytest.mark.parametrize("key", ["objects", "held"])
+def test_an_order_cannot_make_a_solid_vanish_by_naming_another_like_it(talos, key):
+    document = json.loads(
+        write_yield_order(YieldOrder("left", scene(talos), ("door",), ARC, 0.1, 0.9), talos)
+    )
+    document[key].append({**document[key][0], "shape": {"kind": "ball", "radius_m": 0.001}})
+
+    with pytest.raises(KinematicsError, match=f"{key}: .* is there twice"):
         read_yield_order(json.dumps(document), talos, talos.q_home)
 
 
