@@ -23,7 +23,7 @@ from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
-from trees.tasks import ObjectDescription, Task, WalkToTask
+from trees.tasks import MoveTask, ObjectDescription, Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
@@ -172,6 +172,10 @@ class TaskTree:
         place = self._written("place")
         if isinstance(self.task, WalkToTask) and isinstance(place, Place) and place.category == "object":
             self.acted_on = place.name
+        if isinstance(self.task, WalkToTask | MoveTask):
+            self._toolbox.world.sent_to = None
+            if self.status == "success" and isinstance(place, Place) and place.category == "furniture":
+                self._toolbox.world.sent_to = place.name
         handle = self._written("handle")
         if isinstance(handle, HandleTarget):
             self.acted_on = handle.part if handle.kind == DRAWER else BODY_OF[handle.kind]

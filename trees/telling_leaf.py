@@ -10,12 +10,12 @@ from statistics import fmean
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.poses import Transform
 from robots.articulated import PART_KINDS
 from robots.furniture import FURNITURE_KINDS
 from robots.furniture_names import kind_called
 from robots.scene_description import Region
-from trees.believed_thing import PERSON, BelievedThing, Surroundings, surroundings
+from trees.around import base_pose, what_is_around
+from trees.believed_thing import PERSON, BelievedThing, Surroundings
 from trees.events import Said
 from trees.failures import Failure, Number
 from trees.furniture_called import called_so, is_said_of
@@ -51,8 +51,7 @@ class TellingLeaf(Leaf):
 
     def around(self) -> Surroundings:
         """What is believed, from where the robot stands."""
-        world, policy = self.toolbox.world, self.toolbox.policy
-        return surroundings(world.scene, self._base(), policy.support_gap_m, world.last_acted_on)
+        return what_is_around(self.toolbox)
 
     def now_seen(self, around: Surroundings) -> Surroundings:
         """What the looks of this task showed; what is remembered from elsewhere is not here."""
@@ -105,7 +104,7 @@ class TellingLeaf(Leaf):
         if not isinstance(source, str) or self.region(source) is not None or not self.toolbox.can_walk:
             return None
         meant = called_so(source, around.furniture_words)
-        scene, base = self.toolbox.world.scene, self._base()
+        scene, base = self.toolbox.world.scene, base_pose(self.toolbox)
         names = [thing.name for thing in around.things if not thing.movable and thing.kind in meant]
         gap_m = min((gap_to_furniture_m(scene.objects[name], base) for name in names), default=0.0)
         if gap_m <= _OVERLOOKED_M:
@@ -171,8 +170,3 @@ class TellingLeaf(Leaf):
         names = (thing.name for thing in around.things if not thing.movable and not thing.is_person)
         kinds = {kind_of(name) for name in self.inside(region, names)}
         return [f"the {kind}" for kind in sorted(kinds - _NO_FURNITURE)]
-
-    def _base(self) -> Transform:
-        """Pose of the robot's base in the odometry frame, shape (4, 4)."""
-        model = self.toolbox.model
-        return model.frame_pose(self.toolbox.sensing.state().q, model.description.base_link)
