@@ -34,9 +34,7 @@ class Nearness:
     at_hand: bool = True
 
 
-def is_near(
-    wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T_base: Transform
-) -> bool:
+def is_near(wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T_base: Transform) -> bool:
     """Tell whether one thing that was seen fits, and is near enough.
 
     Args:

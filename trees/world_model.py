@@ -27,7 +27,8 @@ class WorldModel:
         sightings: The newest estimate of each thing that was seen in this task, by its name, for those that
             are still believed.
         glimpses: From where it was looked at, the newest last; what no look shows is unknown.
-        last_acted_on: Name of the object that the task before was about; "the other one" is not that.
+        last_acted_on: Name of the object that a task before was about, and did or touched; "the other one" is
+            not that.
         asked_at: Where the robot stood when it was asked for what it is doing, shape (4, 4), or None; "the
             other table" is not the one before it there.
         sent_to: Name of the furniture that the errand under way has walked to, or None; of several that fit,

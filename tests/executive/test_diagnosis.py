@@ -7,7 +7,6 @@ from pathlib import Path
 from executive import diagnosis
 from executive.diagnosis import diagnose, needed_packages
 
-
 PROJECT = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text("utf-8"))["project"]
 
 

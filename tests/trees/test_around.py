@@ -66,9 +66,7 @@ CUPS = [
     SceneObject(name, Cylinder(0.03, 0.11), poses.translation(0.45, y, 0.955))
     for name, y in (("red cup", -0.2), ("red cup 2", 1.9))
 ]
-TABLES = [
-    SceneObject(item.name, item.shape, item.world_T_object, movable=False) for item in (table(), LEFT)
-]
+TABLES = [SceneObject(item.name, item.shape, item.world_T_object, movable=False) for item in (table(), LEFT)]
 
 
 @pytest.fixture
