@@ -104,3 +104,17 @@ def test_what_is_not_where_the_robot_was_sent_is_meant_where_it_is(two_tables):
     two_tables.told.sent_to = "table 2"
 
     assert ground(ObjectDescription("cup"), what_is_around(two_tables.toolbox)) == Found(("red cup",))
+
+
+def test_what_is_on_the_other_table_is_not_told_from_afar(stage_with):
+    far = TrueObject("table 2", "furniture", "table", None, LEFT.shape, poses.translation(0.3, 3.0, 0.88))
+    stage = stage_with(table(), far, walks=True)
+    stage.told.update(
+        stage.told.scene.with_objects(
+            [*TABLES[:1], SceneObject("table 2", far.shape, far.world_T_object, movable=False)]
+        )
+    )
+    leaf = TellCount("tell", stage.toolbox)
+
+    assert stage.run(leaf, task=CountTask("", ObjectDescription("cup"), OTHER)) is Status.FAILURE
+    assert leaf.failure.message == "the other table is too far away to see all that is on it"
