@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from kinematics.poses import Transform
 from kinematics.scene import PlanningScene
-from trees.believed_thing import BelievedThing, surroundings
+from trees.believed_thing import BelievedThing, Surroundings
 from trees.furniture_called import called_so
 from trees.gap_to_furniture import gap_to_furniture_m
 from trees.grounding import Found, ground
@@ -34,16 +34,15 @@ class Nearness:
     at_hand: bool = True
 
 
-def is_near(wanted: Nearness, scene: PlanningScene, odom_T_base: Transform, support_gap_m: float) -> bool:
+def is_near(wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T_base: Transform) -> bool:
     """Tell whether one thing that was seen fits, and is near enough.
 
     Args:
         wanted: What, and how near.
-        scene: What is believed; in the odometry frame.
+        around: What is believed, from where the robot stands.
+        scene: The same in the odometry frame.
         odom_T_base: Pose of the robot's base, shape (4, 4).
-        support_gap_m: As for ``surroundings``.
     """
-    around = surroundings(scene, odom_T_base, support_gap_m)
     found = ground(wanted.thing, around)
     if isinstance(found, Found):
         one = next(thing for thing in around.things if thing.name == found.names[0])

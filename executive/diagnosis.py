@@ -5,9 +5,10 @@ from __future__ import annotations
 import importlib.metadata
 import importlib.util
 import platform
+import re
 import shutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from executive.config import runs_directory
@@ -15,22 +16,9 @@ from executive.errors import ExecutiveError
 from robots.errors import RenderingUnavailableError
 
 MIN_PYTHON = (3, 11)
-_DISTRIBUTIONS = {
-    "numpy": "numpy",
-    "mujoco": "mujoco",
-    "pin": "pinocchio",
-    "placo": "placo",
-    "coal": "coal",
-    "example-robot-data": None,
-    "ruckig": "ruckig",
-    "numba": "numba",
-    "py_trees": "py_trees",
-    "lark": "lark",
-    "rich": "rich",
-    "typer": "typer",
-    "pillow": "PIL",
-}
-"""What the product runs on, with the module that must be there."""
+_PRODUCT = "humanoid-executive"
+
+_REQUIRED_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +45,7 @@ _WARMING_TASK = "pick up the red cup on the table"
 
 def diagnose() -> list[Finding]:
     """Look at everything that the product needs."""
-    findings = [_python(), *(_package(name, module) for name, module in _DISTRIBUTIONS.items())]
+    findings = [_python(), *_packages()]
     findings += [_data("robots", _robots), _data("scenes", _scenes), _data("words", _words)]
     return [*findings, _writable(), _kernel(), _opengl(), _ffmpeg()]
 
@@ -112,19 +100,49 @@ def _python() -> Finding:
     )
 
 
-def _package(name: str, module: str | None) -> Finding:
+def _packages() -> list[Finding]:
+    """All that this package's own metadata say it runs on: none can be forgotten here."""
     try:
-        version = importlib.metadata.version(name)
+        required = importlib.metadata.requires(_PRODUCT) or []
     except importlib.metadata.PackageNotFoundError:
-        return Finding(name, False, "not installed", f"pip install {name}")
-    if module is not None and importlib.util.find_spec(module) is None:
-        return Finding(
-            name,
-            False,
-            f"{version}, but the module {module} is gone",
-            f"pip install --force-reinstall {name}",
+        detail = "not installed, so what it runs on is not known"
+        return [Finding(_PRODUCT, False, detail, f"pip install {_PRODUCT}")]
+    return [_package(*one) for one in needed_packages(required)]
+
+
+def needed_packages(requirements: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    """Names of the distributions that are always needed, each with its requirement ("numpy>=2.1").
+
+    Args:
+        requirements: As the metadata of a distribution have them; those with a marker, as extras have one,
+            are left out.
+    """
+    always = [one.strip() for one in requirements if ";" not in one]
+    named = [(_REQUIRED_NAME.match(one), one) for one in always]
+    return tuple((match.group(), one) for match, one in named if match is not None)
+
+
+def _package(name: str, requirement: str) -> Finding:
+    try:
+        installed = importlib.metadata.distribution(name)
+    except importlib.metadata.PackageNotFoundError:
+        return Finding(name, False, "not installed", f'pip install "{requirement}"')
+    gone = [module for module in _modules(installed) if importlib.util.find_spec(module) is None]
+    if gone:
+        detail = f"{installed.version}, but the module {gone[0]} is gone"
+        return Finding(name, False, detail, f'pip install --force-reinstall "{requirement}"')
+    return Finding(name, True, installed.version)
+
+
+def _modules(installed: importlib.metadata.Distribution) -> list[str]:
+    """Top-level modules that a distribution says it has, none that are no names or private."""
+    told = installed.read_text("top_level.txt")
+    if told is None:
+        files = installed.files or ()
+        told = "\n".join(
+            sorted({file.parts[0] for file in files if file.name == "__init__.py" and len(file.parts) == 2})
         )
-    return Finding(name, True, version)
+    return [name for name in told.split() if name.isidentifier() and not name.startswith("_")]
 
 
 def _data(name: str, count: Callable[[], int]) -> Finding:

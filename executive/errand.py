@@ -272,7 +272,9 @@ class Errand:
 
 def _may_be_elsewhere(source: Destination | None, known: Known) -> bool:
     """Whether what is not in view may be anywhere but on what the robot stands before."""
-    return not (isinstance(source, str) and known.is_near(Nearness(ObjectDescription(source))))
+    if isinstance(source, str):
+        source = ObjectDescription(source)
+    return not (isinstance(source, ObjectDescription) and known.is_near(Nearness(source)))
 
 
 def _is_far(place: Destination | Thing | None, known: Known) -> bool:

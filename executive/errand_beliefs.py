@@ -8,10 +8,10 @@ from executive.at_hand import Nearness, is_near
 from executive.meaning import Command
 from executive.other_furniture import named_other, settled
 from executive.preparing import Known
-from kinematics import poses
-from kinematics.poses import Transform
+from executive.references import references
+from trees.around import base_pose, what_is_around
 from trees.away_from_start import is_away
-from trees.believed_thing import Surroundings, surroundings
+from trees.believed_thing import Surroundings
 from trees.drawer_inside import DrawerInside, inside_of_drawer
 from trees.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.grounding import Found, ground
@@ -29,7 +29,8 @@ class ErrandBeliefs:
 
     def note_where_asked(self) -> None:
         """An errand begins here; "the other table" is not the one before the robot now."""
-        self._toolbox.world.asked_at = self._base()
+        self._toolbox.world.asked_at = base_pose(self._toolbox)
+        self._toolbox.world.sent_to = None
 
     def known(self) -> Known:
         """What makes steps of an errand needless, or needed."""
@@ -53,12 +54,14 @@ class ErrandBeliefs:
 
     def around(self) -> Surroundings:
         """What is believed to be around the robot."""
-        world, gap_m = self._toolbox.world, self._toolbox.policy.support_gap_m
-        return surroundings(world.scene, self._base(), gap_m, world.last_acted_on, world.asked_at)
+        return what_is_around(self._toolbox)
 
     def _is_near(self, wanted: Nearness) -> bool:
-        wanted = replace(wanted, thing=named_other(wanted.thing, self.around()))
-        return is_near(wanted, self._toolbox.world.scene, self._base(), self._toolbox.policy.support_gap_m)
+        if references(wanted.thing):  # what an earlier task is about is not known before that has ended
+            return False
+        around = self.around()
+        wanted = replace(wanted, thing=named_other(wanted.thing, around))
+        return is_near(wanted, around, self._toolbox.world.scene, base_pose(self._toolbox))
 
     def _stood_on(self, task: PlaceTask) -> str | None:
         """What the object of a task stood on before it came into a hand."""
@@ -71,7 +74,3 @@ class ErrandBeliefs:
         if isinstance(pick.object, ObjectOf) or isinstance(pick.source, ObjectOf):
             return False
         return isinstance(ground(pick.object, self.around(), pick.source, pick.count), Found)
-
-    def _base(self) -> Transform:
-        q = self._toolbox.sensing.state().q
-        return poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])

@@ -44,13 +44,33 @@ class InlineExecutor(Executor):
 class PlanningJob:
     """A request under way; satisfies ``trees.toolbox.Job``."""
 
-    def __init__(self, future: Future[Any], clock: Clock, ready_s: float) -> None:
+    def __init__(
+        self, future: Future[Any], clock: Clock, ready_s: float, tell: Callable[[Future[Any]], None]
+    ) -> None:
+        """Take a request that was submitted.
+
+        Args:
+            future: Of its answer.
+            clock: Simulated time.
+            ready_s: When its charged time has passed.
+            tell: Called with the future in the thread that ticks, once it is known there to be answered.
+        """
         self._future, self._clock, self._ready_s = future, clock, ready_s
+        self._tell, self._told = tell, False
+        self._is_answered()
 
     @property
     def done(self) -> bool:
         """Whether it is answered and its charged time has passed."""
-        return self._future.done() and self._clock.now_s() >= self._ready_s
+        return self._is_answered() and self._clock.now_s() >= self._ready_s
+
+    def _is_answered(self) -> bool:
+        if not self._future.done():
+            return False
+        if not self._told and not self._future.cancelled():
+            self._told = True
+            self._tell(self._future)
+        return True
 
     def result(self) -> Any:
         """The answer.
@@ -97,14 +117,16 @@ class PlanningJobs:
         self.checked = 0
 
     def submit(self, request: PlanRequest) -> Job:
-        """Begin to answer a request."""
-        now_s = self._clock.now_s()
-        ready_s = now_s + self._charged_s
-        future = self._executor.submit(self._answer, request)
-        raised = future.exception()
-        answer = type(raised or future.result()).__name__
-        self._sink(PlanningAnswered(now_s, ready_s, type(request).__name__, answer))
-        return PlanningJob(future, self._clock, ready_s)
+        """Begin to answer a request; returns at once where the executor does."""
+        ready_s = self._clock.now_s() + self._charged_s
+        asked = type(request).__name__
+
+        def tell(answered: Future[Any]) -> None:
+            raised = answered.exception()
+            answer = type(answered.result() if raised is None else raised).__name__
+            self._sink(PlanningAnswered(self._clock.now_s(), ready_s, asked, answer))
+
+        return PlanningJob(self._executor.submit(self._answer, request), self._clock, ready_s, tell)
 
     def _answer(self, request: PlanRequest) -> object:
         began_s, cpu_s = self._wall.now_s(), self._cpu.now_s()

@@ -17,6 +17,8 @@ from dataclasses import dataclass, replace
 from executive.at_hand import Nearness
 from executive.meaning import Command
 from robots.articulated import DRAWER
+from robots.furniture import FURNITURE_KINDS
+from robots.furniture_names import kind_called
 from trees.away_from_start import leads_away
 from trees.fridge_inside import is_behind_door
 from trees.handles import BODY_OF, MEANT_BY
@@ -212,8 +214,8 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         if roams and inside is None and _behind_of(command, commands) is None:
             before += _fetching(index, commands, known)
         elif away and thing is not None and not held:
-            inside_it = replace(thing, relation=thing.relation or Relation("on", inside)) if inside else thing
-            reach = WalkToTask(f"come within reach of the {thing}", inside_it)
+            said_where = inside or (command.source if isinstance(command, Bringing) else None)
+            reach = WalkToTask(f"come within reach of the {thing}", _at_its_source(thing, said_where))
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
         seen_from = seen_from_where(command) if roams and not walked else None
         if seen_from is not None:
@@ -259,10 +261,10 @@ def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator
     if not isinstance(thing, ObjectDescription):
         return
     before = commands[index - 1] if index > 0 else None
-    if not isinstance(before, WalkToTask) or before.to in known.rooms:
-        there = thing
-        if isinstance(source, str):
-            there = thing if thing.relation else replace(thing, relation=Relation("on", source))
+    walked_to = before.to if isinstance(before, WalkToTask) else None
+    if walked_to is None or walked_to in known.rooms or source not in (None, walked_to):
+        there = _at_its_source(thing, source)
+        if isinstance(source, str | ObjectDescription):
             yield Prepared(
                 WalkToTask(f"walk to the {source}", source), unless_near=Nearness(there, at_hand=False)
             )
@@ -271,6 +273,18 @@ def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator
     if not isinstance(command, PickTask):
         pick = PickTask(f"pick up the {thing}", thing, source, command.hand)
         yield Prepared(pick, finds_for=index)
+
+
+def _at_its_source(thing: ObjectDescription, source: Destination | None) -> ObjectDescription:
+    """A thing with where it is said to be, for who walks to it: "the cup on the other table"."""
+    if thing.relation is not None or not isinstance(source, str | ObjectDescription):
+        return thing
+    holds_it = isinstance(source, ObjectDescription) and not _is_furniture(source)
+    return replace(thing, relation=Relation("in" if holds_it else "on", source))
+
+
+def _is_furniture(there: ObjectDescription) -> bool:
+    return there.kind is not None and kind_called(there.kind) in FURNITURE_KINDS
 
 
 def _opening(word: str) -> list[Prepared]:
@@ -357,9 +371,11 @@ def _is_drawer(there: Destination | None) -> bool:
     return isinstance(there, str | ObjectDescription) and _described(there).kind == DRAWER
 
 
-def seen_from_where(command: Command) -> str | None:
+def seen_from_where(command: Command) -> str | ObjectDescription | None:
     """From where one sees what a command asks about; what is behind a door nobody sees."""
     source = command.source if isinstance(command, CountTask | DescribeTask | FindTask) else None
+    if isinstance(source, ObjectDescription):
+        return source if _is_furniture(source) and source.kind not in MEANT_BY else None
     return source if isinstance(source, str) and source not in MEANT_BY else None
 
 

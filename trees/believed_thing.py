@@ -97,12 +97,14 @@ class Surroundings(Sealed):
         held: Names of what is in its hands.
         last_acted_on: Name of the object that the task before was about, or None.
         here_T_asked: Where the robot stood when it was asked, from where it stands, shape (4, 4).
+        sent_to: Name of the furniture that it was told to walk to, and has; "the cup" is the one there.
     """
 
     things: tuple[BelievedThing, ...]
     held: tuple[str, ...] = ()
     last_acted_on: str | None = None
     here_T_asked: Transform = field(default_factory=lambda: np.eye(4))
+    sent_to: str | None = None
 
     @property
     def objects(self) -> tuple[BelievedThing, ...]:
@@ -131,6 +133,7 @@ def surroundings(
     support_gap_m: float,
     last_acted_on: str | None = None,
     asked_at: Transform | None = None,
+    sent_to: str | None = None,
 ) -> Surroundings:
     """Look at a planning scene from where the robot stands.
 
@@ -140,13 +143,14 @@ def surroundings(
         support_gap_m: Between an object's lowest point and what it stands on, at most.
         last_acted_on: Name of the object that the task before was about.
         asked_at: Pose of the base when the robot was asked, shape (4, 4); None is the same place.
+        sent_to: As for ``Surroundings``.
     """
     floor_place = (float(odom_T_base[0, 3]), float(odom_T_base[1, 3]), 0.0)
     standing = poses.transform(poses.rotation_z(poses.yaw_of(odom_T_base[:3, :3])), floor_place)
     base_T_odom = poses.inverse(standing)
     things = [_thing(item, scene, base_T_odom, support_gap_m) for _, item in sorted(scene.objects.items())]
     asked = base_T_odom @ (odom_T_base if asked_at is None else asked_at)
-    return Surroundings(tuple(things), tuple(sorted(scene.attached)), last_acted_on, asked)
+    return Surroundings(tuple(things), tuple(sorted(scene.attached)), last_acted_on, asked, sent_to)
 
 
 def split_words(words: str) -> tuple[str, str | None]:

@@ -107,9 +107,9 @@ def load(points: Any) -> Extensions:
 
 
 @cache
-def outside_leaves() -> tuple[type[Any], ...]:
+def outside_leaves() -> OutsideLeaves:
     """Leaves that trees in documents may use, of the group ``humanoid_executive.leaves``, loaded once."""
-    return load_leaves(importlib.metadata.entry_points(group=LEAVES)).leaves
+    return load_leaves(importlib.metadata.entry_points(group=LEAVES))
 
 
 @dataclass(frozen=True, slots=True)

@@ -90,13 +90,18 @@ def ground(
     Args:
         wanted: The description; its ``name`` may be a name of the planning scene.
         around: What the robot believes to be around it.
-        source: Where it is said to be: a piece of furniture, or a thing that it is in or on.
+        source: Where it is said to be: a piece of furniture, or a thing that it is in or on. Without one, the
+            one is meant that stands where the robot was sent, if any there fits.
         count: How many are meant. For a number more than fit, the nearest ones; "both" needs exactly two.
         among: What is of its kind and colour; None for all objects that are.
     """
     try:
         if among is None:
             among = _of_kind(wanted, around)
+            if source is None and count == 1 and wanted.relation is None and wanted.name is None:
+                there = _where_it_was_sent(among, around)
+                if there and not isinstance(found := ground(wanted, around, among=there), Missing):
+                    return found
         fitting = _fitting(wanted, list(among), around, source)
     except NoneFitsError as none:
         return Missing(none.message, none.had)
@@ -356,6 +361,19 @@ def _at(
     if not kept:
         raise NoneFitsError(f"{with_article(noun)} is seen, but not {where}", True)
     return kept
+
+
+def _where_it_was_sent(fitting: list[BelievedThing], around: Surroundings) -> list[BelievedThing]:
+    """Those that stand on the furniture that the robot was told to walk to; all its boards are that."""
+    piece = next((thing for thing in around.things if thing.name == around.sent_to), None)
+    if piece is None:
+        return []
+    boards = {
+        thing.name
+        for thing in around.things
+        if not thing.movable and belong_together(thing.name, thing.place_m, piece.name, piece.place_m)
+    }
+    return [thing for thing in fitting if thing.support in boards | {piece.name}]
 
 
 def _standing_on(said: str, around: Surroundings) -> Callable[[str], bool]:

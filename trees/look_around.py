@@ -8,7 +8,8 @@ from typing import ClassVar
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
-from trees.believed_thing import Surroundings, surroundings
+from trees.around import what_is_around
+from trees.believed_thing import Surroundings
 from trees.failures import Failure
 from trees.folded_look import folded_look
 from trees.look_leaf import LookLeaf, View
@@ -33,13 +34,7 @@ class LookAround(LookLeaf):
 
     def around(self) -> Surroundings:
         """What is believed now, from where the robot stands."""
-        toolbox = self.toolbox
-        model, q = toolbox.model, toolbox.sensing.state().q
-        odom_T_base = model.frame_pose(q, model.description.base_link)
-        gap_m = toolbox.policy.support_gap_m
-        return surroundings(
-            toolbox.world.scene, odom_T_base, gap_m, toolbox.world.last_acted_on, toolbox.world.asked_at
-        )
+        return what_is_around(self.toolbox)
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then judge what was seen."""

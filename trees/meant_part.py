@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robots.scene_description import Region
-from trees.believed_thing import BelievedThing, Surroundings, surroundings
+from trees.around import what_is_around
+from trees.believed_thing import BelievedThing, Surroundings
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
 from trees.names_of_things import may_name_a
-from trees.odometry import feet_pose
 from trees.questions import which_is_meant
 from trees.ranking import wrong_side
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -36,7 +36,7 @@ def meant_part(
     if (wrong := misnamed(task, fitting)) is not None:
         return wrong
     described = replace(_described(task), name=None)
-    around = surroundings(toolbox.world.scene, feet_pose(toolbox).transform(), toolbox.policy.support_gap_m)
+    around = what_is_around(toolbox)
     parts = {item.part: item for item in fitting}
     if described == ObjectDescription(described.kind):
         undone = {item.part: item for item in fitting if not is_so(task, item)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,7 @@ from kinematics.shapes import Box
 from kinematics.support import support_of
 from robots.furniture_names import kind_called
 from trees.articles import with_article
-from trees.believed_thing import Surroundings, split_words, surroundings
+from trees.believed_thing import Surroundings, split_words
 from trees.destination import furniture_named
 from trees.failures import Failure
 from trees.grounding import Ambiguous, Found, Missing, choices_among, ground, ground_furniture, says_which
@@ -53,6 +54,7 @@ def spots_for(
     on: Destination | None,
     to: Destination | None,
     scene: PlanningScene,
+    around: Surroundings,
     odom_T_base: Transform,
     support_gap_m: float,
     sight: SightOfTops,
@@ -65,6 +67,7 @@ def spots_for(
         on: The surface that is named, or None.
         to: The other thing that is named: beside what it goes, or another surface; or None.
         scene: What is believed to be around.
+        around: The same from where the robot stands.
         odom_T_base: Pose of the robot's base, shape (4, 4).
         support_gap_m: Between an object's lowest point and what it stands on, at most.
         sight: What has been looked at; only there is anything free.
@@ -76,12 +79,11 @@ def spots_for(
     wish = _comfort(held, odom_T_base)
     radius = footprint_radius_m(held.shape)
     if relation is not None:
-        found = _beside(relation, held, scene, odom_T_base, support_gap_m, wish, sight)
+        found = _beside(relation, held, scene, around, odom_T_base, support_gap_m, wish, sight)
         if isinstance(found, Failure):
             return found
         top, spots = found
     else:
-        around = surroundings(scene, odom_T_base, support_gap_m)
         surface = _put_on(on, to, scene, around, wish, None if origin is None else origin.support)
         if isinstance(surface, Failure):
             return surface
@@ -238,12 +240,13 @@ def _beside(
     relation: Relation,
     held: HeldObject,
     scene: PlanningScene,
+    around: Surroundings,
     odom_T_base: Transform,
     support_gap_m: float,
     wish: Callable[[Array], float],
     sight: SightOfTops,
 ) -> tuple[SceneObject, list[FreeSpot]] | Failure:
-    around = surroundings(scene, odom_T_base, support_gap_m, held.name)  # "the other one" is not the held one
+    around = replace(around, last_acted_on=held.name)  # "the other one" is not the held one
     person = person_compared_with(relation.to, scene, around)
     if isinstance(person, SceneObject):
         tops = [item for item in scene.objects.values() if is_surface(item) and is_flat(item)]

@@ -23,7 +23,7 @@ from trees.retry import Retry
 from trees.snapshot import TreeSnapshot
 from trees.snapshot_of import snapshot_of, status_word
 from trees.steps import Target
-from trees.tasks import ObjectDescription, Task, WalkToTask
+from trees.tasks import MoveTask, ObjectDescription, Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
@@ -163,17 +163,28 @@ class TaskTree:
         key = f"{self._namespace}/{port}"
         return Blackboard.get(key) if Blackboard.exists(key) else None
 
+    def _was_taken(self, name: str) -> bool:
+        """Whether a hand has a thing, or had it in this task; others a task that failed has not touched."""
+        world = self._toolbox.world
+        return name in world.taken_from or name in world.scene.attached
+
     def _forget(self) -> None:
         """Keep what it was about; give the ports' storage back, so that a long session does not fill up."""
-        target = self._written("target")
+        done, target = self.status == "success", self._written("target")
         if isinstance(target, Target):
-            self.acted_on = self._toolbox.world.last_acted_on = target.name
+            self.acted_on = target.name
+            if done or self._was_taken(target.name):
+                self._toolbox.world.last_acted_on = target.name
             self.others = tuple(self._written("others") or ())
         place = self._written("place")
         if isinstance(self.task, WalkToTask) and isinstance(place, Place) and place.category == "object":
-            self.acted_on = place.name
+            self.acted_on = place.name if done else None
+        if isinstance(self.task, WalkToTask | MoveTask):
+            self._toolbox.world.sent_to = None
+            if done and isinstance(place, Place) and place.category == "furniture":
+                self._toolbox.world.sent_to = place.name
         handle = self._written("handle")
-        if isinstance(handle, HandleTarget):
+        if done and isinstance(handle, HandleTarget):
             self.acted_on = handle.part if handle.kind == DRAWER else BODY_OF[handle.kind]
         for table in (Blackboard.storage, Blackboard.metadata):
             for key in [key for key in table if key.startswith(f"{self._namespace}/")]:

@@ -10,17 +10,17 @@ from statistics import fmean
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.poses import Transform
 from robots.articulated import PART_KINDS
 from robots.furniture import FURNITURE_KINDS
 from robots.furniture_names import kind_called
 from robots.scene_description import Region
-from trees.believed_thing import PERSON, BelievedThing, Surroundings, surroundings
+from trees.around import base_pose, what_is_around
+from trees.believed_thing import PERSON, BelievedThing, Surroundings
 from trees.events import Said
 from trees.failures import Failure, Number
 from trees.furniture_called import called_so, is_said_of
 from trees.gap_to_furniture import gap_to_furniture_m
-from trees.grounding import Ambiguous, Missing, ground
+from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture
 from trees.handles import INSIDE_KINDS
 from trees.hidden_places import HIDDEN_WORTH, hidden_places
 from trees.leaf import DONE, Leaf
@@ -51,8 +51,7 @@ class TellingLeaf(Leaf):
 
     def around(self) -> Surroundings:
         """What is believed, from where the robot stands."""
-        world, policy = self.toolbox.world, self.toolbox.policy
-        return surroundings(world.scene, self._base(), policy.support_gap_m, world.last_acted_on)
+        return what_is_around(self.toolbox)
 
     def now_seen(self, around: Surroundings) -> Surroundings:
         """What the looks of this task showed; what is remembered from elsewhere is not here."""
@@ -102,11 +101,10 @@ class TellingLeaf(Leaf):
 
     def too_far(self, source: Destination | None, around: Surroundings) -> Failure | None:
         """Why not all that stands on furniture can be told from here, where the robot could walk to it."""
-        if not isinstance(source, str) or self.region(source) is not None or not self.toolbox.can_walk:
+        if self.region(source) is not None or not self.toolbox.can_walk:
             return None
-        meant = called_so(source, around.furniture_words)
-        scene, base = self.toolbox.world.scene, self._base()
-        names = [thing.name for thing in around.things if not thing.movable and thing.kind in meant]
+        scene, base = self.toolbox.world.scene, base_pose(self.toolbox)
+        names = self._furniture_meant(source, around)
         gap_m = min((gap_to_furniture_m(scene.objects[name], base) for name in names), default=0.0)
         if gap_m <= _OVERLOOKED_M:
             return None
@@ -116,18 +114,27 @@ class TellingLeaf(Leaf):
     def much_is_hidden(self) -> bool:
         """Whether, on the furniture that the task is about, something may stand behind what was seen."""
         source, toolbox = self.get_input("task").source, self.toolbox
-        if not isinstance(source, str) or self.region(source) is not None:
+        meant = () if self.region(source) is not None else self._furniture_meant(source, self.around())
+        if not meant and not isinstance(source, str):
             return False
         scene, policy = toolbox.world.scene, toolbox.policy
-        meant = called_so(source, self.around().furniture_words)
-        others = [
-            name for name, item in scene.objects.items() if not item.movable and kind_of(name) not in meant
-        ]
+        others = [name for name, item in scene.objects.items() if not item.movable and name not in meant]
         for name in others:  # they stand in no line of sight to what is on a top before them
             scene = scene.without_object(name)
         camera = toolbox.model.description.camera
         _, worth = hidden_places(scene, toolbox.world.glimpses, camera, policy.blocked_by_hand_m)
         return int(np.count_nonzero(worth == HIDDEN_WORTH)) >= _MANY_PLACES
+
+    def _furniture_meant(self, source: Destination | None, around: Surroundings) -> tuple[str, ...]:
+        """Names of the solids of the furniture that is called or described so; none where it is not known."""
+        fixed = [thing for thing in around.things if not thing.movable]
+        if isinstance(source, str):
+            meant = called_so(source, around.furniture_words)
+            return tuple(thing.name for thing in fixed if thing.kind in meant)
+        if not isinstance(source, ObjectDescription):
+            return ()
+        found = ground_furniture(source, around)
+        return found.names if isinstance(found, Found) else ()
 
     def called_here(self, source: Destination | None, around: Surroundings) -> Destination | None:
         """What furniture is called by what was seen: of "the table" perhaps "coffee table"."""
@@ -171,8 +178,3 @@ class TellingLeaf(Leaf):
         names = (thing.name for thing in around.things if not thing.movable and not thing.is_person)
         kinds = {kind_of(name) for name in self.inside(region, names)}
         return [f"the {kind}" for kind in sorted(kinds - _NO_FURNITURE)]
-
-    def _base(self) -> Transform:
-        """Pose of the robot's base in the odometry frame, shape (4, 4)."""
-        model = self.toolbox.model
-        return model.frame_pose(self.toolbox.sensing.state().q, model.description.base_link)

@@ -27,9 +27,12 @@ class WorldModel:
         sightings: The newest estimate of each thing that was seen in this task, by its name, for those that
             are still believed.
         glimpses: From where it was looked at, the newest last; what no look shows is unknown.
-        last_acted_on: Name of the object that the task before was about; "the other one" is not that.
+        last_acted_on: Name of the object that a task before was about, and did or touched; "the other one" is
+            not that.
         asked_at: Where the robot stood when it was asked for what it is doing, shape (4, 4), or None; "the
             other table" is not the one before it there.
+        sent_to: Name of the furniture that the errand under way has walked to, or None; of several that fit,
+            what stands there is meant.
         put_down: What a hand of this robot let go of, by its name, until a hand takes it up again: where a
             look has shown it since, else where the hand had it.
         taken_from: Where it stood, of each thing that a hand has or that this task put down, by its name.
@@ -43,6 +46,7 @@ class WorldModel:
         self.glimpses: tuple[Glimpse, ...] = ()
         self.last_acted_on: str | None = None
         self.asked_at: Transform | None = None
+        self.sent_to: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, Origin] = {}
         self.at_handle: HandAtHandle | None = None

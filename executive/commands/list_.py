@@ -66,13 +66,14 @@ def _lines(what: What) -> Iterator[str]:
 
 def _skills() -> Iterator[str]:
     from trees.build import SKILLS
-    from trees.extensions import extensions
+    from trees.extensions import extensions, outside_leaves
 
     for action in [*(task.action for task in SKILLS), "stop"]:
         yield f"{action:<10} {_EXAMPLES.get(action, '')}".rstrip()
     for action, skill in sorted(extensions().skills.items()):
         yield f"{action:<10} {skill.example}"
     yield from _left_out(extensions().complaints)
+    yield from _left_out(outside_leaves().complaints)
 
 
 def _complaints_about(kind: str) -> Iterable[str]:

@@ -178,6 +178,17 @@ def imported_again(module: Module) -> list[str]:
     ]
 
 
+def around(module: Module) -> list[str]:
+    """Surroundings that somebody puts together by hand: "the other table" would be another one to them."""
+    if module.name in ("trees.around", "trees.believed_thing"):
+        return []
+    return [
+        f"{module.file}:{line}: trees.around tells what is around the robot"
+        for line, name in module.imports()
+        if name == "trees.believed_thing.surroundings"
+    ]
+
+
 BREACHES = [
     (wrong_layer, "import trees.tasks", "robots/example.py"),
     (wrong_layer, "def f():\n    from executive.cli import main", "trees/example.py"),
@@ -215,6 +226,7 @@ BREACHES = [
     (commander, "send = world.robot.command", "executive/example.py"),
     (environment, "import os\nos.environ['HOME']", "executive/example.py"),
     (imported_again, "from math import pi\ndef f():\n    from math import tau", "trees/example.py"),
+    (around, "from trees.believed_thing import surroundings", "trees/leaves/example.py"),
 ]
 ALLOWED = [
     (wrong_layer, "import kinematics.poses", "robots/example.py"),
@@ -230,12 +242,14 @@ ALLOWED = [
     (seal, "from kinematics.trajectory import _Seal", "kinematics/trajectory_check.py"),
     (judge, "from kinematics.kernel.separation import core_distance", "kinematics/check_certificate.py"),
     (commander, "self._robot.command(setpoint)", "robots/control/setpoint_gate.py"),
+    (around, "from trees.believed_thing import Surroundings", "trees/leaves/example.py"),
+    (around, "from trees.believed_thing import surroundings", "trees/around.py"),
     (imported_again, "from math import pi\ndef f():\n    from cmath import tau", "trees/example.py"),
     (imported_again, "if True:\n    from math import pi\ndef f():\n    from math import pi", "trees/a.py"),
 ]
 RULES = (
     wrong_layer, wrong_library, wall_clock, global_random, truth, seal, judge, commander, environment,
-    imported_again,
+    imported_again, around,
 )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from executive.at_hand import Nearness, is_near
 from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
+from trees.believed_thing import surroundings
 from trees.tasks import ObjectDescription, Relation
 
 CUP = ObjectDescription("cup", "red")
@@ -23,7 +24,8 @@ def room(cup_m):
 def near(nearness, cup_m=(0.5, 0.1, 0.95), base=(0.0, 0.0, 0.0)):
     x, y, yaw = base
     standing = poses.transform(poses.rotation_z(yaw), (x, y, 1.0))
-    return is_near(nearness, room(cup_m), standing, 0.05)
+    scene = room(cup_m)
+    return is_near(nearness, surroundings(scene, standing, 0.05), scene, standing)
 
 
 def test_a_cup_half_a_metre_ahead_is_at_hand():

@@ -1,5 +1,6 @@
 """Exit codes, one clear line, no traceback."""
 
+import importlib.metadata
 import json
 import os
 import subprocess
@@ -14,6 +15,7 @@ from typer.testing import CliRunner
 from executive import cli, run_search
 from executive.config import CONFIG_VARIABLE
 from executive.exit_codes import ExitCode
+from trees import extensions
 
 ROOT = Path(__file__).parents[2]
 SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
@@ -28,6 +30,22 @@ def executive(tmp_path, monkeypatch):
         return CliRunner().invoke(cli.app, list(arguments), **options)
 
     return invoke
+
+
+@pytest.fixture
+def broken_leaves(monkeypatch):
+    """A package of leaves is installed whose module is gone; what is complained about it."""
+    entry_points = importlib.metadata.entry_points
+
+    def with_fly(**chosen):
+        if chosen == {"group": extensions.LEAVES}:
+            return (importlib.metadata.EntryPoint("fly", "no_such_module:Fly", extensions.LEAVES),)
+        return entry_points(**chosen)
+
+    monkeypatch.setattr(importlib.metadata, "entry_points", with_fly)
+    extensions.outside_leaves.cache_clear()
+    yield "leaf 'fly': ModuleNotFoundError: No module named 'no_such_module'"
+    extensions.outside_leaves.cache_clear()
 
 
 def one_line(result):
@@ -280,6 +298,18 @@ def test_the_tree_of_a_refused_sentence_is_refused(executive):
 )
 def test_what_there_is_can_be_listed(executive, what, word):
     assert word in executive("list", what).stdout
+
+
+def test_a_package_of_leaves_that_cannot_be_loaded_is_told_where_skills_are_listed(executive, broken_leaves):
+    assert f"left out: {broken_leaves}" in executive("list", "skills").stdout
+
+
+def test_a_tree_with_a_leaf_of_a_package_that_cannot_be_loaded_says_why(executive, broken_leaves, tmp_path):
+    (tmp_path / "bad.xml").write_text(
+        '<root BTCPP_format="4"><BehaviorTree ID="A"><Fly/></BehaviorTree></root>'
+    )
+
+    assert broken_leaves in executive("tree", str(tmp_path / "bad.xml")).stderr
 
 
 def test_every_skill_that_is_listed_has_a_valid_example():

@@ -9,7 +9,16 @@ from kinematics import poses
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from trees.believed_thing import surroundings
-from trees.tasks import ObjectDescription, PickTask, PlaceTask, WalkToTask
+from trees.tasks import (
+    CountTask,
+    FindTask,
+    LookAtTask,
+    ObjectDescription,
+    PickTask,
+    PlaceTask,
+    Relation,
+    WalkToTask,
+)
 
 GAP_M = 0.02
 OTHER = ObjectDescription("table", ordinal="other")
@@ -47,5 +56,37 @@ def test_what_is_no_other_furniture_stays_as_it_was_said():
 def test_the_other_table_is_near_only_where_the_robot_stands_before_it():
     wanted = Nearness(named_other(OTHER, around(HERE, HERE)))
 
-    assert not is_near(wanted, SCENE, HERE, GAP_M)
-    assert is_near(wanted, SCENE, THERE, GAP_M)
+    assert not is_near(wanted, around(HERE, HERE), SCENE, HERE)
+    assert is_near(wanted, around(THERE, HERE), SCENE, THERE)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        PickTask("", ObjectDescription("cup"), OTHER),
+        PlaceTask("", ObjectDescription("cup"), to=ObjectDescription("shelf"), source=OTHER),
+        FindTask("", ObjectDescription("cup"), source=OTHER),
+        CountTask("", ObjectDescription("cup"), source=OTHER),
+    ],
+)
+def test_where_something_is_said_to_be_is_told_from_where_the_robot_was_asked(command):
+    assert settled(command, around(THERE, HERE), None).source.name == "table 2"
+
+
+def test_what_is_moved_is_taken_from_the_other_table_though_it_stands_there():
+    place = PlaceTask("", ObjectDescription("cup"), to=ObjectDescription("shelf"), source=OTHER)
+
+    assert settled(place, around(THERE, HERE), "table 2").source.name == "table 2"
+
+
+@pytest.mark.parametrize(
+    ("command", "slot"),
+    [
+        (LookAtTask("", ObjectDescription("cup", relation=Relation("on", OTHER))), "object"),
+        (WalkToTask("", ObjectDescription("cup", relation=Relation("on", OTHER))), "to"),
+    ],
+)
+def test_what_is_on_the_other_table_is_on_the_one_that_was_meant(command, slot):
+    named = getattr(settled(command, around(THERE, HERE), None), slot)
+
+    assert named.relation.to.name == "table 2"

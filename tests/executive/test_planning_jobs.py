@@ -1,5 +1,7 @@
 """Planning is answered at once, and counts only when its charged time has passed."""
 
+from concurrent.futures import Executor, Future
+
 import pytest
 
 from executive.planning_jobs import PlanningJobs
@@ -49,3 +51,60 @@ def test_each_answer_is_told_with_the_simulated_times_only():
 
     assert (events[0].t_s, events[0].ready_s, events[0].request) == (2.0, 2.1, "str")
     assert planning.wall_s >= 0.0
+
+
+class Later(Executor):
+    """Answers when it is told to, as a worker does."""
+
+    def submit(self, fn, /, *args, **kwargs):
+        self.future, self._work = Waiting(), lambda: fn(*args, **kwargs)
+        return self.future
+
+    def work(self):
+        self.future.set_result(self._work())
+
+
+class Waiting(Future):
+    """A future that nobody may wait for."""
+
+    def exception(self, timeout=None):
+        assert self.done(), "the tick waits for the planner"
+        return super().exception(timeout)
+
+
+@pytest.fixture
+def later():
+    clock, events, executor = ManualClock(), [], Later()
+    return PlanningJobs(Planner(), clock, events.append, executor, charged_s=0.1), clock, events, executor
+
+
+def test_nobody_waits_for_a_planner_that_works_elsewhere(later):
+    planning, clock, events, executor = later
+    job = planning.submit("request")
+    clock.advance(0.2)
+
+    assert not job.done
+    assert not events
+    executor.work()
+    assert job.done
+    assert job.result() == "plan"
+
+
+def test_a_late_answer_is_told_once_when_it_is_there(later):
+    planning, clock, events, executor = later
+    job = planning.submit("request")
+    executor.work()
+    clock.advance(0.2)
+
+    assert (job.done, job.done) == (True, True)
+    assert [(event.t_s, event.ready_s, event.answer) for event in events] == [(0.2, 0.1, "str")]
+
+
+def test_nothing_is_told_of_what_was_cancelled(later):
+    planning, clock, events, _ = later
+    job = planning.submit("request")
+    job.cancel()
+    clock.advance(0.2)
+
+    assert job.done
+    assert not events

@@ -472,3 +472,35 @@ def test_what_is_asked_about_furniture_out_of_sight_is_walked_to_once(sentence, 
 
     assert [command.action for command in notes.told] == actions
     assert last.failure.root.message == "no side table seen"
+
+
+@pytest.mark.parametrize(
+    ("sentence", "source", "thing"),
+    [
+        ("pick up the cup from the other table", "other table", "cup on the other table"),
+        ("pick up the cup from the top shelf", "top shelf", "cup on the top shelf"),
+        ("pick up the ball from the box", "box", "ball in the box"),
+    ],
+)
+def test_where_something_is_described_to_be_is_walked_to_as_where_it_is_named_to_be(sentence, source, thing):
+    assert walked(sentence)[:2] == [("walk_to", source), ("walk_to", thing)]
+
+
+@pytest.mark.parametrize("sentence", ["how many cups are on the other table?", "what is on the top shelf?"])
+def test_what_is_asked_about_described_furniture_is_seen_from_there(sentence):
+    assert [action for action, _ in walked(sentence)][:-1] == ["walk_to"]
+
+
+def test_who_was_sent_elsewhere_walks_to_where_the_thing_is_said_to_be():
+    assert walked("walk to the counter and pick up the cup from the other table")[1:3] == [
+        ("walk_to", "other table"),
+        ("walk_to", "cup on the other table"),
+    ]
+
+
+def test_what_is_fetched_after_a_door_was_opened_is_fetched_from_where_it_is_said_to_be():
+    said = "take the bottle from the fridge, give it to Ana and pick up the cup from the other table"
+
+    [*_, reach] = [step.command for step in steps(said) if type(step.command) is WalkToTask]
+
+    assert str(reach.to) == "cup on the other table"

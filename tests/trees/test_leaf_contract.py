@@ -87,7 +87,7 @@ LEAVES = [
 OUTSIDE = tuple(extensions().skills.values())
 TASKS |= {skill.task: (skill.make or skill.task)(skill.example) for skill in OUTSIDE}
 TREES = {**SKILLS, **{skill.task: skill.tree for skill in OUTSIDE}}
-LEAVES += [leaf for leaf in outside_leaves() if leaf not in LEAVES]
+LEAVES += [leaf for leaf in outside_leaves().leaves if leaf not in LEAVES]
 
 LONGEST = 400
 AFTERWARDS = 5

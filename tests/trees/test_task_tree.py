@@ -132,6 +132,27 @@ def test_two_trees_at_once_do_not_share_their_ports(stage, stage_with):
     assert other.status == "running"
 
 
+def test_what_a_failed_task_never_touched_is_not_what_was_acted_on_before(stage):
+    stage.told.last_acted_on = "blue box"
+    tree = stage.pick()
+    stage.when("plan pick", lambda: tree.halt("enough"))
+
+    stage.play(tree)
+
+    assert tree.status == "failure"
+    assert (tree.acted_on, stage.told.last_acted_on) == ("red cup", "blue box")
+
+
+def test_what_a_failed_task_had_in_a_hand_is_what_was_acted_on_before(stage):
+    tree = stage.pick()
+    stage.when("lift", lambda: tree.halt("enough"), after_ticks=1)
+
+    stage.play(tree)
+
+    assert tree.status == "failure"
+    assert stage.told.last_acted_on == "red cup"
+
+
 def test_a_tree_tells_what_it_was_about(stage):
     tree = stage.play(stage.pick())
 

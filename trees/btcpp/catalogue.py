@@ -14,6 +14,7 @@ from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.leaf_kinds import known_leaves, leaf_kind
 from trees.btcpp.node_kind import NodeKind
 from trees.btcpp.own_kinds import OWN_KINDS
+from trees.extensions import outside_leaves
 from trees.leaf import Leaf
 
 
@@ -34,7 +35,8 @@ def kind_called(name: str, where: str) -> NodeKind:
     if kind is None:
         close = difflib.get_close_matches(name, kinds_by_id(), n=1)
         hint = f"; did you mean {close[0]!r}?" if close else ""
-        raise TreeDocumentError(where, f"there is no node {name!r}{hint}")
+        lost = "".join(f" ({complaint}: left out)" for complaint in outside_leaves().complaints)
+        raise TreeDocumentError(where, f"there is no node {name!r}{hint}{lost}")
     return kind
 
 

@@ -45,7 +45,7 @@ def leaf_kind(cls: type[Leaf]) -> NodeKind:
 
 def known_leaves() -> Mapping[str, type[Leaf]]:
     """All leaves by their IDs: those of this package and those of others, in the order of the IDs."""
-    found = {cls.__name__: cls for cls in outside_leaves()}
+    found = {cls.__name__: cls for cls in outside_leaves().leaves}
     for module in pkgutil.iter_modules(trees.leaves.__path__):
         importlib.import_module(f"trees.leaves.{module.name}")
     for cls in _below(Leaf):

@@ -7,10 +7,10 @@ from typing import Literal
 
 from py_trees.common import Status
 
-from kinematics import poses
 from kinematics.support import support_of
 from robots.perception.object_estimate import ObjectEstimate
-from trees.believed_thing import Surroundings, surroundings
+from trees.around import what_is_around
+from trees.believed_thing import Surroundings
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.folded_look import folded_look
@@ -85,12 +85,10 @@ class Detect(LookLeaf):
         return DONE
 
     def _choose(self, seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
-        task, world, policy = self.get_input("task"), self.toolbox.world, self.toolbox.policy
+        task, world = self.get_input("task"), self.toolbox.world
         if isinstance(task.object, ObjectOf):
             raise TypeError("the object of an earlier task was not filled in")
-        q = self.toolbox.sensing.state().q
-        base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
-        around = surroundings(world.scene, base, policy.support_gap_m, world.last_acted_on)
+        around = what_is_around(self.toolbox)
         source, count = getattr(task, "source", None), getattr(task, "count", 1)
         if count != 1:
             around = around.without(self._besides(around))

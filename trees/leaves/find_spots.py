@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
+from trees.around import base_pose
 from trees.contract import Contract
 from trees.failures import Failure
 from trees.held import HeldObject
@@ -38,14 +39,13 @@ class FindSpots(LookAround):
         room = task.on if task.on is not None else task.to
         if isinstance(room, str) and room in toolbox.places:
             return on_what(room, toolbox.places[room], toolbox.world.scene)
-        base = toolbox.model.frame_pose(toolbox.sensing.state().q, toolbox.model.description.base_link)
-        policy = toolbox.policy
+        around, base, policy = self.around(), base_pose(toolbox), toolbox.policy
         sight = SightOfTops(
             toolbox.world.glimpses, toolbox.model.description.camera, policy.blocked_by_hand_m
         )
         held, scene = self.get_input("held"), toolbox.world.scene
         origin = toolbox.world.taken_from.get(held.name)
-        spots = spots_for(held, task.on, task.to, scene, base, policy.support_gap_m, sight, origin)
+        spots = spots_for(held, task.on, task.to, scene, around, base, policy.support_gap_m, sight, origin)
         if isinstance(spots, Failure):
             return spots
         self._set_output("spots", spots)

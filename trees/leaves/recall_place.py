@@ -9,14 +9,13 @@ from py_trees.common import Status
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 from robots.perception.detector import Category
-from trees.believed_thing import surroundings
+from trees.around import what_is_around
 from trees.contract import Contract
 from trees.destination import Place, aim_of, words_of
 from trees.failures import Failure
 from trees.furniture_called import called_so, others_like
 from trees.grounding import Found, ground
 from trees.leaf import DONE, Leaf
-from trees.odometry import feet_pose
 from trees.ports import ports
 from trees.scene_update import kind_of
 from trees.tasks import Destination, ObjectDescription
@@ -85,10 +84,7 @@ class RecallPlace(Leaf):
         if not isinstance(aim, ObjectDescription):
             return None
         scene = world.scene.with_objects([*world.scene.objects.values(), *pool.values()])
-        here = feet_pose(self.toolbox).transform()
-        around = surroundings(
-            scene, here, self.toolbox.policy.support_gap_m, world.last_acted_on, world.asked_at
-        )
+        around = what_is_around(self.toolbox, scene)
         match ground(aim, around.only(tuple(pool))):
             case Found((name,)):
                 return pool[name]
