@@ -12,12 +12,13 @@ from robots.fake.fake_world import cup, table
 from robots.perception.truth_view import TrueObject
 from trees.around import base_pose, what_is_around
 from trees.believed_thing import surroundings
+from trees.build import build_tree
 from trees.grounding import Ambiguous, Found, ground
 from trees.leaves.detect import Detect
 from trees.leaves.look_at import LookAt
 from trees.leaves.tell import TellCount
 from trees.policy import Gaze
-from trees.tasks import CountTask, ObjectDescription, PickTask, Relation
+from trees.tasks import CountTask, ObjectDescription, PickTask, Relation, WalkToTask
 
 OTHER = ObjectDescription("table", ordinal="other")
 LEFT = TrueObject(
@@ -118,3 +119,13 @@ def test_what_is_on_the_other_table_is_not_told_from_afar(stage_with):
 
     assert stage.run(leaf, task=CountTask("", ObjectDescription("cup"), OTHER)) is Status.FAILURE
     assert leaf.failure.message == "the other table is too far away to see all that is on it"
+
+
+def test_who_has_walked_to_a_table_was_sent_there_until_it_walks_on(stage_with):
+    stage = stage_with(table(), cup(), walks=True)
+
+    walk = stage.play(build_tree(WalkToTask("walk to the table", "table"), stage.toolbox))
+    sent_to = stage.told.sent_to
+    stage.play(build_tree(WalkToTask("walk to the cup", ObjectDescription("cup")), stage.toolbox))
+
+    assert (walk.status, sent_to, stage.told.sent_to) == ("success", "table", None)
