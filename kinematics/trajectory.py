@@ -31,6 +31,11 @@ class Stance:
         """The same for stances that are equal to the bit, for tables of what was computed once."""
         return tuple((frame, pose.tobytes()) for frame, pose in self.soles)
 
+    @property
+    def height_m(self) -> float:
+        """Height of the plane that the soles stand on, where the ZMP is: their mean; 0 without soles."""
+        return sum(float(pose[2, 3]) for _, pose in self.soles) / max(len(self.soles), 1)
+
 
 @dataclass(frozen=True, slots=True)
 class Path:

@@ -176,8 +176,10 @@ class Referee:
         before = np.maximum(after - 2, 0)
         change = (momenta[after] - momenta[before]) / (times[after] - times[before])[:, None]
         lift = change[:, 2] + self.model.mass_kg * 9.81
-        x = com[:, 0] - (com[:, 2] * change[:, 0] + change[:, 4]) / lift
-        y = com[:, 1] - (com[:, 2] * change[:, 1] - change[:, 3]) / lift
+        # the ZMP is on the plane that the soles stand on
+        height = com[:, 2] - np.mean([pose[2, 3] for _, pose in trajectory.stance.soles])
+        x = com[:, 0] - (height * change[:, 0] + change[:, 4]) / lift
+        y = com[:, 1] - (height * change[:, 1] - change[:, 3]) / lift
         margin = -(np.column_stack([x, y]) @ hull[:, :2].T + hull[:, 2]).max(axis=1)
         verdict.zmp_margin_m = float(margin.min())
         if margin.min() < 0.0:
