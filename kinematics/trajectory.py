@@ -38,6 +38,24 @@ class Stance:
 
 
 @dataclass(frozen=True, slots=True)
+class HeldLoad:
+    """A mass that a frame of the robot carries.
+
+    The own inertia of an object no larger than a hand is a hundredth of what its distance from the
+    shoulder makes of its mass, so a load is a point.
+
+    Attributes:
+        frame: Model frame that carries it.
+        mass_kg: How heavy it is.
+        point_m: Where its centre of mass is in that frame.
+    """
+
+    frame: str
+    mass_kg: float
+    point_m: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Path:
     """Waypoints without time; ``q`` has shape (n, nq)."""
 
@@ -156,12 +174,14 @@ class CheckedTrajectory:
         min_distance_m: Smallest distance between pairs that must not touch, as far as it was
             measured (pairs proven far apart are not refined).
         min_com_margin_m: Smallest distance of the CoM to the edge of the support polygon.
+        loads: What the hands carry in it: balance and efforts were judged with that.
     """
 
     trajectory: Trajectory
     min_distance_m: float
     min_com_margin_m: float
     seal: _Seal
+    loads: tuple[HeldLoad, ...] = ()
 
     def __post_init__(self) -> None:
         if getattr(self.seal, "of", None) is not self.trajectory:

@@ -20,10 +20,19 @@ from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
 from kinematics.check_stance import stance_findings
 from kinematics.check_timeline import Timeline
 from kinematics.errors import InvalidMotionError
+from kinematics.held_load import loaded, loads_in
 from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
-from kinematics.trajectory import CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe, _Seal
+from kinematics.trajectory import (
+    CheckedTrajectory,
+    Finding,
+    FindingKind,
+    HeldLoad,
+    Trajectory,
+    Unsafe,
+    _Seal,
+)
 
 Array = NDArray[np.float64]
 
@@ -65,6 +74,7 @@ class TrajectoryChecker:
             self._kinematics = BatchedKinematics(model)
             self._pairs = PairBuilder(model, self._kinematics)
         self._dynamics = DynamicsCheck(model, self._kinematics, settings, loads)
+        self._loaded: tuple[tuple[HeldLoad, ...], DynamicsCheck] = ((), self._dynamics)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.
@@ -89,7 +99,8 @@ class TrajectoryChecker:
             jumps_s = jump_intervals(model, timeline, settings)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
-        unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)
+        loads = loads_in(scene)
+        unbalanced, com_margin_m = self._dynamics_with(loads).findings(trajectory, timeline)
         findings += unbalanced
         touching, min_distance_m = self._contacts(timeline, self._pairs.pairs(scene), jumps_s)
         findings += touching
@@ -100,7 +111,22 @@ class TrajectoryChecker:
             min_distance_m=min_distance_m,
             min_com_margin_m=com_margin_m,
             seal=_Seal(trajectory),
+            loads=loads,
         )
+
+    def _dynamics_with(self, loads: tuple[HeldLoad, ...]) -> DynamicsCheck:
+        """Of the robot with what its hands carry; that of the last load is kept."""
+        if not loads:
+            return self._dynamics
+        if self._loaded[0] != loads:
+            model = loaded(self._model, loads)
+            if self._compiled is None:
+                check = DynamicsCheck(model, BatchedKinematics(model), self._settings)
+            else:
+                kinematics = type(self._compiled)(model)
+                check = DynamicsCheck(model, kinematics, self._settings, kinematics.loads)
+            self._loaded = loads, check
+        return self._loaded[1]
 
     def _contacts(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:
         """Findings and the smallest distance; by Coal alone while nothing is compiled."""
