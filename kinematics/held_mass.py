@@ -69,7 +69,9 @@ class HeldMass:
         model, data = self._model, self._data
         pin.computeJointJacobians(model, data, q)
         pin.updateFramePlacement(model, data, self._frame)
-        jacobian = pin.getFrameJacobian(model, data, self._frame, pin.LOCAL_WORLD_ALIGNED)[:, 6 + self._joints]
+        jacobian = pin.getFrameJacobian(model, data, self._frame, pin.LOCAL_WORLD_ALIGNED)[
+            :, 6 + self._joints
+        ]
         x, y, _ = data.oMf[self._frame].rotation @ point_m
         # the vertical speed of the place for each joint's: that of the TCP, and what turning adds
         return np.asarray(GRAVITY_M_S2 * (jacobian[2] + jacobian[3] * y - jacobian[4] * x))

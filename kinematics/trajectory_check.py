@@ -20,7 +20,6 @@ from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
 from kinematics.check_stance import stance_findings
 from kinematics.check_timeline import Timeline
 from kinematics.errors import InvalidMotionError
-from kinematics.held_load import loaded, loads_in
 from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
@@ -99,7 +98,7 @@ class TrajectoryChecker:
             jumps_s = jump_intervals(model, timeline, settings)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
-        loads = loads_in(scene)
+        loads = _held_loads(scene)
         unbalanced, com_margin_m = self._dynamics_with(loads).findings(trajectory, timeline)
         findings += unbalanced
         touching, min_distance_m = self._contacts(timeline, self._pairs.pairs(scene), jumps_s)
@@ -119,7 +118,9 @@ class TrajectoryChecker:
         if not loads:
             return self._dynamics
         if self._loaded[0] != loads:
-            model = loaded(self._model, loads)
+            model = self._model.with_point_masses(
+                [(load.frame, load.mass_kg, np.array(load.point_m)) for load in loads]
+            )
             if self._compiled is None:
                 check = DynamicsCheck(model, BatchedKinematics(model), self._settings)
             else:
@@ -134,6 +135,16 @@ class TrajectoryChecker:
             return self._finder.findings(timeline, pairs, jumps_s)
         check = CollisionCheck(self._kinematics, timeline, pairs, self._settings, jumps_s)
         return check.findings(), check.min_distance_m
+
+
+def _held_loads(scene: PlanningScene) -> tuple[HeldLoad, ...]:
+    """What the hands carry: each attached body whose mass is known, at its centre."""
+    loads = []
+    for body in scene.attached.values():
+        if body.mass_kg > 0.0:
+            x, y, z = body.frame_T_object[:3, 3].tolist()
+            loads.append(HeldLoad(body.frame, body.mass_kg, (x, y, z)))
+    return tuple(loads)
 
 
 def _quaternion_findings(trajectory: Trajectory) -> list[Finding]:

@@ -146,7 +146,7 @@ class Referee:
         return self._defined[1]
 
     def com_margin_m(self, trajectory: Trajectory) -> float:
-        """Smallest distance of the CoM to the edge of the support polygon, at the samples, with empty hands."""
+        """Smallest distance of the CoM to the edge of the support polygon, at samples, with empty hands."""
         hull = self._hull(trajectory)
         data = self.model.pin.createData()
         coms = np.array([pin.centerOfMass(self.model.pin, data, q)[:2] for q in trajectory.q])

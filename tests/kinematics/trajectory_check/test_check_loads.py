@@ -50,7 +50,9 @@ def test_the_margin_with_a_held_mass_is_that_of_an_independent_referee(talos, mo
     checked = checker.check(still, scene)
 
     assert isinstance(checked, CheckedTrajectory)
-    assert checked.min_com_margin_m == pytest.approx(Referee(talos).judge(still, scene).com_margin_m, abs=1e-6)
+    assert checked.min_com_margin_m == pytest.approx(
+        Referee(talos).judge(still, scene).com_margin_m, abs=1e-6
+    )
 
 
 def test_efforts_that_a_held_mass_takes_beyond_the_limit_are_refused(motions, holding, checker, findings_of):

@@ -26,7 +26,9 @@ def test_what_a_hand_carries_is_borne_by_the_feed_forward(talos, balance, at_res
     for _ in range(200):
         efforts = balance.efforts(at_rest)
 
-    wanted = StandingDynamics(loaded(talos, BOTTLE), stance_at(talos, talos.q_home)).holding_efforts(at_rest.q)
+    wanted = StandingDynamics(loaded(talos, BOTTLE), stance_at(talos, talos.q_home)).holding_efforts(
+        at_rest.q
+    )
     np.testing.assert_allclose(efforts, wanted, atol=1e-9)
 
 
@@ -49,5 +51,7 @@ def test_a_load_that_changes_halfway_makes_no_step_either(balance, at_rest):
 def test_the_first_efforts_after_a_walk_bear_the_load_at_once(talos, balance, at_rest):
     balance.carry(BOTTLE)
 
-    wanted = StandingDynamics(loaded(talos, BOTTLE), stance_at(talos, talos.q_home)).holding_efforts(at_rest.q)
+    wanted = StandingDynamics(loaded(talos, BOTTLE), stance_at(talos, talos.q_home)).holding_efforts(
+        at_rest.q
+    )
     np.testing.assert_allclose(balance.efforts(at_rest), wanted, atol=1e-9)
