@@ -86,10 +86,11 @@ class _Standing:
         feet: Bodies that carry them, shape (m,).
         share: Their parts of the wrench of the ground for each ZMP (x, y, 1), held between 0 and 1, shape
             (m, 3).
+        height_m: Of the plane that the soles stand on, where the ZMP is.
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:
-        self.key = stance.key
+        self.key, self.height_m = stance.key, stance.height_m
         self.polygon = SupportPolygon(model, stance)
         sizes = {sole.frame: sole for sole in model.description.soles}
         carrying = [(sizes[name], pose) for name, pose in stance.soles if name in sizes]
@@ -146,6 +147,9 @@ class DynamicsCheck:
         self._settings = settings
         self._data = model.pin.createData()
         self._last: _Standing | None = None
+        self._armature = np.array(
+            [model.description.gains[name].armature for name in model.joints], dtype=np.float64
+        )
 
     def findings(self, trajectory: Trajectory, timeline: Timeline) -> tuple[list[Finding], float]:
         """Judge balance and effort.
@@ -178,12 +182,17 @@ class DynamicsCheck:
         if self._loads is not None:
             standing = self._standing(trajectory.stance)
             rates = self._rates(trajectory, times)
-            return self._loads(placed, *rates, standing.feet, standing.points_m, standing.share)
+            placed, points = _seen_from(standing.height_m, placed, standing.points_m)
+            torques, zmp = self._loads(placed, *rates, standing.feet, points, standing.share)
+            torques += rates[1][:, 6:] * self._armature
+            return torques, zmp
         q = _stacked(configurations)
         efforts = self._inverse_dynamics(trajectory, times, q)
         force, moment = self._ground_wrench(efforts[:, :6], configurations.base_rotation, q[:, :3])
         lift = np.maximum(force[:, 2], 1e-6)
-        zmp = np.column_stack([-moment[:, 1], moment[:, 0]]) / lift[:, None]
+        height_m = trajectory.stance.height_m
+        zmp = np.column_stack([height_m * force[:, 0] - moment[:, 1], height_m * force[:, 1] + moment[:, 0]])
+        zmp /= lift[:, None]
         return self._torques(trajectory.stance, efforts, force, moment, zmp, placed), zmp
 
     def _rates(self, trajectory: Trajectory, times: Array) -> tuple[Array, Array]:
@@ -197,12 +206,13 @@ class DynamicsCheck:
         return v, (late - early) / np.maximum(after - before, 1e-9)[:, None]
 
     def _inverse_dynamics(self, trajectory: Trajectory, times: Array, q: Array) -> Array:
-        """Generalised forces without contacts, shape (n, nv)."""
+        """Generalised forces without contacts, shape (n, nv); those that turn the rotors are in them."""
         v, a = self._rates(trajectory, times)
         model, data = self._model.pin, self._data
         forces = np.empty((len(times), model.nv))
         for i in range(len(times)):
             forces[i] = pin.rnea(model, data, q[i], v[i], a[i])
+        forces[:, 6:] += a[:, 6:] * self._armature
         return forces
 
     @staticmethod
@@ -256,6 +266,14 @@ class DynamicsCheck:
                 )
             )
         return findings
+
+
+def _seen_from(height_m: float, placed: BodyPoses, points_m: Array) -> tuple[BodyPoses, Array]:
+    """Bodies and points in a frame whose floor is as high as this in the world."""
+    if height_m == 0.0:
+        return placed, points_m
+    down = np.array([0.0, 0.0, height_m])
+    return BodyPoses(placed.rotation, placed.origin_m - down), points_m - down
 
 
 def _stacked(configurations: Configurations) -> Array:

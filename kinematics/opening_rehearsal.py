@@ -53,9 +53,18 @@ class Rehearsal:
     reason: str
 
 
-def com_shift_m(model: RobotModel, point_outward: Array, height_m: float, force_n: float) -> Array:
-    """How far back the CoM has to be for a pull along ``point_outward``, shape (3,), at a height; (2,)."""
-    return np.asarray(point_outward[:2] * force_n * height_m / (model.mass_kg * GRAVITY_M_S2))
+def com_shift_m(model: RobotModel, stance: Stance, outward: Array, at_z_m: float, force_n: float) -> Array:
+    """How far back the CoM has to be for a pull, m, shape (2,).
+
+    Args:
+        model: The robot.
+        stance: Where its feet stand; the pull tips it about the plane of the soles.
+        outward: Unit vector of the pull, shape (3,).
+        at_z_m: Height of the pull in the odometry frame.
+        force_n: How hard it pulls.
+    """
+    height_m = at_z_m - stance.height_m
+    return np.asarray(outward[:2] * force_n * height_m / (model.mass_kg * GRAVITY_M_S2))
 
 
 def speed_along(path: OpeningPath) -> float:
@@ -125,12 +134,12 @@ def rehearse(
     path = path.through(tracker.tcp_m, s_from)
     space = free_coordinates(model, stance)
     scene, times = guarded_scene(scene), np.empty(0)
-    rotation, height_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
+    rotation, at_z_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
     way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
     start = path.at(s_from)
-    shift = com_shift_m(model, start.outward, height_m, BREAK_FREE_N if way > 0.0 else 0.0)
+    shift = com_shift_m(model, stance, start.outward, at_z_m, BREAK_FREE_N if way > 0.0 else 0.0)
     for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
@@ -155,7 +164,7 @@ def rehearse(
         s = s_to if abs(s_to - s) <= step else s + way * step
         spin = max(spin_along(path), spin * SPIN_FADES ** (tick_s / TICK_S))
         point = path.at(s)
-        eased = com_shift_m(model, point.outward, height_m, MOVING_N if way > 0.0 else 0.0)
+        eased = com_shift_m(model, stance, point.outward, at_z_m, MOVING_N if way > 0.0 else 0.0)
         steps += 1
         tracker.tick(
             HandGoal(point.position_m, turned_with(path, rotation, s_from, s), spin, axis, eased), times

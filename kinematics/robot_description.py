@@ -68,6 +68,7 @@ class GripperDescription:
         closing_speed_rad_s: Speed of a guarded closing.
         empty_below_rad: A joint that closed further than this holds nothing.
         held_effort_nm: At least this effort is felt when something is held.
+        payload_kg: The heaviest that arm and hand are made to carry; nothing held is taken for heavier.
         pad_half_size_m: Half-sizes of each finger's pad (across, thickness, length), as ``pad_links``.
         pad_position_m: Centre of each pad in its fingertip link.
         pad_gap_m: Between neighbouring pads of one side, across the approach: what is round about the
@@ -90,6 +91,7 @@ class GripperDescription:
     closing_speed_rad_s: float
     empty_below_rad: float
     held_effort_nm: float
+    payload_kg: float
     pad_half_size_m: tuple[tuple[float, float, float], ...]
     pad_position_m: tuple[tuple[float, float, float], ...]
     pad_gap_m: float

@@ -91,13 +91,27 @@ class RobotModel:
         Args:
             masses_kg: What hangs on each hand; hands left out are empty.
         """
-        if not masses_kg:
+        frames = self.description.tcp_frames
+        return self.with_point_masses(
+            [(frames[hand], mass_kg, np.zeros(3)) for hand, mass_kg in masses_kg.items()]
+        )
+
+    def with_point_masses(self, loads: Sequence[tuple[str, float, NDArray[np.float64]]]) -> RobotModel:
+        """The same robot with point masses: its CoM, its mass and its dynamics are those of both.
+
+        Args:
+            loads: Of each, the frame that carries it, its mass in kg and its place in that frame, shape (3,).
+
+        Raises:
+            UnknownNameError: There is no such frame.
+        """
+        if not loads:
             return self
         loaded = copy.copy(self)
         loaded.pin = pin.Model(self.pin)
-        for hand, mass_kg in masses_kg.items():
-            frame = self.pin.frames[self.frame_id(self.description.tcp_frames[hand])]
-            load = pin.Inertia(mass_kg, frame.placement.translation, np.zeros((3, 3)))
+        for name, mass_kg, point_m in loads:
+            frame = self.pin.frames[self.frame_id(name)]
+            load = pin.Inertia(mass_kg, frame.placement.act(point_m), np.zeros((3, 3)))
             loaded.pin.inertias[frame.parentJoint] += load
         loaded._data = loaded.pin.createData()
         vars(loaded).pop("mass_kg", None)

@@ -68,12 +68,14 @@ class AttachedBody(Sealed):
         frame: Model frame that carries it.
         frame_T_object: Pose in that frame, shape (4, 4).
         touch_links: Links that may touch it.
+        mass_kg: How heavy it was found to be; 0 while nobody has weighed it.
     """
 
     body: SceneObject
     frame: str
     frame_T_object: Transform
     touch_links: frozenset[str]
+    mass_kg: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,17 +114,31 @@ class PlanningScene:
         return self._next(objects={k: v for k, v in self.objects.items() if k != name})
 
     def with_attached(
-        self, name: str, frame: str, frame_T_object: Transform, touch_links: Iterable[str]
+        self,
+        name: str,
+        frame: str,
+        frame_T_object: Transform,
+        touch_links: Iterable[str],
+        mass_kg: float = 0.0,
     ) -> PlanningScene:
-        """Move a world object into the hand.
+        """Move a world object into the hand; its mass is 0 while nobody has weighed it.
 
         Raises:
             UnknownNameError: There is no such world object.
         """
         self._require(name, self.objects)
-        body = AttachedBody(self.objects[name], frame, frame_T_object, frozenset(touch_links))
+        body = AttachedBody(self.objects[name], frame, frame_T_object, frozenset(touch_links), mass_kg)
         rest = {k: v for k, v in self.objects.items() if k != name}
         return self._next(objects=rest, attached={**self.attached, name: body})
+
+    def with_held_mass(self, name: str, mass_kg: float) -> PlanningScene:
+        """Say how heavy an attached body was found to be.
+
+        Raises:
+            UnknownNameError: Nothing of that name is attached.
+        """
+        self._require(name, self.attached)
+        return self._next(attached={**self.attached, name: replace(self.attached[name], mass_kg=mass_kg)})
 
     def with_detached(self, name: str, world_T_object: Transform) -> PlanningScene:
         """Put an attached body back into the world at a pose.

@@ -40,6 +40,7 @@ class SoleShares:
         self._at = [tuple(pose[:3, 3].tolist()) for pose in poses]
         # share of the last sole: offset and slope over the ZMP, per m
         self._share_at_origin, self._slope = 1.0, (0.0, 0.0)
+        self._height_m = stance.height_m
         if len(poses) == 2:
             (ax, ay, _), (bx, by, _) = self._at
             apart = math.hypot(bx - ax, by - ay)
@@ -63,7 +64,8 @@ class SoleShares:
         if len(self._at) == 1:
             return net
         lift = max(fz, 1e-6)
-        last = self._share_at_origin + (self._slope[1] * mx - self._slope[0] * my) / lift
+        x, y = self._height_m * fx - my, self._height_m * fy + mx
+        last = self._share_at_origin + (self._slope[0] * x + self._slope[1] * y) / lift
         last = min(max(last, 0.0), 1.0)
         (ax, ay, az), (bx, by, bz) = self._at
         first = 1.0 - last

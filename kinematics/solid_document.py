@@ -23,6 +23,7 @@ MAX_ENTRIES = 10_000
 """Held objects, soles and allowed pairs."""
 MAX_POSITION = 1e3
 MAX_SIZE_M = 1e3
+MAX_MASS_KG = 1e3
 """Bounds of plausibility, in m and rad: beyond them sums of squares lose all meaning."""
 UNIT_TOLERANCE = 1e-3
 """A quaternion of a pose may miss length 1 by this much; it is normalised."""
@@ -38,6 +39,7 @@ class HeldObject(Sealed):
         frame_T_object: Pose in that frame, shape (4, 4).
         shape: Its solid, centred on its own frame.
         touch_links: Links that may touch it.
+        mass_kg: How heavy it is; 0 where nobody has weighed it.
     """
 
     name: str
@@ -45,6 +47,7 @@ class HeldObject(Sealed):
     frame_T_object: Transform
     shape: Shape
     touch_links: frozenset[str] = frozenset()
+    mass_kg: float = 0.0
 
 
 def optional_items(node: Node, key: str) -> list[Node]:
@@ -69,6 +72,7 @@ def held_json(item: HeldObject) -> dict[str, object]:
         "shape": _shape_json(item.shape),
         **pose_json(item.frame_T_object),
         "touch_links": sorted(item.touch_links),
+        **({"mass_kg": item.mass_kg} if item.mass_kg > 0.0 else {}),
     }
 
 
@@ -88,13 +92,17 @@ def read_held(node: Node) -> HeldObject:
     Raises:
         TrajectoryDocumentError: It is none; with its place.
     """
-    node.only(("name", "frame", "shape", "position_m", "quaternion_xyzw"), ("touch_links",))
+    node.only(("name", "frame", "shape", "position_m", "quaternion_xyzw"), ("touch_links", "mass_kg"))
+    mass_kg = node.key("mass_kg").number(MAX_MASS_KG) if node.has("mass_kg") else 0.0
+    if mass_kg < 0.0:
+        raise node.key("mass_kg").error(f"must be 0 or more, not {mass_kg!r}")
     return HeldObject(
         name=node.key("name").text(),
         frame=node.key("frame").text(),
         frame_T_object=_placed(node),
         shape=_shape(node.key("shape")),
         touch_links=frozenset(link.text() for link in optional_items(node, "touch_links")),
+        mass_kg=mass_kg,
     )
 
 

@@ -39,6 +39,29 @@ class Stance(Sealed):
         """The same for stances that are equal to the bit, for tables of what was computed once."""
         return tuple((frame, pose.tobytes()) for frame, pose in self.soles)
 
+    @property
+    def height_m(self) -> float:
+        """Height of the plane that the soles stand on, where the ZMP is: their mean; 0 without soles."""
+        return sum(float(pose[2, 3]) for _, pose in self.soles) / max(len(self.soles), 1)
+
+
+@dataclass(frozen=True, slots=True)
+class HeldLoad:
+    """A mass that a frame of the robot carries.
+
+    The own inertia of an object no larger than a hand is a hundredth of what its distance from the
+    shoulder makes of its mass, so a load is a point.
+
+    Attributes:
+        frame: Model frame that carries it.
+        mass_kg: How heavy it is.
+        point_m: Where its centre of mass is in that frame.
+    """
+
+    frame: str
+    mass_kg: float
+    point_m: tuple[float, float, float]
+
 
 @dataclass(frozen=True, slots=True)
 class Path(Sealed):
@@ -166,12 +189,14 @@ class CheckedTrajectory:
         min_distance_m: Smallest distance between pairs that must not touch, as far as it was
             measured (pairs proven far apart are not refined).
         min_com_margin_m: Smallest distance of the CoM to the edge of the support polygon.
+        loads: What the hands carry in it: balance and efforts were judged with that.
     """
 
     trajectory: Trajectory
     min_distance_m: float
     min_com_margin_m: float
     seal: _Seal
+    loads: tuple[HeldLoad, ...] = ()
 
     def __post_init__(self) -> None:
         if getattr(self.seal, "of", None) is not self.trajectory:

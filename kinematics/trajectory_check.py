@@ -24,7 +24,15 @@ from kinematics.errors import InvalidMotionError
 from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
-from kinematics.trajectory import CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe, _Seal
+from kinematics.trajectory import (
+    CheckedTrajectory,
+    Finding,
+    FindingKind,
+    HeldLoad,
+    Trajectory,
+    Unsafe,
+    _Seal,
+)
 
 Array = NDArray[np.float64]
 
@@ -66,6 +74,7 @@ class TrajectoryChecker:
             self._kinematics = BatchedKinematics(model)
             self._pairs = PairBuilder(model, self._kinematics)
         self._dynamics = DynamicsCheck(model, self._kinematics, settings, loads)
+        self._loaded: tuple[tuple[HeldLoad, ...], DynamicsCheck] = ((), self._dynamics)
 
     def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.
@@ -91,7 +100,8 @@ class TrajectoryChecker:
         findings += rest_findings(trajectory)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
-        unbalanced, com_margin_m = self._dynamics.findings(trajectory, timeline)
+        loads = _held_loads(scene)
+        unbalanced, com_margin_m = self._dynamics_with(loads).findings(trajectory, timeline)
         findings += unbalanced
         touching, min_distance_m = self._contacts(timeline, self._pairs.pairs(scene), jumps_s)
         findings += touching
@@ -102,7 +112,24 @@ class TrajectoryChecker:
             min_distance_m=min_distance_m,
             min_com_margin_m=com_margin_m,
             seal=_Seal(trajectory),
+            loads=loads,
         )
+
+    def _dynamics_with(self, loads: tuple[HeldLoad, ...]) -> DynamicsCheck:
+        """Of the robot with what its hands carry; that of the last load is kept."""
+        if not loads:
+            return self._dynamics
+        if self._loaded[0] != loads:
+            model = self._model.with_point_masses(
+                [(load.frame, load.mass_kg, np.array(load.point_m)) for load in loads]
+            )
+            if self._compiled is None:
+                check = DynamicsCheck(model, BatchedKinematics(model), self._settings)
+            else:
+                kinematics = type(self._compiled)(model)
+                check = DynamicsCheck(model, kinematics, self._settings, kinematics.loads)
+            self._loaded = loads, check
+        return self._loaded[1]
 
     def _contacts(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:
         """Findings and the smallest distance; by Coal alone while nothing is compiled."""
@@ -110,6 +137,16 @@ class TrajectoryChecker:
             return self._finder.findings(timeline, pairs, jumps_s)
         check = CollisionCheck(self._kinematics, timeline, pairs, self._settings, jumps_s)
         return check.findings(), check.min_distance_m
+
+
+def _held_loads(scene: PlanningScene) -> tuple[HeldLoad, ...]:
+    """What the hands carry: each attached body whose mass is known, at its centre."""
+    loads = []
+    for body in scene.attached.values():
+        if body.mass_kg > 0.0:
+            x, y, z = body.frame_T_object[:3, 3].tolist()
+            loads.append(HeldLoad(body.frame, body.mass_kg, (x, y, z)))
+    return tuple(loads)
 
 
 def _quaternion_findings(trajectory: Trajectory) -> list[Finding]:

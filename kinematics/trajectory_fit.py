@@ -73,7 +73,7 @@ def stored_from(request: CheckRequest, model: RobotModel) -> StoredTrajectory:
 def held_in(scene: PlanningScene) -> tuple[HeldObject, ...]:
     """What a robot carries in a scene."""
     return tuple(
-        HeldObject(name, item.frame, item.frame_T_object, item.body.shape, item.touch_links)
+        HeldObject(name, item.frame, item.frame_T_object, item.body.shape, item.touch_links, item.mass_kg)
         for name, item in scene.attached.items()
     )
 
@@ -133,7 +133,9 @@ def furnished(
         _require_taken(place, item, surroundings)
         world_T_object = model.frame_pose(q, item.frame) @ item.frame_T_object
         scene = scene.with_object(SceneObject(item.name, item.shape, world_T_object))
-        scene = scene.with_attached(item.name, item.frame, item.frame_T_object, item.touch_links)
+        scene = scene.with_attached(
+            item.name, item.frame, item.frame_T_object, item.touch_links, item.mass_kg
+        )
     known = [*frames, FLOOR, *scene.objects, *scene.attached]
     for pair in allowed:
         for name in pair:

@@ -52,7 +52,7 @@ def zmp_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> Ar
     wrench = np.array([pin.rnea(model.pin, data, q[k], v[k], a[k])[:6] for k in range(len(q))])
     force, moment = rotate(q[:, 3:7], wrench[:, :3]), rotate(q[:, 3:7], wrench[:, 3:])
     moment += cross(q[:, :3], force)
-    return _polygon(model, stance).margins_m(_zmp(force, moment))
+    return _polygon(model, stance).margins_m(_zmp(force, moment, stance.height_m))
 
 
 def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> tuple[Array, Array]:
@@ -72,7 +72,7 @@ def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -
         com = np.array([pin.centerOfMass(model.pin, planning_memory(model), q)[:2] for q in motion.q])
         return zmp_margins_m(model, stance, motion), polygon.margins_m(com)
     force, moment, com = compiled_loads(model, motion)
-    return polygon.margins_m(_zmp(force, moment)), polygon.margins_m(com[:, :2])
+    return polygon.margins_m(_zmp(force, moment, stance.height_m)), polygon.margins_m(com[:, :2])
 
 
 def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Array, Array]:
@@ -105,7 +105,8 @@ def _masses(model: RobotModel) -> tuple[Tree, Array]:
     return model_tree(model), np.array([np.array(inertia.inertia) for inertia in model.pin.inertias])
 
 
-def _zmp(force: Array, moment: Array) -> Array:
-    """Where on the floor a wrench about the world's origin acts, shape (k, 2)."""
+def _zmp(force: Array, moment: Array, height_m: float) -> Array:
+    """Where on a level plane a wrench about the world's origin acts, shape (k, 2)."""
     up = np.maximum(force[:, 2], 1e-6)
-    return np.column_stack([-moment[:, 1] / up, moment[:, 0] / up])
+    x, y = height_m * force[:, 0] - moment[:, 1], height_m * force[:, 1] + moment[:, 0]
+    return np.column_stack([x / up, y / up])

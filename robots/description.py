@@ -313,6 +313,7 @@ def _gripper(hand: Hand, data: Table) -> GripperDescription:
         closing_speed_rad_s=data["closing_speed_rad_s"],
         empty_below_rad=data["empty_below_rad"],
         held_effort_nm=data["held_effort_nm"],
+        payload_kg=data["payload_kg"],
         pad_half_size_m=tuple((x, y, z) for x, y, z in data["pad_half_size_m"]),
         pad_position_m=tuple((x, y, z) for x, y, z in data["pad_position_m"]),
         pad_gap_m=data["pad_gap_m"],

@@ -6,11 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.dynamics import StandingDynamics
+from kinematics.held_load import loaded
 from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Stance
+from kinematics.trajectory import HeldLoad, Stance
 from kinematics.trajectory_sampler import MotionSample
 
 Array = NDArray[np.float64]
+
+_SHIFT_PERIODS = 100
+"""What a load adds comes and goes within these: a step of some Nm would swing the arm."""
 
 
 class Balance:
@@ -25,14 +29,33 @@ class Balance:
     """
 
     def __init__(self, model: RobotModel, stance: Stance) -> None:
-        """Prepare for one stance."""
+        """Prepare for one stance, with nothing in the hands."""
+        self._model, self._stance = model, stance
         self._dynamics = StandingDynamics(model, stance)
+        self._loads: tuple[HeldLoad, ...] = ()
         self._for: MotionSample | None = None
         self._efforts = np.zeros(len(model.joints))
+        self._fading: Array | None = None
+        self._periods_left = 0
+
+    def carry(self, loads: tuple[HeldLoad, ...]) -> None:
+        """Bear what the hands carry from now on; once efforts were asked for, what is new comes gently."""
+        if loads == self._loads:
+            return
+        self._loads = loads
+        self._dynamics = StandingDynamics(loaded(self._model, loads), self._stance)
+        self._periods_left = 0 if self._for is None else _SHIFT_PERIODS
+        self._fading = None
 
     def efforts(self, sample: MotionSample) -> Array:
         """Feed-forward of the body joints, Nm, shape (n,); computed once for a sample that holds."""
-        if sample is not self._for:
+        if self._periods_left > 0:
+            wanted = self._dynamics.efforts(sample.q, sample.v, sample.a)
+            if self._fading is None:
+                self._fading = (self._efforts - wanted) / _SHIFT_PERIODS
+            self._periods_left -= 1
+            self._efforts, self._for = wanted + self._periods_left * self._fading, sample
+        elif sample is not self._for:
             self._efforts = self._dynamics.efforts(sample.q, sample.v, sample.a)
             self._for = sample
         return self._efforts

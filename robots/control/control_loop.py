@@ -366,9 +366,12 @@ class ControlLoop:
             return proposal.refusal
         tau = self._tau.copy()
         efforts = proposal.efforts
-        tau[: self._bodies] = self._balance.efforts(proposal.body) if efforts is None else efforts
         if efforts is None:
+            self._balance.carry(self._streamer.loads)
+            tau[: self._bodies] = self._balance.efforts(proposal.body)
             self._sway.add_to(tau)
+        else:
+            tau[: self._bodies] = efforts
         sequence = self._gate.last.sequence + 1
         now_s = self._clock.now_s()
         return self._gate.submit(JointSetpoint(now_s, sequence, proposal.owner, proposal.q, proposal.v, tau))

@@ -11,7 +11,7 @@ from kinematics.lead_in import lead_in
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.start_gap import start_gap
-from kinematics.trajectory import CheckedTrajectory, Stance
+from kinematics.trajectory import CheckedTrajectory, HeldLoad, Stance
 from robots.clock import Clock
 from robots.control.authority import STOP, Authority, together
 from robots.control.body_track import BodyTrack
@@ -41,6 +41,7 @@ class MotionStreamer:
 
     Attributes:
         trajectories: How many checked trajectories were begun.
+        loads: What the hands carry, as the last of them was checked with.
     """
 
     def __init__(
@@ -83,6 +84,7 @@ class MotionStreamer:
         self._pause_wanted = False
         self._periods_to_try = 0
         self.trajectories = 0
+        self.loads: tuple[HeldLoad, ...] = ()
 
     # ---------------------------------------------------------------- for those who want to move
 
@@ -334,6 +336,7 @@ class MotionStreamer:
         self._body_handle, self._body_owner = handle, handle.owner
         self._track.play(lead_in(checked.trajectory, self._track.now.q, self._model.acceleration))
         self.trajectories += 1
+        self.loads = checked.loads
         self._ledger.begun(handle)
         if self._pause_wanted:
             self._track.pause()

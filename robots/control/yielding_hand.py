@@ -90,6 +90,7 @@ class YieldingHand:
         self._holding = holding
         self._stop_from = stop_from
         self._model, self._path, self._settings = model, path, settings
+        self._stance = stance
         self._tracker = HandTracker(model, stance, hand, q)
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
         self._gripper = model.description.grippers[hand]
@@ -209,13 +210,13 @@ class YieldingHand:
         pull_n = 0.0
         if self._opening and self._outcome == "running":
             pull_n = BREAK_FREE_N if self._phase == "lean" or not self._gives_way else MOVING_N
-        height_m = float(point.position_m[2])
+        at_z_m = float(point.position_m[2])
         return HandGoal(
             position_m=point.position_m + self._give,
             rotation=turned_with(self._path, self._rotation, self._s_from, self._s),
             spin_weight=self._spin,
             spin_axis=self._path.bar_axis,
-            com_shift_m=com_shift_m(self._model, point.outward, height_m, pull_n),
+            com_shift_m=com_shift_m(self._model, self._stance, point.outward, at_z_m, pull_n),
         )
 
     @property

@@ -5,10 +5,11 @@ import pytest
 
 from kinematics import poses
 from kinematics.opening_path import DrawerLine
-from kinematics.opening_rehearsal import rehearse
+from kinematics.opening_rehearsal import com_shift_m, rehearse
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
 from kinematics.standing_judge import StandingJudge
+from kinematics.trajectory import Stance
 from kinematics.why_not_free import NotFree
 
 
@@ -52,3 +53,12 @@ def test_a_way_on_which_something_held_meets_the_ground_is_not_gone(talos, stanc
     )
 
     assert led_forwards(talos, stance, low).reason == "something is in the way of the arm"
+
+
+def test_a_pull_tips_a_robot_on_a_platform_as_it_does_on_the_floor(talos, stance):
+    raised = Stance(tuple((frame, poses.translation(0.0, 0.0, 0.1) @ pose) for frame, pose in stance.soles))
+    outward = np.array([-1.0, 0.0, 0.0])
+
+    on_floor = com_shift_m(talos, stance, outward, 1.0, 40.0)
+
+    np.testing.assert_allclose(com_shift_m(talos, raised, outward, 1.1, 40.0), on_floor, atol=1e-12)

@@ -89,3 +89,17 @@ def test_more_than_two_soles_are_refused(talos):
 
     with pytest.raises(ValueError, match="3 soles"):
         SoleShares(Stance((one, one, one)), talos.description.soles)
+
+
+def test_soles_on_a_platform_take_the_parts_that_they_take_on_the_floor(talos):
+    stance, shares = standing(talos, SIDE_BY_SIDE)
+    up = poses.translation(0.0, 0.0, 0.1)
+    raised = Stance(tuple((frame, up @ pose) for frame, pose in stance.soles))
+    force = np.array([40.0, -60.0, 900.0])
+    below = np.concatenate([force, np.cross([0.02, 0.03, 0.0], force)])
+    above = np.concatenate([force, np.cross([0.02, 0.03, 0.1], force)])
+
+    on_floor = shares.wrenches(below).reshape(-1, 6)
+    on_platform = SoleShares(raised, talos.description.soles).wrenches(above).reshape(-1, 6)
+
+    np.testing.assert_allclose(on_platform[:, :3], on_floor[:, :3], atol=1e-9)

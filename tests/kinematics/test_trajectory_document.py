@@ -57,7 +57,15 @@ def stored_trajectories(draw):
     soles = draw(st.dictionaries(names, places, max_size=2))
     held = draw(
         st.lists(
-            st.builds(HeldObject, names, names, places, shapes, st.frozensets(names, max_size=2)),
+            st.builds(
+                HeldObject,
+                names,
+                names,
+                places,
+                shapes,
+                st.frozensets(names, max_size=2),
+                st.floats(0.0, 5.0),
+            ),
             max_size=2,
             unique_by=lambda item: item.name,
         )
@@ -91,8 +99,8 @@ def test_what_was_written_is_read_back(stored):
         assert getattr(theirs, name).tobytes() == getattr(ours, name).tobytes()
     assert [frame for frame, _ in theirs.stance.soles] == [frame for frame, _ in ours.stance.soles]
     assert same_places([place for _, place in theirs.stance.soles], [place for _, place in ours.stance.soles])
-    assert [(h.name, h.frame, h.shape, h.touch_links) for h in back.held] == [
-        (h.name, h.frame, h.shape, h.touch_links) for h in stored.held
+    assert [(h.name, h.frame, h.shape, h.touch_links, h.mass_kg) for h in back.held] == [
+        (h.name, h.frame, h.shape, h.touch_links, h.mass_kg) for h in stored.held
     ]
     assert (back.objects is None) == (stored.objects is None)
     assert [(o.name, o.shape, o.margin_m) for o in back.objects or ()] == [
@@ -174,6 +182,7 @@ BROKEN = [
     (("held", 0, "shape", "kind"), [], "held[0].shape.kind: must be one of"),
     (("held", 0, "shape", "radius_m"), 0, "held[0].shape.radius_m: must be above 0"),
     (("held", 0, "shape"), {"kind": "box", "size_m": [1, 1, -1]}, "size_m[2] (z): must be above 0"),
+    (("held", 0, "mass_kg"), -1.0, "held[0].mass_kg: must be 0 or more, not -1.0"),
     (("held", 0, "touch_links"), [3], "held[0].touch_links[0]: must be a text"),
     (("allowed",), [["cup", "cup"]], "allowed[0]: 'cup' cannot touch itself"),
     (("objects", 0, "margin_m"), -0.1, "objects[0].margin_m: must be 0 or more"),

@@ -1,7 +1,10 @@
 import numpy as np
 import pinocchio as pin
+import pytest
 
+from kinematics import poses
 from kinematics.stance import SupportPolygon
+from kinematics.trajectory import Stance
 from kinematics.trajectory_sampler import MotionSample
 from kinematics.zmp import balance_margins_m
 
@@ -24,3 +27,19 @@ def test_the_zmp_is_where_the_rate_of_the_whole_bodys_momentum_puts_it(talos, st
         there = np.array([x - (z * fx + my) / (fz + weight), y - (z * fy - mx) / (fz + weight)])
         np.testing.assert_allclose(zmp_m[k], polygon.com_margin_m(there), atol=1e-9)
         np.testing.assert_allclose(com_m[k], polygon.com_margin_m(np.array([x, y])), atol=1e-12)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_on_a_platform_the_zmp_is_on_the_plane_of_the_soles(talos, stance, monkeypatch, compiled):
+    monkeypatch.setattr("kinematics.zmp.readiness.usable", lambda: compiled)
+    rng = np.random.default_rng(4)
+    q = np.tile(talos.q_home, (5, 1))
+    v, a = rng.standard_normal((2, 5, talos.nv))
+    raised = Stance(tuple((frame, poses.translation(0.0, 0.0, 0.1) @ pose) for frame, pose in stance.soles))
+    q_raised = q.copy()
+    q_raised[:, 2] += 0.1
+
+    on_floor, _ = balance_margins_m(talos, stance, MotionSample(q, v, a))
+    on_platform, _ = balance_margins_m(talos, raised, MotionSample(q_raised, v, a))
+
+    np.testing.assert_allclose(on_platform, on_floor, atol=1e-9)

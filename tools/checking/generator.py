@@ -45,6 +45,8 @@ _NEEDS_NO_SCENE = ("limit", "balance", "jump")
 _TRIES = 300
 _LARGEST_M = 0.1
 _THIN_RADIUS_M = 0.0005
+HELD_KG = 1.0
+"""What a held thing weighs: a full bottle."""
 _BRIEF_S = 0.01
 """A brief defect lasts less than this."""
 
@@ -100,7 +102,8 @@ class Generator:
                 continue
             trajectory, scene, size = made
             verdict = self._alone(trajectory)
-            if kind not in _NEEDS_NO_SCENE and not (kind == "sound" and verdict.unsafe):
+            heavy = any(held.mass_kg > 0.0 for held in scene.attached.values())
+            if heavy or (kind not in _NEEDS_NO_SCENE and not (kind == "sound" and verdict.unsafe)):
                 verdict = self._referee.judge(trajectory, scene, verdict)
             wanted = (
                 not verdict.unsafe if kind == "sound" else bool(_EXPECTED[kind] & set(verdict.violations))
@@ -173,7 +176,7 @@ class Generator:
         tilt = poses.rotation_x(rng.uniform(-0.5, 0.5))
         place = poses.transform(tilt, (rng.uniform(0.0, 0.03), 0.0, rng.uniform(-0.03, 0.03)))
         return scene.with_object(item).with_attached(
-            "held thing", gripper.tcp_frame, place, gripper.touch_links
+            "held thing", gripper.tcp_frame, place, gripper.touch_links, HELD_KG
         )
 
     def _limit(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:

@@ -62,19 +62,45 @@ class Referee:
 
     def __init__(self, model: RobotModel) -> None:
         self.model = model
+        self._massive = model.pin
         self._data = model.pin.createData()
         self._defined: tuple[Trajectory, Definition] | None = None
 
     def judge_alone(self, trajectory: Trajectory) -> Verdict:
-        """Judge limits, stance and balance: what needs no scene."""
+        """Judge limits, stance and balance with empty hands: what needs no scene."""
+        return self._judge_alone(trajectory, PlanningScene())
+
+    def _judge_alone(self, trajectory: Trajectory, scene: PlanningScene) -> Verdict:
         verdict = Verdict()
         self._limits(trajectory, verdict)
+        self._massive = self._with_masses(scene)
+        self._data = self._massive.createData()
         self._stance_and_balance(trajectory, verdict)
         return verdict
 
+    def _with_masses(self, scene: PlanningScene) -> pin.Model:
+        """The robot with a body of its own for each mass that hangs on a hand."""
+        model = pin.Model(self.model.pin)
+        for name, held in scene.attached.items():
+            if held.mass_kg > 0.0:
+                frame = model.frames[model.getFrameId(held.frame)]
+                place = frame.placement * pin.SE3(held.frame_T_object)
+                grip = pin.Frame(name, frame.parentJoint, place, pin.FrameType.BODY)
+                grip.inertia = pin.Inertia(held.mass_kg, np.zeros(3), np.zeros((3, 3)))
+                model.addFrame(grip)
+        return model
+
     def judge(self, trajectory: Trajectory, scene: PlanningScene, alone: Verdict | None = None) -> Verdict:
-        """Judge everything that can be violated; ``alone`` is what ``judge_alone`` said before."""
-        verdict = alone or self.judge_alone(trajectory)
+        """Judge everything that can be violated.
+
+        Args:
+            trajectory: The motion.
+            scene: What is around, and what the hands hold; its masses count in the balance.
+            alone: What ``judge_alone`` said before; of no use when a hand holds a mass.
+        """
+        if alone is None or any(held.mass_kg > 0.0 for held in scene.attached.values()):
+            alone = self._judge_alone(trajectory, scene)
+        verdict = alone
         self._collisions(trajectory, scene, verdict)
         return verdict
 
@@ -120,9 +146,10 @@ class Referee:
         return self._defined[1]
 
     def com_margin_m(self, trajectory: Trajectory) -> float:
-        """Smallest distance of the CoM to the edge of the support polygon, at the samples alone."""
+        """Smallest distance of the CoM to the edge of the support polygon, at samples, with empty hands."""
         hull = self._hull(trajectory)
-        coms = np.array([pin.centerOfMass(self.model.pin, self._data, q)[:2] for q in trajectory.q])
+        data = self.model.pin.createData()
+        coms = np.array([pin.centerOfMass(self.model.pin, data, q)[:2] for q in trajectory.q])
         return float(-(coms @ hull[:, :2].T + hull[:, 2]).max())
 
     def _hull(self, trajectory: Trajectory) -> Array:
@@ -136,7 +163,7 @@ class Referee:
         return np.asarray(ConvexHull(np.array(corners)).equations)
 
     def _stance_and_balance(self, trajectory: Trajectory, verdict: Verdict) -> None:
-        model, data, robot = self.model.pin, self._data, self.model
+        model, data, robot = self._massive, self._data, self.model
         times = np.union1d(np.arange(0.0, trajectory.duration_s, _STANCE_STEP_S), trajectory.t_s)
         rows = self.configurations(trajectory, times)
         hull = self._hull(trajectory)
@@ -162,7 +189,7 @@ class Referee:
 
     def _tipping(self, trajectory: Trajectory, hull: Array, verdict: Verdict) -> None:
         """ZMP from the change of the centroidal momentum, by differences of momenta."""
-        model, data = self.model.pin, self._data
+        model, data = self._massive, self._data
         end, t = trajectory.duration_s, trajectory.t_s
         times = np.append(np.arange(0.0, end, _TIPPING_STEP_S), end)
         rows = self.configurations(trajectory, times)
@@ -175,9 +202,11 @@ class Referee:
         after, com = np.arange(1, len(times)), com[:-1]
         before = np.maximum(after - 2, 0)
         change = (momenta[after] - momenta[before]) / (times[after] - times[before])[:, None]
-        lift = change[:, 2] + self.model.mass_kg * 9.81
-        x = com[:, 0] - (com[:, 2] * change[:, 0] + change[:, 4]) / lift
-        y = com[:, 1] - (com[:, 2] * change[:, 1] - change[:, 3]) / lift
+        lift = change[:, 2] + float(pin.computeTotalMass(model)) * 9.81
+        # the ZMP is on the plane that the soles stand on
+        height = com[:, 2] - np.mean([pose[2, 3] for _, pose in trajectory.stance.soles])
+        x = com[:, 0] - (height * change[:, 0] + change[:, 4]) / lift
+        y = com[:, 1] - (height * change[:, 1] - change[:, 3]) / lift
         margin = -(np.column_stack([x, y]) @ hull[:, :2].T + hull[:, 2]).max(axis=1)
         verdict.zmp_margin_m = float(margin.min())
         if margin.min() < 0.0:

@@ -29,6 +29,7 @@ from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.fuzz import run_fuzz
+from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
 from tools.evaluate.kill import run_kill
 from tools.evaluate.load import run_load
@@ -50,7 +51,7 @@ from tools.evaluate.workers import Run, run_all
 
 _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
     {
-        "the main job": ("pick", "question", "replay"),
+        "the main job": ("pick", "question", "replay", HELD_MASS_SUITE),
         "stops and faults": ("stop", "cancel", "fault"),
         "live mode": ("kill", "connection", "load", "fuzz"),
         "untrusted text": ("hostile",),
@@ -100,6 +101,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_stop_suite(options, messages)
     if options.suite == "fuzz":
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
+    if options.suite == HELD_MASS_SUITE:
+        return run_held_mass(options, messages)
     if options.suite == "hostile":
         return run_hostile(options.episodes, options.seed, options.json, messages)
     if options.suite == "digests":

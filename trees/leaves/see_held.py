@@ -66,7 +66,9 @@ class SeeHeld(LookLeaf):
             return self._unchanged(f"{shift_m * 1000:.0f} mm from where it was")
         body = scene.attached[held.name]
         freed = scene.with_detached(held.name, expected)
-        toolbox.world.update(freed.with_attached(held.name, body.frame, tcp_T_object, body.touch_links))
+        toolbox.world.update(
+            freed.with_attached(held.name, body.frame, tcp_T_object, body.touch_links, body.mass_kg)
+        )
         self._set_output("held_now", replace(held, tcp_T_object=tcp_T_object))
         self._set_output("shifted", True)
         self.feedback_message = f"it has shifted by {shift_m * 1000:.0f} mm"

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics import poses
+from kinematics.held_load import loaded, loads_in
+from kinematics.held_mass import HeldMass
 from kinematics.poses import Transform
 from kinematics.requests import Grasp
 from kinematics.scene import AttachedBody
@@ -19,6 +21,9 @@ from trees.ports import ports
 from trees.recognition import nearest_sighting
 from trees.steps import Target
 
+_READINGS_APART_S = 0.002
+"""Readings are looked for so often; nobody makes them faster."""
+
 
 class VerifyLift(GatheringLeaf):
     """Watch gripper and camera while the object is held in the air.
@@ -26,6 +31,8 @@ class VerifyLift(GatheringLeaf):
     The gripper must say "holding", at the object's size, all the time; nothing outweighs that. What the
     camera sees must agree: the object has risen, is in the hand, and does not move in it. When it
     cannot be seen, the gripper has to hold on for longer, and the evidence says that it was not seen.
+    Meanwhile the efforts of the arm weigh it: the motions that follow are planned, checked and carried
+    out with that mass in the hand.
     """
 
     INPUT_PORTS = ports(grasp=Grasp, target=Target)
@@ -33,7 +40,7 @@ class VerifyLift(GatheringLeaf):
     CONTRACT = Contract(
         precondition="the lift has ended; the target is an attached body",
         postcondition="the gripper said holding for the whole time; as far as it was seen, the object has "
-        "risen, is in the hand and stays there",
+        "risen, is in the hand and stays there; the scene knows its mass",
         deadline_s=2.0,
         on_success="the hand holds the object",
         on_failure="the gripper goes on pressing on whatever it holds",
@@ -50,11 +57,14 @@ class VerifyLift(GatheringLeaf):
         """Start to watch."""
         super().begin()
         self._lost_since_s: float | None = None
+        self._weighing = self._scales()
+        self._weighed_s = self.toolbox.sensing.state().readings.stamp_s
 
     def step(self) -> Status | Failure:
         """Watch the grip at each tick, and judge the pictures at the end of the hold."""
         if (lost := self._lost_grip()) is not None:
             return lost
+        self._weigh()
         self.gather()
         policy = self.toolbox.policy
         if self.elapsed_s < policy.hold_s:
@@ -69,6 +79,24 @@ class VerifyLift(GatheringLeaf):
         if self._lost_since_s is not None:
             return RUNNING  # never end on a doubtful reading
         return self._succeed(seen)
+
+    def _scales(self) -> HeldMass:
+        """What weighs it, on a robot that carries what was weighed in the other hand."""
+        scene, grasp = self.toolbox.world.scene, self.get_input("grasp")
+        return HeldMass(loaded(self.toolbox.model, loads_in(scene)), grasp.hand)
+
+    def _weigh(self) -> None:
+        """Take in every reading since the last tick: the noise of one is worth some hundred grams."""
+        sensing, bodies = self.toolbox.sensing, len(self.toolbox.model.joints)
+        newest = sensing.state()
+        now_s = newest.readings.stamp_s
+        steps = max(1, round((now_s - self._weighed_s) / _READINGS_APART_S))
+        stamps = np.linspace(self._weighed_s, now_s, steps + 1)[1:].tolist()
+        read = {one.stamp_s: one for one in (sensing.state_at(stamp_s).readings for stamp_s in stamps)}
+        effort = np.mean([one.effort[:bodies] for one in read.values()], axis=0)
+        v = np.mean([one.v[:bodies] for one in read.values()], axis=0)
+        self._weighing.add(newest.q, v, effort, self._body().frame_T_object[:3, 3], len(read))
+        self._weighed_s = now_s
 
     def _lost_grip(self) -> Failure | None:
         grasp: Grasp = self.get_input("grasp")
@@ -121,11 +149,14 @@ class VerifyLift(GatheringLeaf):
     def _succeed(self, seen: dict[str, float]) -> Status:
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
+        world, mass_kg = self.toolbox.world, self._weighing.mass_kg
+        world.update(world.scene.with_held_mass(self.get_input("target").name, mass_kg))
         evidence: dict[str, Number] = {
             "hand": grasp.hand,
             "gripper_opening_m": reading.opening_m,
             "effort_nm": reading.effort_nm,
             "held_s": self.elapsed_s,
+            "mass_kg": mass_kg,
             "seen": bool(seen),
             **{key: value for key, value in seen.items() if key != "off_m"},
         }

@@ -1,6 +1,9 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from kinematics import poses
 from kinematics.check_dynamics import DynamicsCheck
 from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_limits import limit_findings
@@ -9,8 +12,9 @@ from kinematics.check_settings import DEFAULT_SETTINGS
 from kinematics.check_timeline import Timeline
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
+from kinematics.robot_model import RobotModel
 from kinematics.timing import Pace, time_curve
-from kinematics.trajectory import Trajectory
+from kinematics.trajectory import Stance, Trajectory
 
 
 def hasty(talos, stance, seed):
@@ -41,6 +45,48 @@ def test_compiled_balance_and_effort_are_those_by_pinocchios_inverse_dynamics(ta
         strict=True,
     ):
         np.testing.assert_allclose(one, other, atol=1e-8)
+
+
+def judged(talos, trajectory, is_compiled):
+    """Torques, shape (n, joints), and ZMP, shape (n, 2), at the checker's instants."""
+    kinematics = (CompiledKinematics if is_compiled else BatchedKinematics)(talos)
+    loads = kinematics.loads if is_compiled else None
+    timeline = Timeline(trajectory)
+    at = timeline.at(timeline.knots(0.02))
+    check = DynamicsCheck(talos, kinematics, DEFAULT_SETTINGS, loads)
+    return at, *check._torques_and_zmp(trajectory, at, kinematics.poses(at))
+
+
+@pytest.mark.parametrize("is_compiled", [True, False])
+def test_a_motion_on_a_platform_is_judged_as_it_is_on_the_floor(talos, stance, is_compiled):
+    low = hasty(talos, stance, 1)
+    raised = Stance(tuple((frame, poses.translation(0.0, 0.0, 0.1) @ pose) for frame, pose in stance.soles))
+    high = replace(low, stance=raised, q=low.q + np.eye(talos.nq)[2] * 0.1)
+
+    _, torques, zmp = judged(talos, low, is_compiled)
+    _, torques_up, zmp_up = judged(talos, high, is_compiled)
+
+    np.testing.assert_allclose(zmp_up, zmp, atol=1e-9)
+    np.testing.assert_allclose(torques_up, torques, atol=1e-7)
+
+
+@pytest.mark.parametrize("is_compiled", [True, False])
+def test_what_turns_the_rotors_is_in_the_judged_efforts(talos, stance, is_compiled):
+    trajectory = hasty(talos, stance, 1)
+    light = {name: replace(gains, armature=0.0) for name, gains in talos.description.gains.items()}
+    without = RobotModel(replace(talos.description, gains=light))
+
+    at, torques, _ = judged(talos, trajectory, is_compiled)
+    _, without_rotors, _ = judged(without, trajectory, is_compiled)
+
+    joint = int(np.argmax(np.abs(torques - without_rotors).max(axis=0)))
+    window = DEFAULT_SETTINGS.acceleration_window_s
+    t = np.clip(np.stack([at.t_s - window, at.t_s + window]), 0.0, trajectory.duration_s)
+    before, after = (np.interp(row, trajectory.t_s, trajectory.v[:, 6 + joint]) for row in t)
+    armature = talos.description.gains[talos.joints[joint]].armature
+    wanted = armature * (after - before) / (t[1] - t[0])
+    assert np.abs(wanted).max() > 0.1
+    np.testing.assert_allclose(torques[:, joint] - without_rotors[:, joint], wanted, atol=1e-7)
 
 
 def with_one_number_changed(trajectory, rng):
