@@ -176,7 +176,10 @@ def _digest(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> str |
     folder = importlib.resources.files("executive.vocabulary")
     outside = outside_files(VOCABULARY)
     try:
-        rules = [(folder / name).read_bytes() for name in ("__init__.py", "inflection.py", "written.py")]
+        rules = [
+            (folder / name).read_bytes()
+            for name in ("__init__.py", "inflection.py", "prepared.py", "written.py")
+        ]
         given = [path.read_bytes() for path in user_files]
         brought = [f"{name}".encode() + file.read_bytes() for name, file in sorted(outside.items())]
     except OSError:

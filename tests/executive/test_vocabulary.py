@@ -148,3 +148,19 @@ def test_a_spoilt_file_of_kept_words_is_read_again(tmp_path, spoilt):
     kept.write_text(spoilt)
 
     assert "cup" in load_vocabulary((), tmp_path).single_words
+
+
+def test_one_changed_letter_of_kept_words_is_noticed(tmp_path):
+    load_vocabulary((), tmp_path)
+    (kept,) = tmp_path.iterdir()
+    kept.write_bytes(kept.read_bytes().replace(b"cup", b"cuq"))
+
+    assert "cuq" not in load_vocabulary((), tmp_path).single_words
+
+
+def test_kept_words_that_were_cut_short_are_read_again(tmp_path):
+    whole = load_vocabulary((), tmp_path).classes
+    (kept,) = tmp_path.iterdir()
+    kept.write_bytes(kept.read_bytes()[:-1000])
+
+    assert load_vocabulary((), tmp_path).classes == whole
