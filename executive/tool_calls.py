@@ -1,7 +1,7 @@
-"""Tool calls as models send them, turned into the steps that they mean.
+r"""Tool calls as models send them, turned into the steps that they mean.
 
     {"name": "pick", "arguments": {"object": {"kind": "cup"}}}
-    {"tool_calls": [{"type": "function", "function": {"name": "pick", "arguments": "{\\"object\\": ...}"}}]}
+    {"tool_calls": [{"type": "function", "function": {"name": "pick", "arguments": "{\"object\": ...}"}}]}
 
 A tool is named as an action is, and its arguments are the action's slots, as an object or as the text of
 one; a tool ``command`` has one argument, a sentence. A tool call has no place for a confidence: who calls a

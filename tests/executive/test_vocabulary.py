@@ -108,6 +108,9 @@ def test_a_user_adds_words_of_his_own(tmp_path):
         ("[vocabulary.KIND]\nrefusal = 'x'", "needs words"),
         ("vocabulary = 3", "must be a table"),
         ("[vocabulary", "is no TOML"),
+        ("x = " + "[" * 100_000, "is no TOML"),
+        (f"[vocabulary.KIND]\nsame = ['{'[a|b] ' * 40}c']", "stands for 1e.19 phrases"),
+        (f"[vocabulary.KIND]\nwords.c = ['{'(a|b) ' * 5000}']", "stands for inf phrases"),
     ],
 )
 def test_a_malformed_file_of_words_is_refused_with_the_reason(tmp_path, content, complaint):
