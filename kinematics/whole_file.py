@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import struct
-import uuid
+import tempfile
 import zlib
 from pathlib import Path
 
@@ -23,15 +23,15 @@ def write_whole(file: Path, content: bytes) -> None:
     Raises:
         OSError: It cannot be written; nothing is left behind.
     """
-    partial = file.with_name(f"{file.name}.{os.getpid()}-{uuid.uuid4().hex[:8]}.tmp")
+    number, partial = tempfile.mkstemp(prefix=f".{file.name}.", suffix=".tmp", dir=file.parent)
     try:
-        with partial.open("wb") as out:
+        with open(number, "wb") as out:
             out.write(content)
             out.write(_SEAL.pack(_MAGIC, len(content), zlib.crc32(content)))
-        partial.replace(file)
+        Path(partial).replace(file)
     except OSError:
         with contextlib.suppress(OSError):
-            partial.unlink()
+            Path(partial).unlink()
         raise
 
 
