@@ -25,7 +25,7 @@ def write_whole(file: Path, content: bytes) -> None:
     """
     number, partial = tempfile.mkstemp(prefix=f".{file.name}.", suffix=".tmp", dir=file.parent)
     try:
-        with open(number, "wb") as out:
+        with os.fdopen(number, "wb") as out:
             out.write(content)
             out.write(_SEAL.pack(_MAGIC, len(content), zlib.crc32(content)))
         Path(partial).replace(file)
