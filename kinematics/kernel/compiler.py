@@ -76,6 +76,15 @@ class _Implementation(_caching.CompileResultCacheImpl):  # type: ignore[misc]
 class _WholeFiles(_caching.IndexDataCacheFile):  # type: ignore[misc]
     """An index and its files of code, each with a checksum: what is damaged counts as not there."""
 
+    def save(self, key: Any, data: Any) -> None:
+        """Keep code with what it is for: two processes may give two overloads the same file at once."""
+        super().save(key, (key, data))
+
+    def load(self, key: Any) -> Any:
+        """The code for a key, or None; what another process put in its place counts as not there."""
+        found = super().load(key)
+        return found[1] if found is not None and found[0] == key else None
+
     def _load_index(self) -> dict[Any, str]:
         content = read_whole(Path(self._index_path))
         version, stamp, overloads = pickle.loads(content) if content is not None else (None, None, {})
