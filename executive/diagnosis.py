@@ -59,8 +59,10 @@ def warm_up(tell: Callable[[str], None] = lambda _: None) -> str:
     from executive.assembly import assemble
     from executive.command_parser import parse
     from executive.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+    from kinematics.kernel import cache
     from robots.scene_file import load_scene
 
+    cache.drop_damaged()
     compile_kernel(tell)
     tell("one task, for everything else")
     assembly = assemble(DEFAULT_ROBOT, load_scene(DEFAULT_SCENE), 0)
@@ -187,11 +189,14 @@ def _writable() -> Finding:
 
 
 def _kernel() -> Finding:
-    from kinematics.kernel import readiness
+    from kinematics.kernel import cache, readiness
 
-    if readiness.ready():
+    broken = cache.damaged()
+    if readiness.ready() and not broken:
         return Finding("motion kernel", True, "compiled")
     detail = "not compiled yet; planning goes on without it"
+    if broken:
+        detail = f"{len(broken)} of its files damaged, such as {broken[0]}; what they held is compiled anew"
     return Finding("motion kernel", False, detail, "executive doctor --warm", needed=False)
 
 

@@ -6,6 +6,7 @@
 
 A step is a sentence or an action with the slots of the command-line contract. A step without a confidence of
 its own has that of the document; without either it is refused. The schema is docs/model_output.schema.json.
+Tool calls are taken as well, see ``tool_calls``.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from json import JSONDecodeError
 from typing import Annotated, Any, Union
 
 from pydantic import Field, RootModel, StringConstraints, TypeAdapter, ValidationError
@@ -20,10 +22,18 @@ from pydantic import Field, RootModel, StringConstraints, TypeAdapter, Validatio
 from executive.language.refusing.refusals import printable
 from executive.meaning import Command
 from executive.structured_actions import Confidence, Strict, action_models, command_of
+from executive.tool_calls import SURE, ToolCallError, steps_of_calls
 from executive.untrusted_json import UntrustedJsonError, read_json
 
 MAX_STEPS = 20
 MAX_SENTENCE = 500
+EXPECTED = (
+    'expected is one JSON value and nothing around it: {"command": "go home", "confidence": 0.9}, '
+    '{"steps": [...], "confidence": 0.9}, a list of steps, or a tool call '
+    '{"name": "go_home", "arguments": {}}'
+)
+"""What is told to whoever sends something of another shape."""
+_STEP_KEYS = ("command", "action")
 
 Sentence = Annotated[str, StringConstraints(min_length=1, max_length=MAX_SENTENCE)]
 
@@ -61,7 +71,15 @@ def read_model_output(text: str) -> list[ModelStep]:
     try:
         document = read_json(text)
     except UntrustedJsonError as wrong:
+        no_json = isinstance(wrong.__cause__, JSONDecodeError)
+        raise ModelOutputError(f"{wrong}; {EXPECTED}" if no_json else str(wrong)) from wrong
+    try:
+        calls = steps_of_calls(document)
+    except ToolCallError as wrong:
         raise ModelOutputError(str(wrong)) from wrong
+    if calls is not None:
+        _check_count(len(calls))
+        return [_step(item, place, SURE) for place, item in calls]
     usual: float | None = None
     if isinstance(document, dict) and "steps" in document:
         extra = sorted(set(document) - {"steps", "confidence"})
@@ -75,11 +93,19 @@ def read_model_output(text: str) -> list[ModelStep]:
     else:
         steps, place = document, ""
     if not isinstance(steps, list):
-        raise ModelOutputError("it must be an object with 'command' or 'steps', or a list of steps")
-    if not 1 <= len(steps) <= MAX_STEPS:
-        raise ModelOutputError(f"it has {len(steps)} steps; 1 to {MAX_STEPS} are taken")
+        raise ModelOutputError(
+            f"it must be an object with 'command' or 'steps', or a list of steps; {EXPECTED}"
+        )
+    _check_count(len(steps))
     alone = isinstance(document, dict) and not place
+    if alone and not any(key in document for key in _STEP_KEYS):
+        raise ModelOutputError(f"it has neither 'command' nor 'action' nor 'steps'; {EXPECTED}")
     return [_step(item, "" if alone else f"{place}[{i}]", usual) for i, item in enumerate(steps)]
+
+
+def _check_count(count: int) -> None:
+    if not 1 <= count <= MAX_STEPS:
+        raise ModelOutputError(f"it has {count} steps; 1 to {MAX_STEPS} are taken")
 
 
 def _step(item: Any, place: str, usual: float | None) -> ModelStep:
@@ -125,7 +151,7 @@ def _adapter(kind: Any) -> TypeAdapter[Any]:
 
 
 def model_output_schema() -> dict[str, Any]:
-    """The JSON schema of everything that is taken."""
+    """The JSON schema of what a model is asked for; tool calls have their own, the provider's."""
     action: Any = Annotated[Union[tuple(action_models().values())], Field(discriminator="action")]  # noqa: UP007
     step: Any = SentenceStep | action
     steps_: Any = Annotated[list[step | Sentence], Field(min_length=1, max_length=MAX_STEPS)]

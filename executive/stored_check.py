@@ -11,6 +11,7 @@ from executive.exit_codes import ExitCode
 from kinematics.errors import TrajectoryDocumentError
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
+from kinematics.scene_namespace import with_names_of_their_own
 from kinematics.trajectory import Unsafe
 from kinematics.trajectory_check import TrajectoryChecker
 from kinematics.trajectory_document import StoredTrajectory, read_trajectory
@@ -66,9 +67,9 @@ def check_stored(
     beside = path.with_suffix(".toml")
     if scene is None and stored.objects is None and beside.is_file():
         scene = str(beside)
-    surroundings = _surroundings(stored, scene, margin_m)
     model = RobotModel(load_description(robot or stored.robot))
     _require_no_person(path, stored, scene)
+    surroundings = _surroundings(stored, scene, margin_m, model)
     try:
         asked = fit(stored, model, surroundings)
     except TrajectoryDocumentError as unfit:
@@ -88,9 +89,11 @@ def check_stored(
     )
 
 
-def _surroundings(stored: StoredTrajectory, scene: str | None, margin_m: float) -> PlanningScene:
+def _surroundings(
+    stored: StoredTrajectory, scene: str | None, margin_m: float, model: RobotModel
+) -> PlanningScene:
     if scene is not None:
-        return planning_scene(load_scene(scene), margin_m)
+        return with_names_of_their_own(planning_scene(load_scene(scene), margin_m), model)
     around = [replace(item, margin_m=max(item.margin_m, margin_m)) for item in stored.objects or ()]
     return PlanningScene().with_objects(around)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,8 +14,11 @@ from executive.errors import ScriptError
 from executive.statement import Expectation, OnFailure, Statement
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding import understand
+from robots.toml_text import TomlTextError, read_toml
 
 MAX_BYTES = 1_000_000
+MOST_TASKS = 1000
+"""All are understood before the first one begins."""
 _TOP_KEYS = ("scene", "robot", "seed", "task")
 _TASK_KEYS = ("say", "on_failure", "timeout_s", "expect")
 
@@ -70,6 +72,8 @@ def load_script(path: Path, trust: Trust = USUAL_TRUST) -> TaskScript:
     tasks = data.get("task")
     if not isinstance(tasks, list) or not tasks or not all(isinstance(item, dict) for item in tasks):
         raise ScriptError(source, "task", "must be a list of [[task]] tables")
+    if len(tasks) > MOST_TASKS:
+        raise ScriptError(source, "task", f"has {len(tasks)} tasks; a script holds at most {MOST_TASKS}")
     before = Conversation()
     statements = tuple(
         _statement(source, f"task[{index}]", item, trust, before) for index, item in enumerate(tasks)
@@ -84,15 +88,13 @@ def _read(path: Path) -> dict[str, Any]:
     try:
         if path.stat().st_size > MAX_BYTES:
             raise ScriptError(str(path), "", f"has more than {MAX_BYTES} bytes")
-        return tomllib.loads(path.read_text("utf-8"))
+        return read_toml(path.read_text("utf-8"))
     except OSError as failed:
         raise ScriptError(str(path), "", failed.strerror or "cannot be read") from failed
     except UnicodeDecodeError as failed:
         raise ScriptError(str(path), "", "is not UTF-8 text") from failed
-    except tomllib.TOMLDecodeError as failed:
+    except TomlTextError as failed:
         raise ScriptError(str(path), "", f"is not TOML: {failed}") from failed
-    except RecursionError as failed:
-        raise ScriptError(str(path), "", "is nested too deeply") from failed
 
 
 def _statement(

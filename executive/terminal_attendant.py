@@ -9,6 +9,7 @@ from typing import IO
 
 from executive.attendant import Stoppable
 from executive.clarification import OpenQuestion
+from robots.toml_text import BYTE_ORDER_MARK
 
 ANSWER_TIMEOUT_S = 60.0
 """A question that nobody answers for so long stays open, and ends the run; nothing moves meanwhile."""
@@ -62,7 +63,7 @@ class TerminalAttendant:
             line = self._stdin.readline()
         except (OSError, ValueError):
             return None
-        return line.strip() if line else None
+        return line.removeprefix(BYTE_ORDER_MARK).strip() if line else None
 
     def _arrives(self) -> bool:
         """Wait for something to read; False when nothing comes in time, or the run was cancelled."""

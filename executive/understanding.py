@@ -17,6 +17,7 @@ from executive.meaning import Command, Parsed, Question, Refusal
 from executive.references import references, with_references
 from executive.task_result import Provenance
 from executive.trust import USUAL_TRUST, Trust
+from robots.toml_text import BYTE_ORDER_MARK
 from trees.tasks import FindTask, ObjectOf
 
 if TYPE_CHECKING:
@@ -25,7 +26,9 @@ if TYPE_CHECKING:
 
 _BEGINS_JSON = re.compile(r"""\s*(\{|\[\s*([\[\]{"]|$))""")
 _LONGEST_FENCED = 65_536
-_FENCED = re.compile(r"\s*```(json)?[ \t]*\n(?P<inside>[^`]*)\n[ \t]*```\s*", re.IGNORECASE)
+_FENCED = re.compile(r"\s*```(json)?[ \t]*\n(?P<inside>[^`]*)\n?[ \t]*```\s*", re.IGNORECASE)
+_FENCE_WITHIN = re.compile(r"```(?:json)?[ \t]*\n?\s*[\[{]", re.IGNORECASE)
+_JSON_WITHIN = re.compile(r"""\{\s*"\w{1,40}"\s*:""")
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,13 +67,14 @@ class _Part:
 
 def is_model_output(text: str) -> bool:
     """Tell whether a text is meant as JSON: by how it begins, which is not how "[1] wave" does."""
-    return _BEGINS_JSON.match(_without_fence(text)) is not None
+    return _BEGINS_JSON.match(_without_fence(text.removeprefix(BYTE_ORDER_MARK))) is not None
 
 
 def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
     """Understand a sentence or a model's output. It is untrusted: any string gives an answer."""
+    text = text.removeprefix(BYTE_ORDER_MARK)
     if not is_model_output(text):
-        return Understood(parse(text))
+        return _sentence(text)
     from executive.model_output import ModelOutputError, read_model_output
 
     try:
@@ -91,6 +95,18 @@ def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
     )
     question = Question(f"{shown}, below {trust.threshold:.2f}: shall it be done?", ("yes", "no"))
     return Understood(Parsed(text, question=question), if_confirmed=_of(text, parts))
+
+
+def _sentence(text: str) -> Understood:
+    """A sentence; JSON with words around it is none, and is never taken for what the words alone say."""
+    parsed = None if _FENCE_WITHIN.search(text) else parse(text)
+    if parsed is None or (not parsed.commands and _JSON_WITHIN.search(text)):
+        from executive.model_output import EXPECTED
+
+        return Understood(
+            Parsed(text, refusal=Refusal(f"there are words around the model's output; {EXPECTED}"))
+        )
+    return Understood(parsed)
 
 
 def _without_fence(text: str) -> str:

@@ -143,7 +143,7 @@ class FreeCoordinates:
 
     @cached_property
     def _flattened(self) -> tuple[Coordinates, Tree]:
-        from kinematics.kernel.coordinates import standing_coordinates
+        from kinematics.kernel.model_coordinates import standing_coordinates
 
         return standing_coordinates(self._model, self._stance), model_tree(self._model)
 

@@ -14,6 +14,7 @@ from kinematics.trajectory import Array
 
 _SHOWN = 40
 """Longer values are cut where an error repeats them."""
+_BYTE_ORDER_MARK = "\ufeff"
 _MAX_TEXT = 200
 """No name is longer."""
 
@@ -29,7 +30,9 @@ def parse_document(text: str) -> Node:
         TrajectoryDocumentError: It is no JSON, is nested too deeply, or has a key twice.
     """
     try:
-        return Node("document", json.loads(text, object_pairs_hook=_no_doubles))
+        return Node(
+            "document", json.loads(text.removeprefix(_BYTE_ORDER_MARK), object_pairs_hook=_no_doubles)
+        )
     except _DoubledError as doubled:
         raise TrajectoryDocumentError("document", f"the key {doubled.args[0]!r} is there twice") from None
     except RecursionError:

@@ -63,7 +63,7 @@ class ReachIk:
     def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
         # imported here: they bring the compiler
         from kinematics.kernel import reach, reach_problem
-        from kinematics.kernel.coordinates import standing_coordinates, standing_limits
+        from kinematics.kernel.model_coordinates import standing_coordinates, standing_limits
 
         description = model.description
         if description.welded:

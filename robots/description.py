@@ -8,7 +8,6 @@ from __future__ import annotations
 import importlib.metadata
 import importlib.resources
 import re
-import tomllib
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from importlib.resources.abc import Traversable
@@ -34,6 +33,7 @@ from kinematics.walking.settings import TuckedArms, WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.outside import ROBOTS, outside_folders
 from robots.reachability_file import REACHABILITY, read_reachability
+from robots.toml_text import read_toml
 from robots.urdf import (
     Table,
     add_collision_box,
@@ -75,7 +75,7 @@ def load_description(name: str) -> RobotDescription:
     folder = _folders().get(name)
     if folder is None:
         raise UnknownRobotError(name, known_robots())
-    data = tomllib.loads((folder / "description.toml").read_text("utf-8"))
+    data = read_toml((folder / "description.toml").read_text("utf-8"))
     try:
         return _describe(name, data, folder)
     except KeyError as missing:
@@ -252,7 +252,7 @@ def _disabled_pairs(
     pairs = [(item.attrib["link1"], item.attrib["link2"]) for item in disabled]
     stored = folder / DISABLED_COLLISIONS
     if stored.is_file():
-        pairs += [(a, b) for listed in tomllib.loads(stored.read_text("utf-8")).values() for a, b in listed]
+        pairs += [(a, b) for listed in read_toml(stored.read_text("utf-8")).values() for a, b in listed]
     for hand in _hands(gripper):
         names: tuple[str, ...] = () if gripper is None else (*gripper["links"], *gripper.get("cluster", ()))
         pairs += combinations(sorted(name.format(hand=hand) for name in names), 2)

@@ -6,12 +6,12 @@ digit is a share in ninths, a dot nothing. ``tools.reachability_map`` makes it.
 
 from __future__ import annotations
 
-import tomllib
 from typing import Any
 
 from kinematics.reachability import Cells, GridAxis, ReachabilityMap
 from kinematics.robot_description import HANDS
 from robots.errors import DescriptionError
+from robots.toml_text import read_toml
 
 REACHABILITY = "reachability.toml"
 SCHEMA = 1
@@ -54,7 +54,7 @@ def read_reachability(text: str) -> ReachabilityMap:
         DescriptionError: It is no such file, or of another schema, or a picture does not fit its grid.
     """
     try:
-        data = tomllib.loads(text)
+        data = read_toml(text)
         axes = [GridAxis(float(a), float(b), int(n)) for a, b, n in (data[k] for k in _AXES)]
     except (KeyError, TypeError, ValueError) as wrong:
         raise DescriptionError(f"{REACHABILITY} cannot be read: {wrong}") from wrong

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import importlib.resources
-import tomllib
 from collections.abc import Mapping
 from dataclasses import fields
 from importlib.resources.abc import Traversable
@@ -33,12 +32,17 @@ from robots.scene_parts import part_keys, read_part
 from robots.scene_rules import validate
 from robots.scene_table import SceneTable
 from robots.scene_words import CYLINDER_KINDS, HOLLOW_KINDS, OBJECT_KINDS, nearest_word
+from robots.toml_text import TomlTextError, read_toml
+from robots.usual_properties import USUAL_FRICTION, usual_mass_kg
 
 Table = Mapping[str, Any]
 
 _TOP_KEYS = ("robot_start", "perception", "furniture", "person", "object", "place")
 _LARGEST_FILE = 1_000_000
 """Bytes; a scene that somebody writes by hand is a thousand times smaller."""
+
+MOST_THINGS = 500
+"""Furniture, objects, people and places: each is held against each of the others."""
 
 
 def known_scenes() -> list[str]:
@@ -95,11 +99,14 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         SceneError: It is no TOML, has unknown keys, or cannot be a world.
     """
     try:
-        data = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as broken:
+        data = read_toml(text)
+    except TomlTextError as broken:
         raise SceneError(source, "file", f"is no TOML: {broken}") from broken
     root = SceneTable(data, source, "")
     root.only(_TOP_KEYS)
+    count = sum(len(found) for key in _TOP_KEYS if isinstance(found := data.get(key), list))
+    if count > MOST_THINGS:
+        raise SceneError(source, "file", f"has {count} things; a scene holds at most {MOST_THINGS}")
     pieces = tuple(_furniture(reader) for reader in root.tables("furniture"))
     scene = SceneDescription(
         name=name,
@@ -179,15 +186,16 @@ def _item(reader: SceneTable, pieces: tuple[Furniture, ...]) -> SceneItem:
     common = ("name", "kind", "color", "mass_kg", "friction", "on", "board", "position_m", "yaw_rad")
     hollow = ("wall_m",) if kind in HOLLOW_KINDS else ()
     reader.only((*common, *shape_keys, *hollow))
+    wall_m = reader.number("wall_m") if "wall_m" in reader.data else None
     return SceneItem(
         name=reader.text("name"),
         kind=kind,
         color=reader.text("color") if "color" in reader.data else None,
         shape=shape,
-        mass_kg=reader.number("mass_kg"),
-        friction=reader.number("friction"),
+        mass_kg=reader.number("mass_kg", usual_mass_kg(kind, shape, wall_m)),
+        friction=reader.number("friction", USUAL_FRICTION),
         world_T_object=_place(reader, shape, pieces),
-        wall_m=reader.number("wall_m") if "wall_m" in reader.data else None,
+        wall_m=wall_m,
     )
 
 
@@ -210,12 +218,15 @@ def _place(reader: SceneTable, shape: Shape, pieces: tuple[Furniture, ...]) -> T
     if "on" not in reader.data:
         if "board" in reader.data:
             raise reader.fail("board", 'needs the shelf: write on = "..." as well')
+        if "position_m" not in reader.data:
+            named = f', or on = "{pieces[0].name}" to stand on that' if pieces else ""
+            raise reader.fail("position_m", f"is missing: say where its centre is, [x, y, z]{named}")
         return poses.transform(turn, reader.numbers("position_m", 3))
     name = reader.word("on", [piece.name for piece in pieces]) if pieces else reader.text("on")
     carrier = next((piece for piece in pieces if piece.name == name), None)
     if carrier is None:
         raise reader.fail("on", f"there is no furniture {name!r}")
-    x, y = reader.numbers("position_m", 2)
+    x, y = reader.numbers("position_m", 2) if "position_m" in reader.data else (0.0, 0.0)
     depth, width, _ = carrier.size_m
     reach_x, reach_y = _base_reach(shape, turn)
     reach_x, reach_y = STANDING_SHARE * reach_x, STANDING_SHARE * reach_y

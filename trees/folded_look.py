@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kinematics.scene_namespace import reserved_names
 from robots.perception.standing import standing_on_tops
 from trees.glimpse_of import glimpse_of
 from trees.in_hand import not_in_hand
@@ -36,6 +37,7 @@ def folded_look(
         policy,
         lambda item: keeping or not in_plain_sight(item, glimpse, camera, others, policy.hidden_by_hand_m),
         may_have_moved=may_have_moved,
+        reserved=reserved_names(toolbox.model),
     )
     world.update(update.scene)
     world.note_glimpse(glimpse)

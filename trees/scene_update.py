@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene import FLOOR, PlanningScene, SceneObject
 from kinematics.shapes import Box
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
@@ -41,6 +41,7 @@ def updated_scene(
     policy: TreePolicy,
     could_be_unseen: Callable[[SceneObject], bool],
     may_have_moved: bool = True,
+    reserved: Collection[str] = (FLOOR,),
 ) -> SceneUpdate:
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
 
@@ -55,6 +56,8 @@ def updated_scene(
         could_be_unseen: Whether a thing could be where it is believed to be without being seen.
         may_have_moved: Whether one that appears may be one that was elsewhere before; not while the head
             merely looks around.
+        reserved: Names of the robot's parts and of the floor, by which the scene tells what may touch: what
+            is called so is numbered from 2 on ("floor 2").
     """
     groups: dict[str, list[ObjectEstimate]] = {}
     for estimate in estimates:
@@ -75,7 +78,7 @@ def updated_scene(
             stays = not item.movable or (not moved and could_be_unseen(item))
             if stays:
                 objects[name] = item
-        taken = {*objects, *matched, *scene.attached}
+        taken = {*objects, *matched, *scene.attached, *reserved}
         for estimate in sorted(strangers, key=_face_m2, reverse=True):  # "table" is its top, not a leg
             name = _free_name(words, taken)
             taken.add(name)

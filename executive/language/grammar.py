@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import importlib.metadata
 import importlib.resources
 import json
-import os
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+
+from kinematics.whole_file import read_whole, write_whole
 
 BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE", "FREE_REASON"})
 """Terminals that are recognised by their form, not listed."""
@@ -68,8 +70,9 @@ def load_rules(cache: Path | None = None) -> dict[str, Rule]:
     text = grammar_text()
     if cache is None:
         return rules_of(_compiled(text))
-    digest = hashlib.sha256(text.encode()).hexdigest()
-    kept = cache / f"grammar-{digest[:16]}.json"
+    made_by = f"{importlib.metadata.version('lark')} {Path(__file__).read_text('utf-8')}"
+    digest = hashlib.sha256(f"{made_by}\0{text}".encode()).hexdigest()
+    kept = cache / f"grammar-{digest[:16]}.kept"
     productions = _kept(kept)
     if productions is None:
         productions = list(_compiled(text))
@@ -78,21 +81,17 @@ def load_rules(cache: Path | None = None) -> dict[str, Rule]:
 
 
 def _kept(file: Path) -> list[Production] | None:
-    try:
-        return [
-            (name, tuple(parts), function) for name, parts, function in json.loads(file.read_text("utf-8"))
-        ]
-    except (OSError, ValueError, TypeError):
+    content = read_whole(file)
+    if content is None:
         return None
+    return [(name, tuple(parts), function) for name, parts, function in json.loads(content)]
 
 
 def _keep(file: Path, productions: list[Production]) -> None:
-    """Write the file whole or not at all; a folder that cannot be written is no reason to fail."""
-    partial = file.with_suffix(f".{os.getpid()}.tmp")
+    """A folder that cannot be written is no reason to fail."""
     with contextlib.suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True)
-        partial.write_text(json.dumps(productions), "utf-8")
-        partial.replace(file)
+        write_whole(file, json.dumps(productions).encode())
 
 
 def grammar_text() -> str:

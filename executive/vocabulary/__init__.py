@@ -19,8 +19,9 @@ from executive.errors import VocabularyError
 from executive.vocabulary.inflection import gerund, participle, plural
 from executive.vocabulary.outside import outside_words
 from executive.vocabulary.prepared import Head, Prepared, digest_of, keep, kept
-from executive.vocabulary.written import expand
+from executive.vocabulary.written import MOST_VARIANTS, expand, variants
 from robots.outside import VOCABULARY, outside_files
+from robots.toml_text import TomlTextError, read_toml
 
 Words = tuple[str, ...]
 
@@ -176,7 +177,10 @@ def _digest(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> str |
     folder = importlib.resources.files("executive.vocabulary")
     outside = outside_files(VOCABULARY)
     try:
-        rules = [(folder / name).read_bytes() for name in ("__init__.py", "inflection.py", "written.py")]
+        rules = [
+            (folder / name).read_bytes()
+            for name in ("__init__.py", "inflection.py", "prepared.py", "written.py")
+        ]
         given = [path.read_bytes() for path in user_files]
         brought = [f"{name}".encode() + file.read_bytes() for name, file in sorted(outside.items())]
     except OSError:
@@ -211,11 +215,9 @@ def _restored(heads: Sequence[Head], words: Mapping[str, Mapping[str, Sequence[s
 
 
 def _read_classes(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) -> list[WordClass]:
-    import tomllib
-
     tables: dict[str, dict[str, Any]] = {}
     for file_name, text in own:
-        _add(tables, tomllib.loads(text), file_name, new_classes=True)
+        _add(tables, read_toml(text), file_name, new_classes=True)
     usable = frozenset(name for name, table in tables.items() if not table.get("irregular"))
     for source, words in outside_words(usable).words:
         _add(tables, words, source, new_classes=False)
@@ -232,13 +234,11 @@ def _read_classes(own: Sequence[tuple[str, str]], user_files: Sequence[Path]) ->
 
 
 def _user_tables(path: Path) -> dict[str, Any]:
-    import tomllib
-
     try:
-        document = tomllib.loads(path.read_text("utf-8"))
+        document = read_toml(path.read_text("utf-8"))
     except OSError as failed:
         raise VocabularyError(f"{path}: cannot be read: {failed.strerror}") from failed
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as failed:
+    except (TomlTextError, UnicodeDecodeError) as failed:
         raise VocabularyError(f"{path}: is no TOML: {failed}") from failed
     words = document.get("vocabulary", {})
     if not isinstance(words, dict):
@@ -276,6 +276,10 @@ def _listed(table: Mapping[str, Any], source: str, name: str) -> dict[str, list[
         raise VocabularyError(
             f"{source}: {name}: words are lists of phrases by meaning, same is a list of phrases"
         )
+    for phrase in itertools.chain(same, *words.values()):
+        if (count := variants(phrase)) > MOST_VARIANTS:
+            shown = f"{phrase[:40]!r} stands for {count:.0e} phrases"
+            raise VocabularyError(f"{source}: {name}: {shown}; at most {MOST_VARIANTS} are written out")
     result = {meaning: list(phrases) for meaning, phrases in words.items()}
     for phrase in same:
         for one in expand(phrase) if "(" in phrase or "[" in phrase else (phrase,):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from robots.outside import VOCABULARY, outside_files, outside_folders
+from robots.toml_text import TomlTextError, read_toml
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,8 +35,8 @@ def outside_words(classes: frozenset[str]) -> OutsideWords:
     complaints = list(outside_folders(VOCABULARY).complaints)
     for name, file in outside_files(VOCABULARY).items():
         try:
-            tables = tomllib.loads(file.read_text("utf-8"))["vocabulary"]
-        except (OSError, KeyError, UnicodeDecodeError, tomllib.TOMLDecodeError) as broken:
+            tables = read_toml(file.read_text("utf-8"))["vocabulary"]
+        except (OSError, KeyError, UnicodeDecodeError, TomlTextError) as broken:
             complaints.append(f"words {name!r}: {type(broken).__name__}: {broken}")
             continue
         defect = _defect(tables, classes)

@@ -10,13 +10,14 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-_NAME = "vocabulary-{digest}.json"
+from kinematics.whole_file import read_whole, write_whole
+
+_NAME = "vocabulary-{digest}.kept"
 _KEPT = 4
 """Files that are kept: a person may use several lists of words of their own in turn."""
 
@@ -55,27 +56,25 @@ def digest_of(sources: Iterable[bytes]) -> str:
 
 def kept(cache: Path, digest: str) -> tuple[Prepared, Callable[[], Words]] | None:
     """What was kept under a digest, with the phrases by class, which few need; or None."""
-    try:
-        first, words, phrases = (cache / _NAME.format(digest=digest)).read_text("utf-8").split("\n")
-        rows: Any = json.loads(first)
-        heads = [
-            (str(name), refusal, dict(meanings), bool(derived))
-            for name, refusal, meanings, derived in rows["heads"]
-        ]
-        return Prepared(heads, dict(rows["beginnings"]), words), lambda: json.loads(phrases)
-    except (OSError, ValueError, TypeError, KeyError):
+    content = read_whole(cache / _NAME.format(digest=digest))
+    if content is None:
         return None
+    first, words, phrases = content.split(b"\n")
+    rows: Any = json.loads(first)
+    heads = [
+        (str(name), refusal, dict(meanings), bool(derived))
+        for name, refusal, meanings, derived in rows["heads"]
+    ]
+    return Prepared(heads, dict(rows["beginnings"]), words.decode()), lambda: json.loads(phrases)
 
 
 def keep(cache: Path, digest: str, prepared: Prepared, phrases: Words) -> None:
-    """Write the file whole or not at all; a folder that cannot be written is no reason to fail."""
+    """A folder that cannot be written is no reason to fail."""
     file = cache / _NAME.format(digest=digest)
-    partial = file.with_suffix(f".{os.getpid()}.tmp")
     first = json.dumps({"heads": list(prepared.heads), "beginnings": dict(prepared.beginnings)})
     with contextlib.suppress(OSError):
         cache.mkdir(parents=True, exist_ok=True)
         others = sorted(cache.glob(_NAME.format(digest="*")), key=lambda one: one.stat().st_mtime)
         for old in others[: -_KEPT + 1]:
             old.unlink()
-        partial.write_text("\n".join((first, prepared.words, json.dumps(phrases))), "utf-8")
-        partial.replace(file)
+        write_whole(file, "\n".join((first, prepared.words, json.dumps(phrases))).encode())

@@ -9,6 +9,8 @@ _CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
 _WORD = re.compile(
     r"&&|\|\||\d+(?:st|nd|rd|th)\b|(?<!\d,)\d+,\d{1,2}(?![\d,])|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
 )
+MOST_VARIANTS = 100_000
+"""Phrases that one phrase with choices may stand for."""
 BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
 """Bridge words, which are matched whole; elsewhere an underscore is a space."""
 
@@ -44,3 +46,11 @@ def expand(phrase: str) -> Iterator[str]:
     choices = ["", *optional.split("|")] if optional is not None else required.split("|")
     for choice in choices:
         yield from expand(phrase[: found.start()] + choice + phrase[found.end() :])
+
+
+def variants(phrase: str) -> float:
+    """How many phrases ``expand`` writes out at least; infinite when no number holds it."""
+    count = 1.0
+    for optional, required in _CHOICE.findall(phrase):
+        count *= required.count("|") + 1 if required else optional.count("|") + 2
+    return count

@@ -17,15 +17,14 @@ from kinematics.arrays import as_float64
 from kinematics.errors import InvalidArrayError
 from kinematics.kernel import door, judge
 from kinematics.kernel.buffers import Buffers
-from kinematics.kernel.coordinates import (
-    Coordinates,
-    Limits,
+from kinematics.kernel.coordinates import Coordinates, Limits
+from kinematics.kernel.memory import Packed
+from kinematics.kernel.model_coordinates import (
     mounted_coordinates,
     mounted_limits,
     standing_coordinates,
     standing_limits,
 )
-from kinematics.kernel.memory import Packed
 from kinematics.kernel.packing import JUDGED_ROW, Sizes, pack
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.kernel.scene_solids import judged_in, scene_solids

@@ -18,6 +18,7 @@ from kinematics.shapes import Ball
 def ready() -> bool:
     """Tell whether all compiled code of the present sources is on disk for this processor.
 
+    Looks at each file's end, not at what is in it; ``cache.damaged`` does.
     Who plans goes on with Coal when it is not: nobody waits for a compiler unasked.
     """
     return cache.is_complete()

@@ -15,6 +15,7 @@ from robots.scene_description import SceneItem
 from robots.simulated.body_model import PATCH_RADIUS_M, pad_name
 from robots.simulated.physics import Physics
 from robots.simulated.scene_model import friction_row, pair_name
+from robots.simulated.scene_names import in_simulator
 from robots.simulated.truth import SimulatorTruth
 
 Array = NDArray[np.float64]
@@ -182,7 +183,7 @@ class FaultInjector:
         model = self._physics.model
         for gripper in self._physics.description.grippers.values():
             for link in gripper.pad_links:
-                pair = self._physics.pair_id(pair_name(pad_name(link), name))
+                pair = self._physics.pair_id(pair_name(pad_name(link), in_simulator(name)))
                 model.pair_friction[pair] = friction_row(friction, PATCH_RADIUS_M)
 
     def _go_on(self, shove: _Shove) -> bool:

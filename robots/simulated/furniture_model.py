@@ -14,6 +14,7 @@ from robots import articulated, furniture
 from robots.scene_description import Furniture, SceneDescription
 from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, PATCH_RADIUS_M, pad_name, set_role
 from robots.simulated.geom_roles import WORLD_GROUP, Role
+from robots.simulated.scene_names import in_simulator
 
 DOOR_DAMPING = 0.2
 """Nm s/rad of a hinge: grease."""
@@ -28,12 +29,12 @@ SEAL_HOLDS_RAD, SEAL_ENDS_RAD = np.deg2rad(1.0), np.deg2rad(3.0)
 
 def part_joint(piece: Furniture) -> str:
     """Name of the joint that a door or drawer moves on."""
-    return f"opens:{piece.name}"
+    return in_simulator(f"{piece.name}/opens")
 
 
 def part_body(piece: Furniture) -> str:
     """Name of the body of a door or drawer."""
-    return f"part:{piece.name}"
+    return in_simulator(f"{piece.name}/part")
 
 
 def add_moving_part(spec: mujoco.MjSpec, piece: Furniture, description: RobotDescription) -> None:
@@ -61,7 +62,7 @@ def add_moving_part(spec: mujoco.MjSpec, piece: Furniture, description: RobotDes
         bar = solid.kind == articulated.HANDLE
         mass = articulated.BAR_MASS_KG if bar else part.mass_kg * _volume(solid.shape) / volume
         geom = body.add_geom(
-            name=solid.name,
+            name=in_simulator(solid.name),
             mass=0.01 if solid.grasped and not bar else mass,
             rgba=[0.22, 0.22, 0.25, 1.0] if solid.grasped else [0.88, 0.90, 0.92, 1.0],
             friction=[part.handle_friction if solid.grasped else piece.friction, 0.005, 0.0001],
@@ -75,7 +76,7 @@ def add_moving_part(spec: mujoco.MjSpec, piece: Furniture, description: RobotDes
         _place(geom, solid.part_T_solid)
         set_role(geom, Role.HANDLE if solid.grasped else Role.FURNITURE)
         if solid.grasped:
-            _add_grip(spec, solid.name, part.handle_friction, description)
+            _add_grip(spec, in_simulator(solid.name), part.handle_friction, description)
 
 
 def _add_grip(spec: mujoco.MjSpec, name: str, friction: float, description: RobotDescription) -> None:

@@ -15,6 +15,7 @@ from kinematics.poses import quaternion_from_rotation, rotation_z, transform
 from robots.scene_description import Person
 from robots.simulated.body_model import PAD_SOLIMP, PAD_SOLREF, set_role
 from robots.simulated.geom_roles import WORLD_GROUP, Role
+from robots.simulated.scene_names import in_simulator
 
 HAND_REST_M = (0.10, -0.28, 0.90)
 """Of the hand in the person's frame: beside the thigh."""
@@ -43,28 +44,28 @@ _PALM_BEHIND_M = 0.08
 
 def hand_body(person: str) -> str:
     """Name of the body of a person's hand."""
-    return f"{person}/hand"
+    return in_simulator(f"{person}/hand")
 
 
 def hand_joint(person: str, axis: str) -> str:
     """Name of a joint of the hand: "x", "y", "z", "roll", "upper" or "lower"."""
-    return f"{person}/hand/{axis}"
+    return in_simulator(f"{person}/hand/{axis}")
 
 
 def pad_geom(person: str, side: str) -> str:
     """Name of the geom of a pad: "upper" or "lower"."""
-    return f"{person}/{side}_pad"
+    return in_simulator(f"{person}/{side}_pad")
 
 
 def add_person(spec: mujoco.MjSpec, person: Person) -> None:
     """Put a person into the world."""
-    body = spec.worldbody.add_body(name=person.name)
+    body = spec.worldbody.add_body(name=in_simulator(person.name))
     pose = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0))
     x, y, z, w = quaternion_from_rotation(pose[:3, :3])
     body.pos, body.quat = pose[:3, 3], [w, x, y, z]
     for i, (radius, start, end) in enumerate(_CAPSULES):
         geom = body.add_geom(
-            name=f"{person.name}/{i}",
+            name=in_simulator(f"{person.name}/{i}"),
             type=mujoco.mjtGeom.mjGEOM_CAPSULE,
             size=[radius, 0.0, 0.0],
             fromto=[*start, *end],
@@ -73,7 +74,7 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
         )
         set_role(geom, Role.PERSON)
     head = body.add_geom(
-        name=f"{person.name}/head",
+        name=in_simulator(f"{person.name}/head"),
         type=mujoco.mjtGeom.mjGEOM_SPHERE,
         size=[0.11, 0.0, 0.0],
         pos=[0.0, 0.0, 1.62],
@@ -124,7 +125,7 @@ def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
         armature=0.005,
     )
     palm = hand.add_geom(
-        name=f"{person.name}/palm",
+        name=in_simulator(f"{person.name}/palm"),
         type=mujoco.mjtGeom.mjGEOM_SPHERE,
         size=[0.035, 0.0, 0.0],
         pos=[-_PALM_BEHIND_M, 0.0, 0.0],
@@ -134,7 +135,7 @@ def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
     )
     set_role(palm, Role.NONE)
     for name, side in (("upper", 1.0), ("lower", -1.0)):
-        finger = hand.add_body(name=f"{person.name}/{name}", gravcomp=1.0)
+        finger = hand.add_body(name=in_simulator(f"{person.name}/{name}"), gravcomp=1.0)
         finger.add_joint(
             name=hand_joint(person.name, name),
             type=mujoco.mjtJoint.mjJNT_SLIDE,

@@ -16,6 +16,7 @@ from robots.simulated.body_model import ROOT_JOINT, finger_links, pad_name, robo
 from robots.simulated.furniture_model import FurnitureForces
 from robots.simulated.geom_roles import Role
 from robots.simulated.scene_model import FLOOR, add_scene, joint_name
+from robots.simulated.scene_names import in_scene, in_simulator
 
 TIMESTEP_S = 0.001
 IMPEDANCE_RATIO = 100.0
@@ -52,8 +53,8 @@ class Physics:
         self._fresh_time_s = -1.0
         self.geom_role, self.geom_label = self._label_geoms()
         self.base_body = self.body_id(description.base_link)
-        self.object_geom = {item.name: self.geom_id(item.name) for item in scene.objects}
-        self.object_body = {item.name: self.body_id(item.name) for item in scene.objects}
+        self.object_geom = {item.name: self.scene_geom_id(item.name) for item in scene.objects}
+        self.object_body = {item.name: self.body_id(in_simulator(item.name)) for item in scene.objects}
         self.object_qpos = {item.name: self._qpos_address(joint_name(item.name)) for item in scene.objects}
         self.object_qvel = {item.name: self._dof_address(joint_name(item.name)) for item in scene.objects}
         self.sole_body = [self.body_id(sole.frame) for sole in description.soles]
@@ -63,8 +64,12 @@ class Physics:
         self._stand_up()
 
     def geom_id(self, name: str) -> int:
-        """MuJoCo's index of a geom."""
+        """MuJoCo's index of a geom, by the simulator's name."""
         return self._id(mujoco.mjtObj.mjOBJ_GEOM, name)
+
+    def scene_geom_id(self, name: str) -> int:
+        """MuJoCo's index of a geom of the scene: an object, "table/top"."""
+        return self.geom_id(in_simulator(name))
 
     def body_id(self, name: str) -> int:
         """MuJoCo's index of a body."""
@@ -123,16 +128,17 @@ class Physics:
         }
         for i in range(model.ngeom):
             geom, owner = model.geom(i).name, model.body(model.geom_bodyid[i]).name
+            solid, thing = in_scene(geom), in_scene(owner)
             if geom == FLOOR:
                 role[i], label[i] = Role.FLOOR, FLOOR
-            elif geom in solids:
-                role[i], label[i] = Role.FURNITURE, geom
-            elif geom in moving:
-                role[i], label[i] = moving[geom], geom
-            elif owner in items:
-                role[i], label[i] = Role.OBJECT, owner
-            elif owner.split("/", 1)[0] in people:  # the hand is a body of its own
-                role[i], label[i] = (Role.PERSON if model.geom_contype[i] else Role.NONE), owner
+            elif solid in solids:
+                role[i], label[i] = Role.FURNITURE, solid
+            elif solid in moving:
+                role[i], label[i] = moving[solid], solid
+            elif thing in items:
+                role[i], label[i] = Role.OBJECT, thing
+            elif thing is not None and thing.split("/", 1)[0] in people:  # the hand is a body of its own
+                role[i], label[i] = (Role.PERSON if model.geom_contype[i] else Role.NONE), thing
             else:
                 label[i] = link_of_sole.get(owner, owner)
                 if model.geom_contype[i] or model.geom_conaffinity[i]:

@@ -23,6 +23,7 @@ from robots.simulated.body_model import (
 from robots.simulated.furniture_model import add_moving_part
 from robots.simulated.geom_roles import WORLD_GROUP, Role
 from robots.simulated.person_model import add_person
+from robots.simulated.scene_names import in_simulator
 
 FLOOR = "floor"
 FLOOR_FRICTION = 0.8
@@ -34,11 +35,11 @@ ROLLING_M = 0.0005
 
 def joint_name(item: str) -> str:
     """Name of an object's free joint."""
-    return f"free:{item}"
+    return in_simulator(f"{item}/free")
 
 
 def pair_name(first: str, second: str) -> str:
-    """Name of the contact pair of two geoms."""
+    """Name of the contact pair of two geoms, by the simulator's names."""
     return f"{first}|{second}"
 
 
@@ -52,7 +53,9 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
     _add_floor(spec)
     for piece in scene.furniture:
         for solid in furniture.solids(piece):
-            geom = spec.worldbody.add_geom(name=solid.name, rgba=[0.62, 0.47, 0.32, 1.0], group=WORLD_GROUP)
+            geom = spec.worldbody.add_geom(
+                name=in_simulator(solid.name), rgba=[0.62, 0.47, 0.32, 1.0], group=WORLD_GROUP
+            )
             _shape(geom, solid.shape)
             _place(geom, solid.world_T_solid)
             set_role(geom, Role.FURNITURE)
@@ -68,9 +71,9 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
         condim = 6 if isinstance(item.shape, Ball) else 4
         for link in pads:
             spec.add_pair(
-                name=pair_name(pad_name(link), item.name),
+                name=pair_name(pad_name(link), in_simulator(item.name)),
                 geomname1=pad_name(link),
-                geomname2=item.name,
+                geomname2=in_simulator(item.name),
                 condim=4,
                 friction=friction_row(item.friction, PATCH_RADIUS_M),
                 solref=list(PAD_SOLREF),
@@ -80,9 +83,9 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
         for piece in scene.furniture:
             for solid in furniture.solids(piece):
                 spec.add_pair(
-                    name=pair_name(solid.name, item.name),
-                    geomname1=solid.name,
-                    geomname2=item.name,
+                    name=pair_name(in_simulator(solid.name), in_simulator(item.name)),
+                    geomname1=in_simulator(solid.name),
+                    geomname2=in_simulator(item.name),
                     condim=condim,
                     friction=friction_row(piece.friction, REST_PATCH_M),
                 )
@@ -129,14 +132,14 @@ def _add_floor(spec: mujoco.MjSpec) -> None:
 
 
 def _add_object(spec: mujoco.MjSpec, item: SceneItem) -> None:
-    body = spec.worldbody.add_body(name=item.name)
+    body = spec.worldbody.add_body(name=in_simulator(item.name))
     _place(body, item.world_T_object)
     body.add_freejoint(name=joint_name(item.name))
     color = COLORS.get(item.color or "", COLORS["grey"])
     parts = hollow_parts(item)
     for name, shape, item_T_part, share in parts or [(item.name, item.shape, np.eye(4), 1.0)]:
         geom = body.add_geom(
-            name=name,
+            name=in_simulator(name),
             mass=item.mass_kg * share,
             rgba=[*color, 1.0],
             condim=6 if isinstance(item.shape, Ball) else 4,

@@ -112,7 +112,7 @@ class SimulatorTruth:
         physics = self._physics
         physics.refresh()
         start = physics.data.xpos[self._camera_body].copy()
-        geom = -2 if any(person.name == name for person in self._people) else physics.geom_id(name)
+        geom = -2 if any(person.name == name for person in self._people) else physics.scene_geom_id(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]
         hit = np.full(count, -1, dtype=np.int32)

@@ -132,6 +132,21 @@ def test_the_scene_of_a_file_is_judged_as_the_file_says(executive, store, talos,
     assert re.search(r"scene collision of gripper_left\S* and high/top", result.stdout)
 
 
+@pytest.mark.parametrize("name", ["floor", "gripper_left_base_link", "universe"])
+def test_a_thing_of_a_scene_may_be_called_as_the_floor_or_a_link_and_is_judged(
+    executive, store, talos, tmp_path, name
+):
+    path, scene = store("head_2_joint", 0.3), tmp_path / "odd.toml"
+    x, y, z = talos.frame_pose(talos.q_home, "tcp_left")[:3, 3]
+    box = f'[[object]]\nname = "{name}"\nkind = "box"\nsize_m = [0.3, 0.3, {z + 0.02}]\n'
+    scene.write_text(f"{box}position_m = [{x + 0.13}, {y}, {0.5 * (z + 0.02)}]\n")
+
+    result = executive("check", str(path), "--scene", str(scene))
+
+    assert result.exit_code == 5
+    assert re.search(rf"scene collision of gripper_left\S* and {name} \(object\)", result.stdout)
+
+
 def test_without_a_scene_the_file_beside_the_trajectory_is_taken(executive, store, talos, tmp_path):
     path = store("head_2_joint", 0.3)
 

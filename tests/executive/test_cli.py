@@ -339,6 +339,18 @@ def test_doctor_names_the_fix_for_what_is_missing(executive, tmp_path, monkeypat
     assert "fix: use --record" in result.stdout
 
 
+def test_doctor_tells_of_damaged_files_of_the_compiled_kernel(executive, monkeypatch):
+    monkeypatch.setattr("kinematics.kernel.cache.damaged", lambda: [Path("/cache/judge-17.py311.1.nbc")])
+    monkeypatch.setattr("kinematics.kernel.readiness.ready", lambda: True)
+
+    lines = executive("doctor").stdout.splitlines()
+
+    (found,) = (number for number, line in enumerate(lines) if "motion kernel" in line)
+    assert lines[found].startswith("absent")
+    assert "1 of its files damaged, such as /cache/judge-17.py311.1.nbc" in lines[found]
+    assert "fix: executive doctor --warm" in lines[found + 1]
+
+
 def test_a_defect_is_one_line_with_the_name_of_its_crash_report(executive, monkeypatch):
     def broken(record):
         raise ZeroDivisionError("a planted defect")

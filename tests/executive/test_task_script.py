@@ -55,6 +55,8 @@ def test_a_scene_file_is_found_beside_the_script(script, tmp_path):
         ('seed = true\n[[task]]\nsay = "go home"', "seed"),
         ("[[task", "not TOML"),
         ("x = " + "[" * 100_000, "tidy.toml"),
+        (".".join("a" * 100_000) + " = 1", "more than 32 parts"),
+        ('[[task]]\nsay = "go home"\n' * 1001, "has 1001 tasks; a script holds at most 1000"),
     ],
 )
 def test_a_broken_script_is_refused_with_the_key_and_the_reason(script, text, reason):

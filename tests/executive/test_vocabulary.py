@@ -108,6 +108,9 @@ def test_a_user_adds_words_of_his_own(tmp_path):
         ("[vocabulary.KIND]\nrefusal = 'x'", "needs words"),
         ("vocabulary = 3", "must be a table"),
         ("[vocabulary", "is no TOML"),
+        ("x = " + "[" * 100_000, "is no TOML"),
+        (f"[vocabulary.KIND]\nsame = ['{'[a|b] ' * 40}c']", "stands for 1e.19 phrases"),
+        (f"[vocabulary.KIND]\nwords.c = ['{'(a|b) ' * 5000}']", "stands for inf phrases"),
     ],
 )
 def test_a_malformed_file_of_words_is_refused_with_the_reason(tmp_path, content, complaint):
@@ -148,3 +151,19 @@ def test_a_spoilt_file_of_kept_words_is_read_again(tmp_path, spoilt):
     kept.write_text(spoilt)
 
     assert "cup" in load_vocabulary((), tmp_path).single_words
+
+
+def test_one_changed_letter_of_kept_words_is_noticed(tmp_path):
+    load_vocabulary((), tmp_path)
+    (kept,) = tmp_path.iterdir()
+    kept.write_bytes(kept.read_bytes().replace(b"cup", b"cuq"))
+
+    assert "cuq" not in load_vocabulary((), tmp_path).single_words
+
+
+def test_kept_words_that_were_cut_short_are_read_again(tmp_path):
+    whole = load_vocabulary((), tmp_path).classes
+    (kept,) = tmp_path.iterdir()
+    kept.write_bytes(kept.read_bytes()[:-1000])
+
+    assert load_vocabulary((), tmp_path).classes == whole

@@ -120,7 +120,7 @@ def test_words_of_another_package_are_read(package):
     [
         ("vocabulary = 3", "must be a table"),
         ("[other]", "KeyError"),
-        ("= nonsense", "TOMLDecodeError"),
+        ("= nonsense", "TomlTextError"),
         ('[vocabulary.GHOST]\nsame = ["x"]', "no word class 'GHOST'"),
         ('[vocabulary.KIND]\nrefusal = "no"', "needs words or same"),
         ('[vocabulary.KIND]\nsame = [""]', "are lists of phrases"),

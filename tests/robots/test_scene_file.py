@@ -132,7 +132,7 @@ def test_perception_and_start_are_read():
         ("mass_kg = 0.2", 'mass_kg = "heavy"', "object[0].mass_kg", "must be a number, not 'heavy'"),
         ("mass_kg = 0.2", "mass_kg = nan", "object[0].mass_kg", "finite"),
         ("mass_kg = 0.2", "mass_kg = true", "object[0].mass_kg", "must be a number"),
-        ("mass_kg = 0.2", "", "object[0].mass_kg", "is missing"),
+        ("radius_m = 0.03", "", "object[0].radius_m", "is missing"),
         ("mass_kg = 0.2", "mas_kg = 0.2", "object[0].mas_kg", "'mass_kg'"),
         ("radius_m = 0.03", "radius_m = 0", "object[0].radius_m", "not 0"),
         ("height_m = 0.11", "height_m = -0.1", "object[0].height_m", "not -0.1"),
@@ -307,3 +307,25 @@ def test_any_value_of_a_key_is_a_scene_or_a_scene_error(key, value):
     lines = [line for line in CUP.splitlines() if not line.startswith(f"{key} ")]
     with suppress(SceneError):
         read(TABLE + "\n".join([*lines, f"{key} = {toml(value)}"]))
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+def test_a_file_with_a_byte_order_mark_is_the_same_scene(tmp_path, ending):
+    file = tmp_path / "kitchen.toml"
+    file.write_bytes(b"\xef\xbb\xbf" + (TABLE + CUP).replace("\n", ending).encode())
+
+    assert dump(load_scene(str(file))) == dump(read(TABLE + CUP))
+
+
+def test_an_object_that_is_nowhere_is_refused_with_what_to_write():
+    text = TABLE + CUP.replace('on = "table"\n', "").replace("position_m = [-0.15, -0.2]\n", "")
+
+    assert 'position_m: is missing: say where its centre is, [x, y, z], or on = "table"' in str(refused(text))
+
+
+def test_a_scene_of_very_many_things_is_refused_before_they_are_held_against_each_other():
+    ball = '[[object]]\nname = "b{0}"\nkind = "ball"\nradius_m = 0.03\nposition_m = [{0}, 3.0, 0.03]\n'
+
+    error = refused("".join(ball.format(k) for k in range(501)))
+
+    assert "has 501 things; a scene holds at most 500" in str(error)

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -135,3 +137,15 @@ def test_an_object_stands_on_the_furniture_right_below_it(place, stands):
     support = support_of(scene.objects["red cup"], scene, POLICY.support_gap_m)
 
     assert (support is not None) == stands
+
+
+@pytest.mark.parametrize("name", ["floor", "arm_left_7_link"])
+def test_what_is_called_as_the_floor_or_a_link_is_numbered_from_two_on_and_keeps_its_name(name):
+    table = replace(seen_table(), name=name)
+    reserved = frozenset({"floor", "arm_left_7_link"})
+
+    first = updated_scene(PlanningScene(), [table], POLICY, lambda _: False, reserved=reserved).scene
+    again = updated_scene(first, [table], POLICY, lambda _: False, reserved=reserved).scene
+
+    assert list(first.objects) == list(again.objects) == [f"{name} 2"]
+    assert kind_of(f"{name} 2") == name

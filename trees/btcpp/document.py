@@ -13,7 +13,12 @@ from trees.btcpp.errors import TreeDocumentError
 FORMAT = "4"
 _LARGEST = 2_000_000
 """Characters; the trees of all skills together are a fourth of it."""
-_DEEPEST = 200
+MOST_NODES = 10_000
+"""Nodes of the tree to run, each sub-tree written out wherever it is used."""
+NESTED_MOST = 200
+"""Nodes from its root down to a leaf; where a sub-tree is used is a node as well."""
+CATEGORIES = ("Action", "Condition", "Control", "Decorator")
+"""Elements that name their kind in ``ID``."""
 _BESIDE_TREES = ("TreeNodesModel", "include")
 
 
@@ -60,9 +65,15 @@ def parse_document(text: str) -> TreeDocument:
             raise TreeDocumentError(name, "every <BehaviorTree> needs an ID of its own")
         if len(item) != 1:
             raise TreeDocumentError(name, f"needs one root node, not {len(item)}")
-        _check_depth(item[0], name)
         trees[name] = item[0]
-    return TreeDocument(MappingProxyType(trees), _main(root, trees))
+    main = _main(root, trees)
+    _check_size(trees, main)
+    return TreeDocument(MappingProxyType(trees), main)
+
+
+def kind_named(element: Element) -> str:
+    """The ID of the kind of node that an element is."""
+    return element.get("ID", "") if element.tag in CATEGORIES else element.tag
 
 
 def _main(root: Element, trees: Mapping[str, Element]) -> str:
@@ -75,10 +86,24 @@ def _main(root: Element, trees: Mapping[str, Element]) -> str:
     return named
 
 
-def _check_depth(node: Element, name: str) -> None:
-    level = [node]
-    for _ in range(_DEEPEST):
-        level = [child for parent in level for child in parent]
-        if not level:
-            return
-    raise TreeDocumentError(name, f"deeper than {_DEEPEST} nodes")
+def _check_size(trees: Mapping[str, Element], main: str) -> None:
+    """Refuse what is too large or too deep with its sub-trees written out, or holds itself.
+
+    Nothing is made yet, the stack is a list, and the first node beyond the budget is the last one that is
+    looked at: a document of a few lines can mean more nodes than any memory holds.
+    """
+    pending: list[tuple[Element, tuple[str, ...], int]] = [(trees[main], (main,), 1)]
+    nodes = 0
+    while pending:
+        element, above, depth = pending.pop()
+        nodes += 1
+        if nodes > MOST_NODES:
+            raise TreeDocumentError(main, f"has more than {MOST_NODES} nodes, sub-trees written out")
+        if depth > NESTED_MOST:
+            raise TreeDocumentError(above[-1], f"deeper than {NESTED_MOST} nodes, sub-trees written out")
+        name = element.get("ID", "") if kind_named(element) == "SubTree" else None
+        if name is not None and name in trees:
+            if name in above:
+                raise TreeDocumentError("/".join(above), f"the tree {name!r} is within itself")
+            pending.append((trees[name], (*above, name), depth + 1))
+        pending += [(child, above, depth + 1) for child in element]

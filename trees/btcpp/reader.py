@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element
 from py_trees.behaviour import Behaviour
 
 from trees.btcpp.catalogue import kind_called
-from trees.btcpp.document import TreeDocument, parse_document
+from trees.btcpp.document import TreeDocument, kind_named, parse_document
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.literals import from_text
 from trees.btcpp.node_kind import NodeKind, Parts
@@ -21,7 +21,6 @@ from trees.toolbox import Toolbox
 Keys = Callable[[str], str]
 """From a key of a tree to the key of the whole."""
 
-_CATEGORIES = ("Action", "Condition", "Control", "Decorator")
 _SCRIPTED = (
     "_skipIf", "_successIf", "_failureIf", "_while", "_onSuccess", "_onFailure", "_onHalted", "_post",
 )  # fmt: skip
@@ -42,7 +41,7 @@ def read_tree(text: str, toolbox: Toolbox) -> Behaviour:
         TreeDocumentError: It is no such document, or has nodes, ports or values that are not known here.
     """
     document = parse_document(text)
-    return _Reader(document, toolbox).tree(document.main, lambda key: key, ())
+    return _Reader(document, toolbox).tree(document.main, lambda key: key)
 
 
 @dataclass(slots=True)
@@ -60,27 +59,24 @@ class _Reader:
         self._document, self._toolbox = document, toolbox
         self._numbers = count(1)
 
-    def tree(self, name: str, keys: Keys, above: tuple[str, ...]) -> Behaviour:
-        if name in above:
-            raise TreeDocumentError("/".join(above), f"the tree {name!r} is within itself")
-        return self._node(self._document.trees[name], keys, (*above, name), _Place((name,)))
+    def tree(self, name: str, keys: Keys) -> Behaviour:
+        return self._node(self._document.trees[name], keys, _Place((name,)))
 
-    def _node(self, element: Element, keys: Keys, above: tuple[str, ...], place: _Place) -> Behaviour:
-        plain = element.tag in _CATEGORIES
-        kind_id = element.get("ID", "") if plain else element.tag
+    def _node(self, element: Element, keys: Keys, place: _Place) -> Behaviour:
+        kind_id = kind_named(element)
         name = element.get("name", kind_id)
         here = _Place((*place.names, name))
         for scripted in _SCRIPTED:
             if scripted in element.attrib:
                 raise TreeDocumentError(str(here), f"{scripted} needs a script, and scripts are not run")
         if kind_id == "SubTree":
-            return self._subtree(element, keys, above, here)
+            return self._subtree(element, keys, here)
         kind = kind_called(kind_id, str(here))
         least, most = kind.children
         if not least <= len(element) <= most:
             wanted = str(least) if least == most else f"{least} or more" if most > 3 else f"{least} to {most}"
             raise TreeDocumentError(str(here), f"needs {wanted} nodes below it, not {len(element)}")
-        children = [self._node(child, keys, above, here) for child in element]
+        children = [self._node(child, keys, here) for child in element]
         node = kind.make(Parts(name, self._toolbox, children, _settings(element, kind, here)))
         node.name = name
         if wiring := _wiring(element, kind, keys, here):
@@ -89,7 +85,7 @@ class _Reader:
             node.transparent = element.get("_transparent") == "true"  # type: ignore[attr-defined]
         return node
 
-    def _subtree(self, element: Element, keys: Keys, above: tuple[str, ...], here: _Place) -> Behaviour:
+    def _subtree(self, element: Element, keys: Keys, here: _Place) -> Behaviour:
         name = element.get("ID", "")
         if name not in self._document.trees:
             raise TreeDocumentError(str(here), f"there is no tree {name!r}")
@@ -104,7 +100,7 @@ class _Reader:
         def inner(key: str) -> str:
             return handed.get(key) or (keys(key) if everything else own + key)
 
-        node = self.tree(name, inner, above)
+        node = self.tree(name, inner)
         if "name" in element.attrib:
             node.name = element.attrib["name"]
         return node

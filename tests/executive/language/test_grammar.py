@@ -31,7 +31,15 @@ def test_kept_productions_are_those_of_the_grammar_and_damaged_ones_are_made_ane
     (kept,) = tmp_path.iterdir()
     kept.write_text('[["start"', "utf-8")
     assert load_rules(tmp_path) == fresh
-    assert load_rules(tmp_path / "kept.json" / "no folder") == fresh
+    assert load_rules(kept / "no folder") == fresh
+
+
+def test_one_changed_letter_of_kept_productions_is_noticed(tmp_path):
+    fresh = load_rules(tmp_path)
+    (kept,) = tmp_path.iterdir()
+    kept.write_bytes(kept.read_bytes().replace(b'"CLOSE"', b'"CLOSF"').replace(b'"PLACE"', b'"PLADE"'))
+
+    assert load_rules(tmp_path) == fresh
 
 
 def test_every_rule_that_a_production_names_exists():

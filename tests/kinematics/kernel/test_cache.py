@@ -2,38 +2,46 @@ import shutil
 
 import pytest
 
+from kinematics import whole_file
 from kinematics.kernel import cache, readiness
+from kinematics.kernel.compiled_sources import CompiledSources
+from kinematics.kernel.compiler import compiled
+
+
+def forget():
+    """Nothing is remembered of another home or of other sources."""
+    for remembered in (cache.folder, cache.source_key, cache.stamp_of, cache._covered, cache._sources):
+        remembered.cache_clear()
 
 
 @pytest.fixture
 def home(tmp_path, monkeypatch):
     """A home of its own, and nothing remembered of the other."""
     monkeypatch.setattr("pathlib.Path.home", lambda: tmp_path)
-    cache.folder.cache_clear()
-    cache.source_key.cache_clear()
+    forget()
     yield tmp_path
-    cache.folder.cache_clear()
-    cache.source_key.cache_clear()
+    forget()
+
+
+def checkout(tmp_path, monkeypatch, name="checkout"):
+    """A copy of the package, which counts as the present sources from now on."""
+    copy = tmp_path / name / "kinematics"
+    shutil.copytree(cache._PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(cache, "_PACKAGE", copy)
+    monkeypatch.setattr(cache, "_COMPILER", copy / "kernel" / "compiler.py")
+    forget()
+    return copy
+
+
+def changed(source):
+    source.write_text(source.read_text() + "\n# changed\n")
+    forget()
 
 
 def test_it_is_not_ready_before_it_was_compiled_and_ready_after(home):
     assert not readiness.ready()
     cache.mark_complete()
     assert readiness.ready()
-
-
-def test_other_sources_have_another_folder(home, monkeypatch, tmp_path):
-    before = cache.folder()
-    cache.mark_complete()
-    changed = tmp_path / "sources"
-    changed.mkdir()
-    (changed / "judge.py").write_text("from kinematics.kernel.compiler import compiled")
-    monkeypatch.setattr(cache, "_SOURCES", changed)
-    cache.folder.cache_clear()
-    cache.source_key.cache_clear()
-
-    assert cache.folder() != before
-    assert not readiness.ready()
 
 
 def test_another_processor_is_not_ready(home, monkeypatch):
@@ -66,56 +74,219 @@ def test_only_a_few_folders_of_other_sources_are_kept(home):
 
 def test_another_checkout_of_the_same_sources_finds_what_the_first_one_compiled(home, monkeypatch, tmp_path):
     cache.mark_complete()
-    copy = tmp_path / "checkout" / "kinematics" / "kernel"
-    shutil.copytree(cache._SOURCES, copy)
-    for source in cache._SOURCES.parent.glob("*.py"):
-        shutil.copy(source, copy.parent)
     first = cache.folder()
-    monkeypatch.setattr(cache, "_SOURCES", copy)
-    cache.folder.cache_clear()
-    cache.source_key.cache_clear()
+    checkout(tmp_path, monkeypatch)
 
     assert cache.folder() == first
     assert readiness.ready()
 
 
-def changed_copy(monkeypatch, tmp_path, name):
-    copy = tmp_path / "changed" / "kernel"
-    shutil.copytree(cache._SOURCES, copy)
-    (copy / name).write_text((copy / name).read_text() + "\n# changed\n")
-    monkeypatch.setattr(cache, "_SOURCES", copy)
-    cache.source_key.cache_clear()
-    return cache.source_key()
-
-
-@pytest.mark.parametrize("name", ["judge.py", "solids.py", "compiler.py"])
-def test_what_compiled_code_is_made_from_names_the_folder(home, monkeypatch, tmp_path, name):
-    before = cache.source_key()
-
-    assert changed_copy(monkeypatch, tmp_path, name) != before
-
-
-@pytest.mark.parametrize("name", ["collision_kernel.py", "readiness.py"])
-def test_what_only_calls_compiled_code_does_not(home, monkeypatch, tmp_path, name):
-    before = cache.source_key()
-
-    assert changed_copy(monkeypatch, tmp_path, name) == before
-
-
-def test_changed_compiled_code_beside_the_package_is_not_ready(home, monkeypatch, tmp_path):
+def test_a_checkout_with_other_sources_takes_nothing_away(home, monkeypatch, tmp_path):
     cache.mark_complete()
-    monkeypatch.setattr(cache, "stamp_of", lambda folder: "other")
-
-    assert not readiness.ready()
-
-
-def test_a_checkout_with_other_code_beside_the_kernel_takes_nothing_away(home, monkeypatch):
-    cache.mark_complete()
-    mine = cache.place_of(cache._SOURCES.parent)
+    mine = cache.folder()
     with monkeypatch.context() as other:
-        other.setattr(cache, "stamp_of", lambda folder: "other")
+        changed(checkout(tmp_path, other) / "timing_kernel.py")
+        assert not readiness.ready()
         cache.mark_complete()
 
-        assert cache.place_of(cache._SOURCES.parent) != mine
+        assert cache.folder() != mine
         assert readiness.ready()
+    forget()
     assert readiness.ready()
+
+
+class TestKey:
+    """What names the folder: all sources of compiled code and all that they import, wherever they lie."""
+
+    def test_an_edit_of_any_compiled_source_or_of_what_it_imports_changes_it(
+        self, home, monkeypatch, tmp_path
+    ):
+        copy = checkout(tmp_path, monkeypatch)
+        present = CompiledSources([copy], copy / "kernel" / "compiler.py")
+        sources = present.made_from(present.compiled())
+        plain = cache.source_key()
+        kept_it = []
+        for source in sources:
+            text = source.read_text()
+            changed(source)
+            if cache.source_key() == plain:
+                kept_it.append(source)
+            source.write_text(text)
+
+        assert len(sources) > 40
+        assert kept_it == []
+
+    @pytest.mark.parametrize(
+        "name",
+        ["kernel/judge.py", "kernel/solids.py", "kernel/compiler.py", "timing_kernel.py", "check_effort.py",
+         "walking/attitude.py", "poses.py", "errors.py"],
+    )  # fmt: skip
+    def test_it_covers_every_folder(self, home, monkeypatch, tmp_path, name):
+        copy = checkout(tmp_path, monkeypatch)
+        before = cache.source_key()
+        changed(copy / name)
+
+        assert cache.source_key() != before
+
+    @pytest.mark.parametrize("name", ["kernel/collision_kernel.py", "robot_model.py", "walking/room.py"])
+    def test_what_only_calls_compiled_code_is_not_part_of_it(self, home, monkeypatch, tmp_path, name):
+        copy = checkout(tmp_path, monkeypatch)
+        before = cache.source_key()
+        changed(copy / name)
+
+        assert cache.source_key() == before
+
+    def test_it_covers_sources_that_were_moved_to_another_folder(self, home, monkeypatch, tmp_path):
+        copy = checkout(tmp_path, monkeypatch)
+        (copy / "kernel").rename(copy / "core")
+        for source in copy.rglob("*.py"):
+            source.write_text(source.read_text().replace("kinematics.kernel", "kinematics.core"))
+        monkeypatch.setattr(cache, "_COMPILER", copy / "core" / "compiler.py")
+        forget()
+        before = cache.source_key()
+        changed(copy / "core" / "solids.py")
+        after = cache.source_key()
+        changed(copy / "core" / "separation.py")
+
+        assert len({before, after, cache.source_key()}) == 3
+
+    @pytest.mark.parametrize(
+        "imports",
+        [
+            "from kinematics.kernel.compiler import compiled\nfrom kinematics.far.away import NUMBER",
+            "from .kernel.compiler import compiled\nfrom .far import away",
+            "from kinematics.kernel import compiler\nimport kinematics.far.away as numbers",
+            "from kinematics.kernel.compiler import (\n    compiled,  # it\n)\nfrom kinematics.far import (\n"
+            "    # far, far\n    away,\n)",
+        ],
+    )
+    def test_it_follows_imports_however_they_are_written(self, home, monkeypatch, tmp_path, imports):
+        copy = checkout(tmp_path, monkeypatch)
+        (copy / "far").mkdir()
+        (copy / "far" / "__init__.py").write_text("")
+        (copy / "far" / "deep.py").write_text("NUMBER = 1.0\n")
+        (copy / "far" / "away.py").write_text("from kinematics.far.deep import NUMBER\n")
+        (copy / "new.py").write_text(f"{imports}\n")
+        forget()
+        before = cache.source_key()
+        (copy / "far" / "deep.py").write_text("NUMBER = 2.0\n")
+        forget()
+
+        assert cache.source_key() != before
+
+    def test_a_source_of_another_package_has_a_stamp_of_all_that_it_imports(
+        self, home, monkeypatch, tmp_path
+    ):
+        copy = checkout(tmp_path, monkeypatch)
+        robots = copy.parent / "robots"
+        robots.mkdir()
+        (robots / "__init__.py").write_text("")
+        (robots / "gain.py").write_text("GAIN = 1.0\n")
+        source = robots / "law.py"
+        source.write_text(
+            "from kinematics.kernel.compiler import compiled\nfrom robots.gain import GAIN\n"
+            "from kinematics.stance import SupportPolygon\n"
+        )
+        stamps = [cache.stamp_of(source)]
+        for other in (robots / "gain.py", copy / "stance.py"):
+            changed(other)
+            stamps.append(cache.stamp_of(source))
+
+        assert len(set(stamps)) == 3
+
+    def test_every_source_of_compiled_code_of_this_project_is_found_by_following_imports(self):
+        folders = [cache._PACKAGE.parent / name for name in ("kinematics", "robots")]
+        everything = sorted(source for folder in folders for source in folder.rglob("*.py"))
+        named = [s for s in everything if "kinematics.kernel.compiler import" in s.read_text()]
+
+        assert CompiledSources(folders, cache._COMPILER).compiled() == named
+
+
+def doubled(x):
+    return 2.0 * x
+
+
+def kept_code():
+    """The files that a function was compiled to."""
+    assert compiled(doubled)(2.0) == 4.0
+    files = sorted(cache.folder().rglob("*.nb?"))
+    assert [file.suffix for file in files] == [".nbc", ".nbi"]
+    return files
+
+
+def cut(file):
+    file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+
+
+def emptied(file):
+    file.write_bytes(b"")
+
+
+def flipped(file):
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 0x10
+    file.write_bytes(content)
+
+
+def replaced(file):
+    file.write_bytes(b"<html>not found</html>" * 100)
+
+
+class TestDamage:
+    """A file of compiled code that is not as it was written is compiled anew."""
+
+    @pytest.mark.parametrize("suffix", [".nbc", ".nbi"])
+    @pytest.mark.parametrize("damage", [cut, emptied, flipped, replaced])
+    def test_a_damaged_file_is_compiled_anew(self, home, suffix, damage):
+        (file,) = (file for file in kept_code() if file.suffix == suffix)
+        damage(file)
+
+        assert cache.damaged() == [file]
+        assert compiled(doubled)(3.0) == 6.0
+        assert cache.damaged() == []
+
+    def test_a_whole_file_is_loaded_not_compiled(self, home):
+        kept_code()
+        again = compiled(doubled)
+
+        assert again(3.0) == 6.0
+        assert sum(again.stats.cache_hits.values()) == 1
+
+    @pytest.mark.parametrize("damage", [cut, emptied, replaced, lambda file: file.unlink()])
+    def test_a_file_that_was_cut_or_is_gone_is_not_ready(self, home, damage):
+        file = cache.folder() / "kinematics.kernel" / "f-1.py311.1.nbc"
+        file.parent.mkdir()
+        whole_file.write_whole(file, bytes(1000))
+        cache.mark_complete()
+        assert readiness.ready()
+        damage(file)
+
+        assert not readiness.ready()
+        assert cache.damaged() == [file]
+
+    def test_what_was_damaged_and_dropped_is_not_ready(self, home):
+        file = cache.folder() / "kinematics.kernel" / "f-1.py311.1.nbc"
+        file.parent.mkdir()
+        whole_file.write_whole(file, bytes(1000))
+        cache.mark_complete()
+        flipped(file)
+        assert readiness.ready()
+        cache.drop_damaged()
+
+        assert not file.exists()
+        assert not readiness.ready()
+
+    @pytest.mark.parametrize("damage", [cut, emptied, flipped, replaced])
+    def test_a_damaged_note_of_completeness_is_not_ready(self, home, damage):
+        cache.mark_complete()
+        damage(cache.folder() / cache._MARKER)
+
+        assert not readiness.ready()
+
+    def test_code_that_cannot_be_kept_is_used_all_the_same(self, home, monkeypatch):
+        def full(file, content):
+            raise OSError(28, "No space left on device")
+
+        monkeypatch.setattr("kinematics.kernel.compiler.write_whole", full)
+
+        assert compiled(doubled)(3.0) == 6.0

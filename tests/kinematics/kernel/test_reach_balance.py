@@ -3,7 +3,7 @@ import pinocchio as pin
 import pytest
 
 from kinematics.kernel import reach_balance
-from kinematics.kernel.coordinates import standing_coordinates
+from kinematics.kernel.model_coordinates import standing_coordinates
 from kinematics.kernel.reach_problem import scratch
 from kinematics.kernel.tree import tree_of
 

@@ -39,7 +39,7 @@ def test_each_hand_has_three_pads_and_they_are_boxes_of_the_described_size(physi
 
 
 def test_finger_hulls_never_touch_objects_but_do_touch_furniture(physics):
-    cup, table = physics.geom_id("red cup"), physics.geom_id("table/top")
+    cup, table = physics.scene_geom_id("red cup"), physics.scene_geom_id("table/top")
     fingers = np.flatnonzero(physics.geom_role == Role.FINGER)
 
     assert len(fingers) == 14
@@ -58,7 +58,7 @@ def test_pads_which_fill_the_gap_between_two_fingers_never_touch_the_robot_itsel
 
 
 def test_every_other_link_with_a_shape_touches_objects_and_furniture(physics):
-    cup, table = physics.geom_id("red cup"), physics.geom_id("table/top")
+    cup, table = physics.scene_geom_id("red cup"), physics.scene_geom_id("table/top")
     body = np.flatnonzero(physics.geom_role == Role.BODY)
 
     assert {

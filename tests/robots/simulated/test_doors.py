@@ -26,7 +26,7 @@ def pulled(world, force_n, seconds):
     """Pull at the handle, outwards, and tell how far it opens."""
     physics = world.physics
     (piece,) = physics.scene.furniture
-    bar = physics.geom_id(f"{piece.name}/handle")
+    bar = physics.scene_geom_id(f"{piece.name}/handle")
     body = physics.body_id(part_body(piece))
     model, data = physics.model, physics.data
     joint = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, part_joint(piece))

@@ -9,6 +9,7 @@ from executive.assembly import assemble
 from kinematics.shapes import Box, Cylinder
 from robots.scene_description import Person, SceneDescription
 from robots.simulated.person_hand import PersonHand
+from robots.simulated.person_model import hand_joint
 from robots.simulated.person_pinch import choose_pinch
 
 AHEAD = np.array([1.0, 0.0, 0.0])
@@ -53,7 +54,7 @@ def test_there_is_no_room_where_a_robots_finger_is(hand, finger):
 
 def test_fingers_close_at_a_hands_pace(hand, world):
     physics = world.physics
-    index = physics.model.joint("Ana/hand/upper")
+    index = physics.model.joint(hand_joint("Ana", "upper"))
     hand.pinching = False
     for _ in range(400):
         hand.tick(0.002)

@@ -9,6 +9,7 @@ import pytest
 from executive.assembly import assemble
 from robots.scene_description import Person, SceneDescription
 from robots.simulated.person_hand import PINCH_N, PersonHand
+from robots.simulated.person_model import hand_joint
 from robots.simulated.person_pinch import SPARE_M, Pinch
 from robots.simulated.person_way import choose_way
 
@@ -59,7 +60,7 @@ def test_a_robots_hand_on_the_straight_way_is_gone_around(hand, world):
 def off_centre_after(world, hand, force_n, seconds):
     """How far the middle between the pads has gone when one finger is pressed on like by a weight, m."""
     physics = world.physics
-    upper, lower = (physics.model.joint(f"Ana/hand/{side}") for side in ("upper", "lower"))
+    upper, lower = (physics.model.joint(hand_joint("Ana", side)) for side in ("upper", "lower"))
 
     def middle_m():
         data = physics.data

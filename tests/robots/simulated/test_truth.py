@@ -104,7 +104,7 @@ def test_an_object_on_furniture_has_the_friction_of_the_furniture(stand):
     body = stand(replace(scene, furniture=(slippery,)))
     body.run(0.1)
     physics = body.world.physics
-    table, cup = physics.geom_id("table/top"), physics.geom_id("red cup")
+    table, cup = physics.scene_geom_id("table/top"), physics.scene_geom_id("red cup")
     rows = [i for i, pair in enumerate(physics.data.contact.geom) if set(pair) == {table, cup}]
 
     assert rows
