@@ -61,5 +61,5 @@ class MotionPlanner:
         if isinstance(request, ViewRequest):
             return self._view.plan(request)
         if isinstance(request, CheckRequest):
-            return self._checker.check(request.trajectory, request.scene)
+            return self._checker.check(request.trajectory, request.scene, request.concessions)
         return self._gestures.plan(request)

@@ -97,6 +97,7 @@ class FindingKind(Enum):
     BALANCE = "balance"
     STANCE = "stance"
     DISCONTINUITY = "discontinuity"
+    CONCESSION = "concession"
 
 
 @dataclass(frozen=True, slots=True)

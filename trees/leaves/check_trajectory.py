@@ -26,9 +26,9 @@ class CheckTrajectory(JobLeaf):
     )
 
     def request(self) -> CheckRequest:
-        """The step's trajectory against the step's scene."""
+        """The step's trajectory in the step's scene, with its concessions."""
         self._judged: Step = self.get_input("step")
-        return CheckRequest(self._judged.trajectory, self._judged.scene)
+        return self._judged.question
 
     def accept(self, answer: Any) -> Failure | None:
         """Write the checked step, unless it was made for a scene of the past."""
