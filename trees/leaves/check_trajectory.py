@@ -27,8 +27,9 @@ class CheckTrajectory(JobLeaf):
 
     def request(self) -> CheckRequest:
         """The step's trajectory in the step's scene, with its concessions."""
-        self._judged: Step = self.get_input("step")
-        return self._judged.question
+        step: Step = self.get_input("step")
+        self._judged = step
+        return step.question
 
     def accept(self, answer: Any) -> Failure | None:
         """Write the checked step, unless it was made for a scene of the past."""
