@@ -7,19 +7,21 @@ and the pair is judged by the scene. Never conceded: two links of the robot, and
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.check_kinematics import BatchedKinematics
+from kinematics.check_kinematics import WORLD, BatchedKinematics, BodyPoses
 from kinematics.check_pairs import PairBuilder, Pairs
+from kinematics.check_solids import Solid
 from kinematics.check_timeline import Timeline
 from kinematics.concessions import Concession, ConcessionReason
 from kinematics.robot_model import RobotModel
 from kinematics.scene import FLOOR, Pair, PlanningScene
+from kinematics.shapes import Box
 from kinematics.trajectory import Finding, FindingKind
 
 Array = NDArray[np.float64]
@@ -38,7 +40,8 @@ REST_M = 0.001
 """What is at rest comes nearer by no more than this."""
 DEEPEST_IN_SUPPORT_M = 0.06
 """A held object may be believed to be this deep in what carries it, which is felt for."""
-_LOOK_S = 0.05
+# Along the motion, at which contacts are looked at: how deep they are changes slowly.
+_LOOKS = 17
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +72,9 @@ class ConcessionJudge:
         """Take what is within the rules; concessions about things that are not there say nothing."""
         known = self._links | scene.attached.keys() | scene.objects.keys() | {FLOOR}
         asked = [one for one in concessions if one.pair <= known]
-        course = _Course(self._kinematics, timeline, self._pairs.pairs(scene))
+        # most of what is asked is granted: its pairs are made at once, and their solids looked at
+        wished = frozenset(one.pair for one in asked if one.distance_m is None)
+        course = _Course(self._kinematics, timeline, self._pairs.pairs(self._with(scene, wished)))
         nearest = self._nearest(course, scene, asked)
         touching: set[Pair] = set()
         lowered: dict[Pair, float] = {}
@@ -206,40 +211,57 @@ class _Course:
 
     def deeper_than(self, one: Concession, least_m: float) -> Finding | None:
         """Whether a pair comes nearer than it may, where it is looked at."""
-        looks = np.linspace(
-            0.0, self._timeline.duration_s, 2 + int(np.ceil(self._timeline.duration_s / _LOOK_S))
-        )
-        distances_m = self._distances(one.pair, looks)
+        looks = np.linspace(0.0, self._timeline.duration_s, _LOOKS)
+        distances_m = self._distances(one.pair, looks, least_m)
         beyond = np.flatnonzero(distances_m < least_m)
         if not len(beyond):
             return None
         return _finding(one, float(looks[beyond[0]]), float(distances_m.min()), least_m)
 
-    def _distances(self, pair: Pair, times_s: Array) -> Array:
+    def _distances(self, pair: Pair, times_s: Array, least_m: float = np.inf) -> Array:
+        """Distances at some times; where a ball about one of two is farther than ``least_m``, that is enough."""
         first, second = (self._numbers[name] for name in pair)
         solids = self._pairs.solids
-        bodies = frozenset(solids[k].body for k in (*first, *second))
-        placed = self._poses(times_s, bodies)
         found = np.full(len(times_s), np.inf)
+        bodies = frozenset(solids[k].body for k in (*first, *second))
+        placed = self._kinematics.poses(self._timeline.at(times_s), bodies)
+        result = coal.DistanceResult()
         for i in first:
             for j in second:
+                rough_m = np.maximum(
+                    _rough_m(placed, solids[i], solids[j]), _rough_m(placed, solids[j], solids[i])
+                )
+                if least_m < rough_m.min():
+                    found = np.minimum(found, rough_m)
+                    continue
                 function = coal.ComputeDistance(solids[i].geometry, solids[j].geometry)
-                for at in range(len(times_s)):
-                    places = [
-                        coal.Transform3s(
-                            rotation @ solid.body_T_solid[:3, :3],
-                            rotation @ solid.body_T_solid[:3, 3] + origin,
-                        )
-                        for solid in (solids[i], solids[j])
-                        for rotation, origin in (placed(solid.body, at),)
-                    ]
-                    distance_m = function(places[0], places[1], self._request, coal.DistanceResult())
-                    found[at] = min(found[at], distance_m)
+                ways = zip(_way(placed, solids[i]), _way(placed, solids[j]), strict=True)
+                for at, (one, other) in enumerate(ways):
+                    result.clear()
+                    found[at] = min(found[at], function(one, other, self._request, result))
         return found
 
-    def _poses(self, times_s: Array, bodies: frozenset[int]) -> Callable[[int, int], tuple[Array, Array]]:
-        placed = self._kinematics.poses(self._timeline.at(times_s), bodies)
-        return lambda body, at: (placed.rotation[body, at], placed.origin_m[body, at])
+
+def _rough_m(placed: BodyPoses, ball: Solid, box: Solid) -> Array:
+    """At least how far a solid's ball is from a box of the world, shape (n,); minus infinity for others."""
+    rotation, origin_m = placed.rotation[ball.body], placed.origin_m[ball.body]
+    if box.body != WORLD or not isinstance(box.shape, Box):
+        return np.full(len(origin_m), -np.inf)
+    centres_m = rotation @ ball.centre_m + origin_m
+    local_m = (centres_m - box.body_T_solid[:3, 3]) @ box.body_T_solid[:3, :3]
+    beyond_m = np.abs(local_m) - 0.5 * np.array(box.shape.size_m)
+    outside_m = np.linalg.norm(np.maximum(beyond_m, 0.0), axis=1)
+    return np.asarray(outside_m + np.minimum(beyond_m.max(axis=1), 0.0) - ball.radius_m)
+
+
+def _way(placed: BodyPoses, solid: Solid) -> list[coal.Transform3s]:
+    """Where a solid is at some instants."""
+    rotation, origin_m = placed.rotation[solid.body], placed.origin_m[solid.body]
+    turned = rotation @ solid.body_T_solid[:3, :3]
+    moved = rotation @ solid.body_T_solid[:3, 3] + origin_m
+    if solid.body == WORLD:
+        return [coal.Transform3s(turned[0], moved[0])] * len(turned)
+    return [coal.Transform3s(one, other) for one, other in zip(turned, moved, strict=True)]
 
 
 def _finding(one: Concession, t_s: float, value: float, limit: float) -> Finding:
