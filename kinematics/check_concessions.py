@@ -219,7 +219,7 @@ class _Course:
         return _finding(one, float(looks[beyond[0]]), float(distances_m.min()), least_m)
 
     def _distances(self, pair: Pair, times_s: Array, least_m: float = np.inf) -> Array:
-        """Distances at some times; where a ball about one of two is farther than ``least_m``, that is enough."""
+        """Distances at some times, roughly where a ball about one is farther than ``least_m``."""
         first, second = (self._numbers[name] for name in pair)
         solids = self._pairs.solids
         found = np.full(len(times_s), np.inf)
