@@ -43,7 +43,7 @@ JUDGE = ("kinematics.trajectory_check", "kinematics.check_")
 SHARED_WITH_THE_JUDGE = tuple(
     f"kinematics.{name}"
     for name in (
-        "trajectory", "errors", "robot_model", "robot_description", "scene", "shapes", "poses",
+        "trajectory", "errors", "robot_model", "robot_description", "scene", "concessions", "shapes", "poses",
         "kernel.compiler", "kernel.pointers", "kernel.readiness", "kernel.separation", "kernel.solids",
     )
 )  # fmt: skip
