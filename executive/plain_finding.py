@@ -37,6 +37,9 @@ def plain_finding(numbers: Mapping[str, Number]) -> str | None:
         reached = f"within {value * 1000.0:.0f} mm of" if value > 0.0 else "into"
         what = "what is held, " if kind == "held object collision" else ""
         return f"{what}{one} would come {reached} {other}, {when}; {limit * 1000.0:.0f} mm must stay free"
+    if kind == "concession":
+        one, _, other = subject.partition(" and ")
+        return f"the plan asks for {one} and {other} to come nearer to each other than may be granted, {when}"
     if kind == "balance":
         return (
             f"the robot would lean until {value * 1000.0:.0f} mm are left before it tips over, {when}; "

@@ -74,7 +74,7 @@ def check_stored(
         asked = fit(stored, model, surroundings)
     except TrajectoryDocumentError as unfit:
         raise TrajectoryFileError(path, str(unfit)) from unfit
-    answer = TrajectoryChecker(model).check(asked.trajectory, asked.scene)
+    answer = TrajectoryChecker(model).check(asked.trajectory, asked.scene, asked.concessions)
     verdict = MotionVerdict("motion", asked.trajectory, answer)
     unsafe = isinstance(verdict.answer, Unsafe)
     return CheckReport(
@@ -124,4 +124,7 @@ def _notes(
     if stored.allowed:
         pairs = sorted(" and ".join(sorted(pair)) for pair in stored.allowed)
         notes.append(f"may touch, because the file says so: {', '.join(pairs)}")
+    if stored.concessions:
+        pairs = sorted({" and ".join(one.names) for one in stored.concessions})
+        notes.append(f"asked to be overlooked, as far as the checker grants it: {', '.join(pairs)}")
     return tuple(notes)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
+from kinematics.concessions import Concession, ConcessionReason, touching
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
@@ -34,7 +35,7 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Cylinder
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, start_concessions
 from kinematics.timing import Pace
 from kinematics.validity import validity
 
@@ -180,7 +181,7 @@ class _HandleTask:
             farther = best is None or abs(rehearsal.farthest_s - request.s_from) > abs(best - request.s_from)
             self.farthest_s = rehearsal.farthest_s if farther else best
             return rehearsal.reason
-        return self._timed(grasp, x_pregrasp, approach, scene, rehearsal.farthest_s)
+        return self._timed(grasp, x_pregrasp, approach, rehearsal.farthest_s)
 
     def _before(self, grasp: Grasp) -> Array:
         """Pose of the TCP from which the hand goes straight to a grasp, shape (4, 4)."""
@@ -190,9 +191,7 @@ class _HandleTask:
         before[:3, 3] += grasp.approach_m * outward_of(self.request)
         return before
 
-    def _timed(
-        self, grasp: Grasp, x_pregrasp: Array, approach: Curve, scene: PlanningScene, farthest_s: float
-    ) -> HandlePlan | str:
+    def _timed(self, grasp: Grasp, x_pregrasp: Array, approach: Curve, farthest_s: float) -> HandlePlan | str:
         request, model = self.request, self._model
         groups = model.description.groups
         arms = [joint for hand in ("left", "right") for joint in groups[f"{hand}_arm"]]
@@ -201,8 +200,11 @@ class _HandleTask:
         reach = self._reach_planner.plan(start, x_pregrasp, moving, np.random.default_rng(request.seed))
         if reach is None:
             return "no path to the handle"
-        first = self._step("reach", reach, _REACH_PACE, self._reach_scene)
-        second = self._step("approach", approach, _STRAIGHT_PACE, scene)
+        near = start_concessions(model, request.scene, self._reach_scene, request.q_start, "reach")
+        links = model.description.grippers[grasp.hand].touch_links
+        in_hand = touching(links, request.parts, ConcessionReason.HANDLE_IN_HAND, "approach")
+        first = self._step("reach", reach, _REACH_PACE, near)
+        second = self._step("approach", approach, _STRAIGHT_PACE, in_hand)
         if first is None or second is None:
             return "legs cannot follow"
         led = lead_in(first.trajectory, request.q_start, model.acceleration)
@@ -210,9 +212,12 @@ class _HandleTask:
             grasp, dataclasses.replace(first, trajectory=led), second, farthest_s, self.considered
         )
 
-    def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
-        trajectory = time_in_balance(self._model, self._space, self.request.stance, curve, pace)
-        return None if trajectory is None else PlannedStep(name, trajectory, scene)
+    def _step(
+        self, name: str, curve: Curve, pace: Pace, concessions: tuple[Concession, ...]
+    ) -> PlannedStep | None:
+        request = self.request
+        trajectory = time_in_balance(self._model, self._space, request.stance, curve, pace)
+        return None if trajectory is None else PlannedStep(name, trajectory, request.scene, concessions)
 
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""

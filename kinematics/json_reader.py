@@ -118,6 +118,12 @@ class Node:
             raise self.error(f"must be one of {', '.join(known)}, not {self.shown()}")
         return str(self.value)
 
+    def truth(self) -> bool:
+        """True or false."""
+        if not isinstance(self.value, bool):
+            raise self.error(f"must be true or false, not {self.shown()}")
+        return self.value
+
     def number(self, most: float, positive: bool = False) -> float:
         """A finite number of at most this size."""
         value = self.value

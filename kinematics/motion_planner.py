@@ -61,7 +61,7 @@ class _Planners:
         if isinstance(request, ViewRequest):
             return self._view.plan(request)
         if isinstance(request, CheckRequest):
-            return checker.check(request.trajectory, request.scene)
+            return checker.check(request.trajectory, request.scene, request.concessions)
         return self._gestures.plan(request)
 
 

@@ -17,7 +17,12 @@ from kinematics.planning_reserve import MOVING_RESERVE_M as RESERVE_M
 from kinematics.requests import MovePlan, MoveRequest, NoPlan, PlannedStep
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
-from kinematics.start_state import relaxed_at, touching_at_rest
+from kinematics.start_state import (
+    relaxed_at,
+    rest_concessions,
+    start_concessions,
+    touching_at_rest,
+)
 from kinematics.validity import Validity, validity
 from kinematics.wide_berth import wide_berth
 
@@ -43,6 +48,7 @@ def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
     start = space.start(request.q_start)
     ends = _Ends(space, start, _goal(model, space, start, request))
     scene = relaxed_at(model, request.scene, request.q_start)
+    concessions = start_concessions(model, request.scene, scene, request.q_start, "move")
     curve = _way(model, request, ends, scene)
     if curve is None:
         q_goal = space.to_q(ends.goal[None, :])[0][0]
@@ -50,12 +56,12 @@ def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
         curve = PathPlanner(model, space, validity(model, request.stance, resting)).straight(start, ends.goal)
         if curve is None:
             return _no_way(validity(model, request.stance, scene), ends)
-        scene = resting
+        concessions += rest_concessions(scene, resting, "move")
     trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
     if trajectory is None:
         return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
     trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-    return MovePlan(PlannedStep("move", trajectory, scene))
+    return MovePlan(PlannedStep("move", trajectory, request.scene, concessions))
 
 
 def _goal(model: RobotModel, space: FreeCoordinates, start: Array, request: MoveRequest) -> Array:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
+from kinematics.concessions import Concession, ConcessionReason, touching
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
@@ -30,7 +31,7 @@ from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, start_concessions
 from kinematics.support import under_foot_of
 from kinematics.timing import Pace
 from kinematics.validity import HandJudge, hand_judge, validity
@@ -228,12 +229,17 @@ class PickTask:
 
     def timed(self, goal: Goal, reach: Curve) -> PickPlan | None:
         """Give all three motions of a liftable goal their time."""
-        grasp_scene = self._grasp_planner(goal.grasp.hand)[0]
-        lift_scene = self._lift_scene(goal.grasp, grasp_scene)
+        request, target, reason = self._request, self._target.name, ConcessionReason
+        links = self._model.description.grippers[goal.grasp.hand].touch_links
+        under = under_foot_of(self._target, request.scene)
+        near = start_concessions(self._model, request.scene, self._reach_scene, request.q_start, "reach")
+        held = self._held_scene(goal.grasp, request.scene)
+        grasped = touching(links, [target], reason.GRASPED_OBJECT, "approach")
+        carried = touching([target], under, reason.SUPPORT_OF_HELD_OBJECT, "lift")
         steps = [
-            self._step("reach", reach, REACH_PACE, self._reach_scene),
-            self._step("approach", goal.way.approach, CARTESIAN_PACE, grasp_scene),
-            self._step("lift", goal.lift, CARTESIAN_PACE, lift_scene),
+            self._step("reach", reach, REACH_PACE, request.scene, near),
+            self._step("approach", goal.way.approach, CARTESIAN_PACE, request.scene, grasped),
+            self._step("lift", goal.lift, CARTESIAN_PACE, held, carried),
         ]
         if any(step is None for step in steps):
             self.reasons["legs cannot follow"] += 1
@@ -286,9 +292,16 @@ class PickTask:
         judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M, before)
         return PathPlanner(self._model, self._space, judge)
 
-    def _step(self, name: str, curve: Curve, pace: Pace, scene: PlanningScene) -> PlannedStep | None:
+    def _step(
+        self,
+        name: str,
+        curve: Curve,
+        pace: Pace,
+        scene: PlanningScene,
+        concessions: tuple[Concession, ...],
+    ) -> PlannedStep | None:
         trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
-        return None if trajectory is None else PlannedStep(name, trajectory, scene)
+        return None if trajectory is None else PlannedStep(name, trajectory, scene, concessions)
 
     def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
         """Scene and planner in which this hand may touch the target."""
@@ -300,10 +313,14 @@ class PickTask:
 
     def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
         """The scene with the target in the hand; what it stands on may still touch it."""
+        held = self._held_scene(grasp, scene)
+        return held.allowing((self._target.name, name) for name in under_foot_of(self._target, scene))
+
+    def _held_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
+        """A scene with the target in the hand."""
         gripper = self._model.description.grippers[grasp.hand]
         tcp_T_object = poses.inverse(grasp.world_T_tcp) @ self._target.world_T_object
-        held = scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
-        return held.allowing((self._target.name, name) for name in under_foot_of(self._target, scene))
+        return scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
 
     def _ik_of(self, hand: Hand) -> InverseKinematics:
         return inverse_kinematics(self._model, self._request.stance, hand)

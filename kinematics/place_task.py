@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
+from kinematics.concessions import Concession, ConcessionReason, touching
 from kinematics.curves import Curve, PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.gaze import gaze_joints
@@ -28,7 +29,7 @@ from kinematics.requests import PlacePlan, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, start_concessions
 from kinematics.timing import Pace
 from kinematics.validity import hand_judge, validity
 
@@ -193,8 +194,8 @@ class PlaceTask:
             hand=self.hand,
             spot=goal.spot,
             world_T_object=goal.world_T_object,
-            transfer=PlannedStep("transfer", first, self._scene),
-            lower=PlannedStep("lower", second, goal.lower_scene),
+            transfer=PlannedStep("transfer", first, request.scene, self._near_at_start()),
+            lower=PlannedStep("lower", second, request.scene, self._standing(request.spots[goal.spot])),
             considered=self.considered,
         )
 
@@ -202,9 +203,17 @@ class PlaceTask:
         """A plan that was made with wider margins, with this task's scenes to be checked in."""
         return replace(
             plan,
-            transfer=replace(plan.transfer, scene=self._scene),
-            lower=replace(plan.lower, scene=self._near(spot)[0]),
+            transfer=replace(plan.transfer, scene=self._request.scene, concessions=self._near_at_start()),
+            lower=replace(plan.lower, scene=self._request.scene, concessions=self._standing(spot)),
         )
+
+    def _near_at_start(self) -> tuple[Concession, ...]:
+        request = self._request
+        return start_concessions(self._model, request.scene, self._scene, request.q_start, "transfer")
+
+    def _standing(self, spot: Spot) -> tuple[Concession, ...]:
+        """What the object may touch where it is put."""
+        return touching([self._request.held], spot.touches, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "lower")
 
     def _near(self, spot: Spot) -> tuple[PlanningScene, PathPlanner]:
         """Scene and judge with what the object may touch at a spot; made once."""

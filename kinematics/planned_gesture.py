@@ -20,7 +20,7 @@ from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, start_concessions
 from kinematics.timing import Pace
 from kinematics.validity import validity
 from kinematics.wide_berth import widened
@@ -47,6 +47,7 @@ class PlannedGesture(GestureTask):
     ) -> None:
         super().__init__(model, q_start, request, hand, seed)
         self.space: FreeCoordinates = free_coordinates(model, request.stance)
+        self._given = request.scene
         self.scene: PlanningScene = relaxed_at(model, request.scene, q_start, RESERVE_M)
         self.planner = PathPlanner(
             model, self.space, validity(model, request.stance, self.scene, RESERVE_M, RESERVE_M)
@@ -90,4 +91,5 @@ class PlannedGesture(GestureTask):
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)
-        return MovePlan(PlannedStep(name, trajectory, self.scene))
+        near = start_concessions(self._model, self._given, self.scene, self._q_start, name)
+        return MovePlan(PlannedStep(name, trajectory, self._given, near))

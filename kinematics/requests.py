@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Sealed
+from kinematics.concessions import Concession
 from kinematics.gesture_requests import GestureRequest
 from kinematics.opening_path import OpeningPath
 from kinematics.place_requests import PlaceRequest
@@ -105,6 +106,7 @@ class RetreatRequest(Sealed):
             it is taken.
         shares: Of the offset, which may be gone, in order of preference.
         turns_rad: By which the hand may turn about the vertical meanwhile, in order of preference.
+        concessions: What may touch on the way: what the fingers held, what carries a held object.
     """
 
     q_start: Array
@@ -115,6 +117,7 @@ class RetreatRequest(Sealed):
     steady_m: float = 0.05
     shares: tuple[float, ...] = (1.0,)
     turns_rad: tuple[float, ...] = (0.0,)
+    concessions: tuple[Concession, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,19 +173,39 @@ class HandlePlan:
 
 @dataclass(frozen=True, slots=True)
 class CheckRequest:
-    """Judge a trajectory against a scene; answered by CheckedTrajectory or Unsafe."""
+    """Judge a trajectory against a scene; answered by CheckedTrajectory or Unsafe.
+
+    Attributes:
+        trajectory: The motion.
+        scene: What is around and in the hands, as the world model has it.
+        concessions: What the motion's planner asks to be overlooked; the checker says how much of it is.
+    """
 
     trajectory: Trajectory
     scene: PlanningScene
+    concessions: tuple[Concession, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedStep:
-    """A trajectory with the scene that it was planned for (what may touch, what is held)."""
+    """A trajectory with the scene that it is to be judged in.
+
+    Attributes:
+        name: "reach", "approach", ...
+        trajectory: The motion.
+        scene: As it was given to the planner; of a lift, with the object in the hand.
+        concessions: Where the motion does not keep that scene's margins, and why.
+    """
 
     name: str
     trajectory: Trajectory
     scene: PlanningScene
+    concessions: tuple[Concession, ...] = ()
+
+    @property
+    def question(self) -> CheckRequest:
+        """What the checker is to be asked."""
+        return CheckRequest(self.trajectory, self.scene, self.concessions)
 
 
 @dataclass(frozen=True, slots=True)

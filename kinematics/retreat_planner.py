@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from kinematics import poses
 from kinematics.balanced_timing import time_in_balance
+from kinematics.concessions import in_step, with_touching
 from kinematics.curves import PolynomialCurve
 from kinematics.free_coordinates import free_coordinates
 from kinematics.ik import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
@@ -24,7 +25,7 @@ from kinematics.requests import MovePlan, NoPlan, PlannedStep, RetreatRequest
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene
 from kinematics.stance import SupportPolygon
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, start_concessions
 from kinematics.validity import validity
 
 Array = NDArray[np.float64]
@@ -39,7 +40,10 @@ _LOOKS = 33
 
 def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPlan:
     """Plan it, or say why there is none."""
-    scene = relaxed_at(model, request.scene, request.q_start)
+    around = with_touching(request.scene, request.concessions)
+    scene = relaxed_at(model, around, request.q_start)
+    concessions = in_step(request.concessions, "retreat")
+    concessions += start_concessions(model, around, scene, request.q_start, "retreat")
     space = free_coordinates(model, request.stance)
     why = NoPlan("the hand cannot be drawn back at all", {"no way": 1})
     for first in range(len(request.shares)):
@@ -50,7 +54,7 @@ def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPla
         trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
         if trajectory is not None:
             trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-            return MovePlan(PlannedStep("retreat", trajectory, scene))
+            return MovePlan(PlannedStep("retreat", trajectory, request.scene, concessions))
         why = NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
     return why
 

@@ -83,6 +83,7 @@ def object_json(item: SceneObject) -> dict[str, object]:
         "shape": _shape_json(item.shape),
         **pose_json(item.world_T_object),
         "margin_m": item.margin_m,
+        **({} if item.movable else {"movable": False}),
     }
 
 
@@ -108,11 +109,12 @@ def read_held(node: Node) -> HeldObject:
 
 def read_object(node: Node) -> SceneObject:
     """A solid of the world; raises as ``read_held``."""
-    node.only(("name", "shape", "position_m", "quaternion_xyzw"), ("margin_m",))
+    node.only(("name", "shape", "position_m", "quaternion_xyzw"), ("margin_m", "movable"))
     margin_m = node.key("margin_m").number(MAX_SIZE_M) if node.has("margin_m") else 0.0
     if margin_m < 0.0:
         raise node.key("margin_m").error(f"must be 0 or more, not {margin_m!r}")
-    return SceneObject(node.key("name").text(), _shape(node.key("shape")), _placed(node), margin_m)
+    movable = not node.has("movable") or node.key("movable").truth()
+    return SceneObject(node.key("name").text(), _shape(node.key("shape")), _placed(node), margin_m, movable)
 
 
 def read_pair(node: Node) -> Pair:

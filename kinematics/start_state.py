@@ -17,6 +17,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.collision import coal_shape
+from kinematics.concessions import Concession, ConcessionReason, touching
 from kinematics.robot_model import RobotModel
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Shape
@@ -30,6 +31,8 @@ KEPT_SHARE = 0.6
 # A start that keeps its margin by less than this is stuck as well: a way is judged in pieces, and the first
 # of them counts as too near whichever way it leads.
 ROOM_M = 0.002
+# Parts this far beyond the margin of what the start is too near to may come as near to it as that start.
+AROUND_M = 0.05
 # Links whose poses differ by less than this stay where they are.
 _AT_REST = 1e-9
 
@@ -79,6 +82,51 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
             ]
             relaxed = relaxed.allowing((name, item.name) for name in touching)
     return relaxed
+
+
+def start_concessions(
+    model: RobotModel, scene: PlanningScene, relaxed: PlanningScene, q: Array, step: str
+) -> tuple[Concession, ...]:
+    """What ``relaxed_at`` has changed, to be asked of the judge, who judges in the scene as it was.
+
+    Args:
+        model: The robot.
+        scene: What is around.
+        relaxed: The scene that ``relaxed_at`` made of it.
+        q: Where the robot is, shape (nq,).
+        step: Name of the step that starts there.
+    """
+    if relaxed is scene:
+        return ()
+    found = [
+        Concession(pair, ConcessionReason.STARTS_IN_CONTACT, step)
+        for pair in sorted(relaxed.allowed - scene.allowed, key=sorted)
+    ]
+    items = list(scene.objects.values())
+    lowered = {
+        row: relaxed.objects[item.name].margin_m
+        for row, item in enumerate(items)
+        if relaxed.objects[item.name].margin_m < item.margin_m
+    }
+    nearby = _nearby(model, _Start(q, items))
+    near = nearby.within([item.margin_m + AROUND_M for item in items]) if lowered else {}
+    held = _held_at(model, scene, q)
+    for row, margin_m in lowered.items():
+        item, links = items[row], nearby.parts.links
+        reach_m = item.margin_m + AROUND_M
+        names = {links[k] for k in near.get(row, ()) if nearby.distance_m(row, k) < reach_m}
+        names |= {name for name, (shape, at) in held.items() if _distance(shape, at, item) < reach_m}
+        for name in sorted(names):
+            pair = frozenset((name, item.name))
+            if pair not in relaxed.allowed:
+                found.append(Concession(pair, ConcessionReason.STARTS_NEAR, step, margin_m))
+    return tuple(found)
+
+
+def rest_concessions(scene: PlanningScene, resting: PlanningScene, step: str) -> tuple[Concession, ...]:
+    """What ``touching_at_rest`` has added, to be asked of the judge."""
+    added = sorted(sorted(pair) for pair in resting.allowed - scene.allowed)
+    return tuple(one for a, b in added for one in touching([a], [b], ConcessionReason.AT_REST, step))
 
 
 def touching_at_rest(model: RobotModel, scene: PlanningScene, q_start: Array, q_goal: Array) -> PlanningScene:

@@ -135,6 +135,7 @@ class FindingKind(Enum):
     STANCE = "stance"
     DISCONTINUITY = "discontinuity"
     BOUNDARY_VELOCITY = "boundary velocity"
+    CONCESSION = "concession"
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,13 @@ it bends, CoM, ZMP and efforts densely enough for joints that keep their acceler
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.check_collision import CollisionCheck
+from kinematics.check_concessions import ConcessionJudge
 from kinematics.check_dynamics import DynamicsCheck
 from kinematics.check_kinematics import BatchedKinematics
 from kinematics.check_limits import base_findings, jump_intervals, limit_findings
@@ -20,6 +23,7 @@ from kinematics.check_rest import rest_findings
 from kinematics.check_settings import DEFAULT_SETTINGS, CheckSettings
 from kinematics.check_stance import stance_findings
 from kinematics.check_timeline import Timeline
+from kinematics.concessions import Concession
 from kinematics.errors import InvalidMotionError
 from kinematics.kernel import readiness
 from kinematics.robot_model import RobotModel
@@ -73,11 +77,20 @@ class TrajectoryChecker:
         else:
             self._kinematics = BatchedKinematics(model)
             self._pairs = PairBuilder(model, self._kinematics)
+        self._concessions = ConcessionJudge(model, self._kinematics, self._pairs)
         self._dynamics = DynamicsCheck(model, self._kinematics, settings, loads)
         self._loaded: tuple[tuple[HeldLoad, ...], DynamicsCheck] = ((), self._dynamics)
 
-    def check(self, trajectory: Trajectory, scene: PlanningScene) -> CheckedTrajectory | Unsafe:
+    def check(
+        self, trajectory: Trajectory, scene: PlanningScene, concessions: Sequence[Concession] = ()
+    ) -> CheckedTrajectory | Unsafe:
         """Judge one motion in one scene.
+
+        Args:
+            trajectory: The motion.
+            scene: What is around and in the hands, as the world model has it.
+            concessions: What the motion's planner asks to be overlooked. ``check_concessions`` bounds it; a
+                concession beyond that is a finding, and its pair is judged by the scene.
 
         Returns:
             The checked trajectory, or every finding in order of time: one for each kind and subject.
@@ -103,7 +116,12 @@ class TrajectoryChecker:
         loads = _held_loads(scene)
         unbalanced, com_margin_m = self._dynamics_with(loads).findings(trajectory, timeline)
         findings += unbalanced
-        touching, min_distance_m = self._contacts(timeline, self._pairs.pairs(scene), jumps_s)
+        if concessions:
+            pairs, beyond = self._conceded(timeline, scene, concessions)
+            findings += beyond
+        else:
+            pairs = self._pairs.pairs(scene)
+        touching, min_distance_m = self._contacts(timeline, pairs, jumps_s)
         findings += touching
         if findings:
             return Unsafe(tuple(sorted(findings, key=lambda finding: finding.t_s)))
@@ -130,6 +148,14 @@ class TrajectoryChecker:
                 check = DynamicsCheck(model, kinematics, self._settings, kinematics.loads)
             self._loaded = loads, check
         return self._loaded[1]
+
+    def _conceded(
+        self, timeline: Timeline, scene: PlanningScene, concessions: Sequence[Concession]
+    ) -> tuple[Pairs, Sequence[Finding]]:
+        """What is judged with the concessions that are within the rules, and those that are not."""
+        conceded = self._concessions.judge(timeline, scene, concessions)
+        pairs = self._pairs.pairs(conceded.scene)
+        return self._concessions.lowered(pairs, conceded.lowered), conceded.findings
 
     def _contacts(self, timeline: Timeline, pairs: Pairs, jumps_s: Array) -> tuple[list[Finding], float]:
         """Findings and the smallest distance; by Coal alone while nothing is compiled."""

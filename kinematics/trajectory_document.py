@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from kinematics.concession_document import concession_json, read_concession
+from kinematics.concessions import Concession
 from kinematics.json_reader import Node, parse_document
 from kinematics.scene import Pair, SceneObject
 from kinematics.solid_document import (
@@ -55,6 +57,7 @@ class StoredTrajectory:
         held: What the robot carries meanwhile.
         allowed: Pairs of names (links, objects) that may touch.
         objects: What is around, in the trajectory's frame; None when the document does not say.
+        concessions: What the motion's planner asks the checker to overlook.
     """
 
     robot: str
@@ -62,6 +65,7 @@ class StoredTrajectory:
     held: tuple[HeldObject, ...] = ()
     allowed: frozenset[Pair] = frozenset()
     objects: tuple[SceneObject, ...] | None = None
+    concessions: tuple[Concession, ...] = ()
 
 
 def write_trajectory(stored: StoredTrajectory) -> str:
@@ -77,6 +81,8 @@ def write_trajectory(stored: StoredTrajectory) -> str:
         head["held"] = [held_json(item) for item in stored.held]
     if stored.allowed:
         head["allowed"] = sorted(sorted(pair) for pair in stored.allowed)
+    if stored.concessions:
+        head["concessions"] = [concession_json(one) for one in stored.concessions]
     if stored.objects is not None:
         head["objects"] = [object_json(item) for item in stored.objects]
     samples = ",\n".join(
@@ -98,7 +104,9 @@ def read_trajectory(text: str) -> StoredTrajectory:
             the reason.
     """
     root = parse_document(text)
-    root.only(("schema", "robot", "joints", "stance", "samples"), ("held", "allowed", "objects"))
+    root.only(
+        ("schema", "robot", "joints", "stance", "samples"), ("held", "allowed", "objects", "concessions")
+    )
     schema = root.key("schema")
     if type(schema.value) is not int or schema.value != SCHEMA:  # JSON's true and 1.0 equal 1 too
         raise schema.error(f"must be {SCHEMA}, not {schema.shown()}")
@@ -110,11 +118,12 @@ def read_trajectory(text: str) -> StoredTrajectory:
     held = tuple(read_held(node) for node in optional_items(root, "held"))
     require_unique(root, "held", [item.name for item in held])
     pairs = frozenset(read_pair(node) for node in optional_items(root, "allowed"))
+    concessions = tuple(read_concession(node) for node in optional_items(root, "concessions"))
     if not root.has("objects"):
-        return StoredTrajectory(robot, motion, held, pairs)
+        return StoredTrajectory(robot, motion, held, pairs, concessions=concessions)
     objects = tuple(read_object(node) for node in optional_items(root, "objects"))
     require_unique(root, "objects", [item.name for item in objects])
-    return StoredTrajectory(robot, motion, held, pairs, objects)
+    return StoredTrajectory(robot, motion, held, pairs, objects, concessions)
 
 
 def _motion(samples: Node, joints: tuple[str, ...], stance: Stance) -> Trajectory:

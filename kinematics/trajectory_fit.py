@@ -56,7 +56,7 @@ def fit(stored: StoredTrajectory, model: RobotModel, surroundings: PlanningScene
                 place, f"lies not on the floor: height {height_m:.4g} m, tilt {tilt_rad:.4g} rad"
             )
     scene = furnished(surroundings, stored.held, stored.allowed, model, motion.q[0])
-    return CheckRequest(motion, scene)
+    return CheckRequest(motion, scene, stored.concessions)
 
 
 def stored_from(request: CheckRequest, model: RobotModel) -> StoredTrajectory:
@@ -67,6 +67,7 @@ def stored_from(request: CheckRequest, model: RobotModel) -> StoredTrajectory:
         held=held_in(request.scene),
         allowed=allowed_in(request.scene, model, request.trajectory.q[0]),
         objects=tuple(request.scene.objects.values()),
+        concessions=request.concessions,
     )
 
 

@@ -27,7 +27,7 @@ from kinematics.pointing import elbow_frame
 from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.robot_description import HANDS
 from kinematics.robot_model import RobotModel
-from kinematics.start_state import relaxed_at
+from kinematics.start_state import relaxed_at, start_concessions
 from kinematics.validity import validity
 from kinematics.view_request import ViewRequest
 
@@ -90,7 +90,8 @@ class ViewPlanner:
                 reasons["legs cannot follow"] += 1
                 continue
             trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-            return MovePlan(PlannedStep("peer", trajectory, scene))
+            near = start_concessions(model, request.scene, scene, request.q_start, "peer")
+            return MovePlan(PlannedStep("peer", trajectory, request.scene, near))
         return NoPlan(
             "no posture that shows what was not seen yet can be taken",
             dict(reasons) or {"collision or lost balance": min(len(views), MOST_JUDGED)},

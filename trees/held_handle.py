@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Sealed
+from kinematics.concessions import Concession, ConcessionReason, touching, with_touching
 from kinematics.opening_path import OpeningPath
 from kinematics.requests import Grasp
 from kinematics.scene import PlanningScene
@@ -38,10 +39,18 @@ class HeldHandle(Sealed):
 
 def scene_of_hand(toolbox: Toolbox, target: HandleTarget, grasp: Grasp) -> PlanningScene:
     """The present scene, in which the hand may touch the handle and what it opens."""
+    scene = without_drawn(toolbox.world.scene)
+    return with_touching(scene, hand_concessions(toolbox, target, grasp, "lead"))
+
+
+def hand_concessions(
+    toolbox: Toolbox, target: HandleTarget, grasp: Grasp, step: str
+) -> tuple[Concession, ...]:
+    """What the hand may touch at a handle, asked of whoever judges the step."""
     links = toolbox.model.description.grippers[grasp.hand].touch_links
     scene = without_drawn(toolbox.world.scene)
     parts = [name for name in (target.part, target.handle) if name in scene.objects]
-    return scene.allowing((link, part) for link in links for part in parts)
+    return touching(links, parts, ConcessionReason.HANDLE_IN_HAND, step)
 
 
 def tcp_m(toolbox: Toolbox, grasp: Grasp, q: Array) -> Array:

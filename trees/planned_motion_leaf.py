@@ -7,7 +7,7 @@ from typing import Any
 from py_trees.common import Status
 
 from kinematics.gesture_requests import GestureRequest
-from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan, RetreatRequest
+from kinematics.requests import MovePlan, MoveRequest, NoPlan, RetreatRequest
 from kinematics.trajectory import CheckedTrajectory, Unsafe
 from kinematics.view_request import ViewRequest
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -73,7 +73,7 @@ class PlannedMotionLeaf(Leaf):
         if isinstance(answer, Unsafe):
             return self._once_more(answer)
         if isinstance(answer, MovePlan):
-            self._job = self.toolbox.planning.submit(CheckRequest(answer.step.trajectory, answer.step.scene))
+            self._job = self.toolbox.planning.submit(answer.step.question)
             self.feedback_message = "checking"
             return RUNNING
         if isinstance(answer, CheckedTrajectory):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinematics.arrays import Sealed
+from kinematics.concessions import Concession
 from kinematics.poses import Transform
-from kinematics.requests import PlannedStep
+from kinematics.requests import CheckRequest, PlannedStep
 from kinematics.robot_description import Hand
 from kinematics.scene import PlanningScene
 from kinematics.shapes import Shape
@@ -40,20 +41,27 @@ class Step:
     Attributes:
         name: What it is: "reach", "approach", "lift", ...
         trajectory: The motion.
-        scene: The scene that it is to be judged by (what may touch, what is held).
+        scene: The scene that it is to be judged in: as the world model has it.
         world_version: Version of the world model's scene that it was planned from; when the world
             model has moved on, the step is stale.
+        concessions: Where the motion does not keep the scene's margins, and why.
     """
 
     name: str
     trajectory: Trajectory
     scene: PlanningScene
     world_version: int
+    concessions: tuple[Concession, ...] = ()
+
+    @property
+    def question(self) -> CheckRequest:
+        """What the checker is to be asked."""
+        return CheckRequest(self.trajectory, self.scene, self.concessions)
 
     @classmethod
     def of(cls, planned: PlannedStep, world_version: int) -> Step:
         """What the planner found, with the version of the world model that it was asked about."""
-        return cls(planned.name, planned.trajectory, planned.scene, world_version)
+        return cls(planned.name, planned.trajectory, planned.scene, world_version, planned.concessions)
 
 
 @dataclass(frozen=True, slots=True)

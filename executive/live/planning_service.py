@@ -41,7 +41,7 @@ class PlanningService:
         wanted = {joint: float(q[7 + self._model.joint_index(joint)]) - 0.05}
         planned = self._planner.answer(MoveRequest(q, stance_at(self._model, q), PlanningScene(), wanted))
         if isinstance(planned, MovePlan):
-            self._planner.answer(CheckRequest(planned.step.trajectory, planned.step.scene))
+            self._planner.answer(planned.step.question)
 
     def answer(self, request: PlanRequest) -> Planned:
         """Plan or check."""

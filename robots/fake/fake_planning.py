@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.concessions import Concession, ConcessionReason, touching
 from kinematics.gaze import gaze_joints
 from kinematics.gesture_planner import GesturePlanner
 from kinematics.gesture_requests import (
@@ -38,6 +39,7 @@ from kinematics.requests import (
 from kinematics.robot_description import Hand
 from kinematics.robot_model import RobotModel
 from kinematics.scene import AttachedBody, PlanningScene
+from kinematics.support import under_foot_of
 from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
 from robots.clock import Clock
 from robots.fake.fake_gesture import FakeGesture
@@ -169,13 +171,16 @@ class FakePlanning:
         world_T_tcp = self._model.frame_pose(at_grasp, gripper.tcp_frame)
         before = self.reach(at_grasp, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
         lifted = self.reach(at_grasp, hand, place + np.array([0.0, 0.0, request.lift_m]))
-        near = request.scene.allowing((link, target.name) for link in gripper.touch_links)
+        reason = ConcessionReason
+        grasped = touching(gripper.touch_links, [target.name], reason.GRASPED_OBJECT, "approach")
+        under = under_foot_of(target, request.scene)
+        carried = touching([target.name], under, reason.SUPPORT_OF_HELD_OBJECT, "lift")
         stance = request.stance
         return PickPlan(
             grasp=Grasp(hand, label, world_T_tcp, _APPROACH_M, diameter_m(target.shape)),
             reach=self._step("reach", request.q_start, before, stance, request.scene),
-            approach=self._step("approach", before, at_grasp, stance, near),
-            lift=self._step("lift", at_grasp, lifted, stance, near),
+            approach=self._step("approach", before, at_grasp, stance, request.scene, grasped),
+            lift=self._step("lift", at_grasp, lifted, stance, request.scene, carried),
             considered=len(keys) - len(left) + 1,
         )
 
@@ -189,13 +194,13 @@ class FakePlanning:
         place, up = spot.world_T_object[:3, 3], np.array([0.0, 0.0, 1.0])
         hover = self._looking_at(self._carry(request.q_start, hand, place + spot.hover_m * up, body), place)
         down = self._carry(hover, hand, place - spot.below_m * up, body)
-        touching = request.scene.allowing((request.held, name) for name in spot.touches)
+        carried = touching([request.held], spot.touches, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "lower")
         return PlacePlan(
             hand=hand,
             spot=0,
             world_T_object=spot.world_T_object,
             transfer=self._step("transfer", request.q_start, hover, request.stance, request.scene),
-            lower=self._step("lower", hover, down, request.stance, touching),
+            lower=self._step("lower", hover, down, request.stance, request.scene, carried),
             considered=1,
         )
 
@@ -209,11 +214,11 @@ class FakePlanning:
         gripper = self._model.description.grippers[hand]
         world_T_tcp = self._model.frame_pose(at_bar, gripper.tcp_frame)
         before = self.reach(at_bar, hand, bar.position_m - _APPROACH_M * world_T_tcp[:3, 0])
-        near = request.scene.allowing((link, part) for link in gripper.touch_links for part in request.parts)
+        in_hand = touching(gripper.touch_links, request.parts, ConcessionReason.HANDLE_IN_HAND, "approach")
         return HandlePlan(
             grasp=Grasp(hand, "bar", world_T_tcp, _APPROACH_M, _BAR_M),
             reach=self._step("reach", request.q_start, before, request.stance, request.scene),
-            approach=self._step("approach", before, at_bar, request.stance, near),
+            approach=self._step("approach", before, at_bar, request.stance, request.scene, in_hand),
             farthest_s=request.s_to,
             considered=1,
         )
@@ -261,13 +266,19 @@ class FakePlanning:
         return goal
 
     def _step(
-        self, name: str, q_start: Array, q_goal: Array, stance: Stance, scene: PlanningScene
+        self,
+        name: str,
+        q_start: Array,
+        q_goal: Array,
+        stance: Stance,
+        scene: PlanningScene,
+        concessions: tuple[Concession, ...] = (),
     ) -> PlannedStep:
         t_s = np.array([0.0, self.motion_s])
         trajectory = Trajectory(
             self._model.joints, stance, t_s, np.array([q_start, q_goal]), np.zeros((2, self._model.nv))
         )
-        return PlannedStep(name, trajectory, scene)
+        return PlannedStep(name, trajectory, scene, concessions)
 
     def reach(self, q: Array, hand: Hand, place: Array) -> Array:
         """Move arm and trunk until the TCP is at a place, shape (3,), in whatever orientation."""

@@ -34,7 +34,7 @@ class Admission:
             if stored.objects is None:
                 return "the document does not say what is around"
             asked = fit(stored, self._model, PlanningScene().with_objects(stored.objects))
-            return self._checker.check(asked.trajectory, asked.scene)
+            return self._checker.check(asked.trajectory, asked.scene, asked.concessions)
         except UnicodeDecodeError:
             return "the document is not UTF-8 text"
         except KinematicsError as unfit:

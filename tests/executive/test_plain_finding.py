@@ -18,6 +18,7 @@ def numbers(finding, subject, value, limit):
         (("held object collision", "cup and shelf", 0.004, 0.015), "what is held, cup would come within"),
         (("velocity limit", "elbow", 3.2, 2.7), "elbow would have to move at 3.2 rad/s"),
         (("effort limit", "elbow", 52.0, 44.0), "44 Nm is the most that it may"),
+        (("concession", "hand and cup", 0.1, 0.006), "hand and cup to come nearer"),
         (("balance", "left sole", 0.01, 0.03), "10 mm are left before it tips over"),
     ],
 )

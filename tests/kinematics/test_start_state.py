@@ -5,7 +5,7 @@ import pytest
 from kinematics import poses
 from kinematics.collision import CollisionWorld
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest, MovePlan, MoveRequest, NoPlan
+from kinematics.requests import MovePlan, MoveRequest, NoPlan
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box
 from kinematics.start_state import relaxed_at
@@ -36,7 +36,7 @@ def test_the_way_out_of_a_margin_is_planned_and_safe(talos, stance, gap_m):
     answer = planner.answer(request)
 
     assert isinstance(answer, MovePlan)
-    checked = planner.answer(CheckRequest(answer.step.trajectory, answer.step.scene))
+    checked = planner.answer(answer.step.question)
     assert isinstance(checked, CheckedTrajectory)
 
 
@@ -80,7 +80,7 @@ def test_what_is_held_and_seen_a_second_time_does_not_keep_the_hand_where_it_is(
     )
 
     assert isinstance(answer, MovePlan)
-    checked = planner.answer(CheckRequest(answer.step.trajectory, answer.step.scene))
+    checked = planner.answer(answer.step.question)
     assert isinstance(checked, CheckedTrajectory)
 
 
@@ -131,6 +131,6 @@ def test_a_head_may_turn_while_a_hand_is_believed_to_be_in_furniture(talos, stan
     )
 
     assert isinstance(looking, MovePlan)
-    checked = planner.answer(CheckRequest(looking.step.trajectory, looking.step.scene))
+    checked = planner.answer(looking.step.question)
     assert isinstance(checked, CheckedTrajectory)
     assert isinstance(waving, NoPlan)

@@ -13,7 +13,7 @@ from kinematics import (
 )
 from kinematics.kernel import door, reach, readiness
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest, PickRequest
+from kinematics.requests import PickRequest
 from kinematics.scene import PlanningScene
 from kinematics.trajectory import CheckedTrajectory
 from kinematics.trajectory_check import TrajectoryChecker
@@ -42,7 +42,7 @@ def test_what_was_warmed_is_all_that_a_pick_and_its_checks_call(talos, stance, m
 
     plan = planner.answer(PickRequest(talos.q_home, stance, scene, "cup"))
     for step in (plan.reach, plan.approach, plan.lift):
-        assert isinstance(planner.answer(CheckRequest(step.trajectory, step.scene)), CheckedTrajectory)
+        assert isinstance(planner.answer(step.question), CheckedTrajectory)
 
     assert [len(function.signatures) for function in USED] == [1] * len(USED)
 

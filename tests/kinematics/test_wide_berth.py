@@ -53,7 +53,9 @@ def test_a_move_keeps_twice_the_margin_from_a_thing_where_there_is_room(talos, s
     assert isinstance(plan, MovePlan)
     assert not is_near(talos, ball, plan.step.trajectory.q[::10], 2.0 * MARGIN_M - 0.001)
     assert plan.step.scene.objects["ball"].margin_m == MARGIN_M
-    assert isinstance(planner.answer(CheckRequest(plan.step.trajectory, scene)), CheckedTrajectory)
+    assert isinstance(
+        planner.answer(CheckRequest(plan.step.trajectory, scene, plan.step.concessions)), CheckedTrajectory
+    )
 
 
 def test_where_there_is_none_it_goes_as_near_as_it_may(talos, stance, ball):

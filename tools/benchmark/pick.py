@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest, PickPlan, PickRequest
+from kinematics.requests import PickPlan, PickRequest
 from kinematics.robot_model import RobotModel
 from kinematics.trajectory import CheckedTrajectory
 from robots.description import load_description
@@ -174,5 +174,5 @@ def _solves(planner: MotionPlanner, request: PickRequest) -> bool:
     if not isinstance(plan, PickPlan):
         return False
     steps = (plan.reach, plan.approach, plan.lift)
-    answers = [planner.answer(CheckRequest(step.trajectory, step.scene)) for step in steps]
+    answers = [planner.answer(step.question) for step in steps]
     return all(isinstance(answer, CheckedTrajectory) for answer in answers)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from py_trees.common import Status
 
 from kinematics import poses
@@ -42,6 +44,6 @@ class Attach(Leaf):
         )
         if support is not None:
             world.note_taken(target.name, Origin(support.name, before.world_T_object))
-        scene = world.scene.allowing((min(pair), max(pair)) for pair in lift.scene.allowed)
-        self._set_output("held_lift", Step(lift.name, lift.trajectory, scene, world.scene.version))
+        held_lift = replace(lift, scene=world.scene, world_version=world.scene.version)
+        self._set_output("held_lift", held_lift)
         return DONE

@@ -46,7 +46,7 @@ class BackOut(PlannedMotionLeaf):
         beside_m = float(np.linalg.norm(past - (past @ ahead) * ahead))
         if gone_in_m < _BEGUN_M or beside_m > _BESIDE_M:
             return None
-        scene = toolbox.world.scene.allowing((min(pair), max(pair)) for pair in approach.scene.allowed)
+        scene = toolbox.world.scene
         if target is not None and target.name in scene.objects:
             scene = scene.without_object(target.name)
         x, y, z = (float(value) for value in -gone_in_m * ahead)
@@ -56,4 +56,5 @@ class BackOut(PlannedMotionLeaf):
             scene=scene,
             hand=grasp.hand,
             world_offset_m=(x, y, z),
+            concessions=approach.concessions,
         )

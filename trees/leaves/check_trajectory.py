@@ -26,9 +26,10 @@ class CheckTrajectory(JobLeaf):
     )
 
     def request(self) -> CheckRequest:
-        """The step's trajectory against the step's scene."""
-        self._judged: Step = self.get_input("step")
-        return CheckRequest(self._judged.trajectory, self._judged.scene)
+        """The step's trajectory in the step's scene, with its concessions."""
+        step: Step = self.get_input("step")
+        self._judged = step
+        return step.question
 
     def accept(self, answer: Any) -> Failure | None:
         """Write the checked step, unless it was made for a scene of the past."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kinematics.concessions import ConcessionReason, touching
 from kinematics.requests import RetreatRequest
 from trees.contract import Contract
 from trees.held import HeldObject
@@ -30,13 +31,15 @@ class DrawBack(PlannedMotionLeaf):
         gripper = toolbox.model.description.grippers[held.hand]
         reference = toolbox.motion.reference()
         back = -toolbox.policy.retreat_m * toolbox.model.frame_pose(reference, gripper.tcp_frame)[:3, 0]
-        pairs = [(min(link, held.name), max(link, held.name)) for link in sorted(gripper.touch_links)]
         x, y, z = (float(value) for value in back)
         return RetreatRequest(
             q_start=reference,
             stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene.allowing(pairs),
+            scene=toolbox.world.scene,
             hand=held.hand,
             world_offset_m=(x, y, z),
             shares=_SHARES,
+            concessions=touching(
+                sorted(gripper.touch_links), [held.name], ConcessionReason.GRASPED_OBJECT, "retreat"
+            ),
         )

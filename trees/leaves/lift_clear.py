@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from kinematics.concessions import ConcessionReason, touching
 from kinematics.requests import RetreatRequest
 from kinematics.robot_description import HANDS, Hand
 from kinematics.support import lowest_point_m, supports_of, top_m
@@ -45,9 +46,14 @@ class LiftClear(PlannedMotionLeaf):
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene.allowing(pairs),
+            scene=toolbox.world.scene,
             hand=hand,
             world_offset_m=(0.0, 0.0, _UP_M),
+            concessions=tuple(
+                one
+                for pair in pairs
+                for one in touching(pair[:1], pair[1:], ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat")
+            ),
         )
 
 

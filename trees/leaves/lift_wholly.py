@@ -6,6 +6,7 @@ import math
 
 from py_trees.common import Status
 
+from kinematics.concessions import ConcessionReason, touching
 from kinematics.requests import RetreatRequest
 from trees.contract import Contract
 from trees.failures import Failure
@@ -46,13 +47,15 @@ class LiftWholly(PlannedMotionLeaf):
             return None
         held = next(one for one in held_objects(toolbox) if one.name == target.name)
         support = toolbox.world.taken_from[target.name].support
-        pair = (min(target.name, support), max(target.name, support))
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene.allowing([pair]),
+            scene=toolbox.world.scene,
             hand=held.hand,
             world_offset_m=(0.0, 0.0, toolbox.policy.lift_m - rise_m),
+            concessions=touching(
+                [target.name], [support], ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat"
+            ),
         )
 
     def step(self) -> Status | Failure:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
+from kinematics.concessions import ConcessionReason, touching
 from kinematics.requests import RetreatRequest
 from kinematics.scene import SceneObject
 from kinematics.support import lowest_point_m
@@ -142,16 +143,18 @@ class LowerFurther(PlannedMotionLeaf):
         if self.get_input("touched"):
             return None
         toolbox, held, placement = self.toolbox, self.get_input("held"), self.get_input("placement")
-        pairs = [(min(held.name, name), max(held.name, name)) for name in placement.touches]
         # it gets there only if nothing carries it before: a touch ends the motion
         comes_to_m = self._lowest_m(held) - toolbox.policy.further_m
         scene = lowered_supports(toolbox.world.scene, placement.touches, comes_to_m)
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=scene.allowing(pairs),
+            scene=scene,
             hand=held.hand,
             world_offset_m=(0.0, 0.0, -toolbox.policy.further_m),
+            concessions=touching(
+                [held.name], placement.touches, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat"
+            ),
         )
 
     def _lowest_m(self, held: HeldObject) -> float:

@@ -36,9 +36,10 @@ class PutBack(PlannedMotionLeaf):
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene.allowing((min(pair), max(pair)) for pair in lift.scene.allowed),
+            scene=toolbox.world.scene,
             hand=grasp.hand,
             world_offset_m=(0.0, 0.0, -drop_m),
+            concessions=lift.concessions,
         )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kinematics.concessions import ConcessionReason, touching
 from kinematics.requests import RetreatRequest
 from trees.contract import Contract
 from trees.held import HeldObject
@@ -35,11 +36,13 @@ class RaiseHeld(PlannedMotionLeaf):
         above_m = float((tcp @ held.tcp_T_object)[2, 3] - placement.odom_T_object[2, 3])
         if above_m > _UP_M:
             return None
-        pairs = [(min(held.name, name), max(held.name, name)) for name in placement.touches]
         return RetreatRequest(
             q_start=reference,
             stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene.allowing(pairs),
+            scene=toolbox.world.scene,
             hand=held.hand,
             world_offset_m=(0.0, 0.0, _UP_M),
+            concessions=touching(
+                [held.name], placement.touches, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat"
+            ),
         )

@@ -7,9 +7,10 @@ from py_trees.common import Status
 
 from kinematics.requests import Grasp, RetreatRequest
 from trees.contract import Contract
+from trees.drawer_inside import without_drawn
 from trees.failures import Failure
 from trees.handles import HandleTarget
-from trees.held_handle import scene_of_hand, tcp_m
+from trees.held_handle import hand_concessions, tcp_m
 from trees.leaf import DONE
 from trees.planned_motion_leaf import PlannedMotionLeaf
 from trees.ports import optional, ports
@@ -80,10 +81,11 @@ class StepBack(PlannedMotionLeaf):
         return RetreatRequest(
             q_start=q,
             stance=toolbox.motion.stance(),
-            scene=scene_of_hand(toolbox, target, grasp),
+            scene=without_drawn(toolbox.world.scene),
             hand=grasp.hand,
             world_offset_m=(x, y, z),
             steady_m=_STEADY_M,
+            concessions=hand_concessions(toolbox, target, grasp, "retreat"),
             shares=_CLEAR_SHARES if self._clear or target.pushed else _BACK_SHARES,
             turns_rad=_CLEAR_TURNS_RAD if self._clear or target.pushed else (0.0,),
         )

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import CheckRequest, MoveRequest
+from kinematics.requests import MoveRequest
 from kinematics.scene import PlanningScene
 from robots.control.motion_handle import MotionStatus
 
@@ -17,7 +17,7 @@ def nod(fake):
         keep_others=True,
     )
     step = fake.planning.answer(move).step
-    return fake.planning.answer(CheckRequest(step.trajectory, step.scene))
+    return fake.planning.answer(step.question)
 
 
 def test_a_trajectory_is_followed_to_its_end(fake, nod, play):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import CheckRequest, MoveRequest
+from kinematics.requests import MoveRequest
 from kinematics.scene import PlanningScene
 from robots.fake.fake_sensing import FakeSensing
 
@@ -15,7 +15,7 @@ def two_that_move(fake, fake_again):
     for one in (fake, fake_again):
         move = MoveRequest(one.motion.reference(), one.motion.stance(), PlanningScene(), joints)
         step = one.planning.answer(move).step
-        one.motion.start(one.planning.answer(CheckRequest(step.trajectory, step.scene)))
+        one.motion.start(one.planning.answer(step.question))
     return fake, fake_again
 
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import CheckRequest, MoveRequest
+from kinematics.requests import MoveRequest
 from kinematics.scene import PlanningScene
 from robots.fake.fake_world import cup
 
@@ -25,7 +25,7 @@ def look_down(fake):
         keep_others=True,
     )
     step = fake.planning.answer(move).step
-    handle = fake.motion.start(fake.planning.answer(CheckRequest(step.trajectory, step.scene)))
+    handle = fake.motion.start(fake.planning.answer(step.question))
     while not handle.finished:
         fake.step()
 

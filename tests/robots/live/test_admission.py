@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from kinematics import poses
+from kinematics.concessions import Concession, ConcessionReason
 from kinematics.requests import CheckRequest
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box
@@ -157,3 +158,21 @@ def test_a_checker_that_died_admits_nothing(desk):
 
     assert "gone" in told[0].answer
     assert isinstance(on_desk.take(1, 0), str)
+
+
+@pytest.mark.parametrize(
+    "reason", [one for one in ConcessionReason if one is not ConcessionReason.STARTS_NEAR]
+)
+def test_what_the_other_side_asks_to_be_overlooked_is_bounded_anew(admission, talos, swing, reason):
+    scene = PlanningScene().with_object(wall_at(talos, swing()))
+    hand = talos.description.grippers["left"].touch_links
+    # a hand that does not start near the wall, holds nothing, and grasps no furniture
+    if reason is ConcessionReason.HANDLE_IN_HAND:
+        hand = ("arm_left_7_link",)
+    asked = tuple(Concession(frozenset((link, "wall")), reason, "move") for link in hand)
+    request = CheckRequest(swing().trajectory, scene, asked)
+
+    answer = admission.judge(write_trajectory(stored_from(request, talos)).encode())
+
+    assert isinstance(answer, Unsafe)
+    assert FindingKind.CONCESSION in {finding.kind for finding in answer.findings}

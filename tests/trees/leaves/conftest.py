@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.requests import CheckRequest, Grasp, PickRequest
+from kinematics.requests import Grasp, PickRequest
 from kinematics.scene import SceneObject
 from kinematics.shapes import Cylinder
 from trees.steps import CheckedStep, Step, Target
@@ -36,12 +36,12 @@ def planned(knowing):
         @staticmethod
         def step(name):
             step = getattr(plan, name)
-            return Step(name, step.trajectory, step.scene, scene.version)
+            return Step(name, step.trajectory, step.scene, scene.version, step.concessions)
 
         @staticmethod
         def checked(name):
             step = getattr(plan, name)
-            checked = fake.planning.answer(CheckRequest(step.trajectory, step.scene))
+            checked = fake.planning.answer(step.question)
             return CheckedStep(name, checked, scene.version)
 
         @staticmethod

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from kinematics import poses
-from kinematics.requests import CheckRequest, MoveRequest, NoPlan
+from kinematics.requests import MoveRequest, NoPlan
 from kinematics.scene import SceneObject
 from kinematics.shapes import Box
 from trees.failures import FailureKind
@@ -21,7 +21,7 @@ def away(stage):
         keep_others=True,
     )
     step = fake.planning.answer(move).step
-    handle = fake.motion.start(fake.planning.answer(CheckRequest(step.trajectory, step.scene)))
+    handle = fake.motion.start(fake.planning.answer(step.question))
     while not handle.finished:
         fake.step()
     return stage
