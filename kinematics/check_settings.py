@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinematics.start_gap import SPARE_M
+SPARE_M = 2e-5
+"""What two solids of a checked motion have to spare beyond the distance that they must keep."""
 
 
 @dataclass(frozen=True, slots=True)

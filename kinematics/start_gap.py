@@ -18,17 +18,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.check_settings import SPARE_M
 from kinematics.robot_model import RobotModel
 
 Array = NDArray[np.float64]
 
-LEAD_IN_M = 1e-5
+LEAD_IN_M = 0.5 * SPARE_M
 """The farthest that a lead-in may move any point. Plans begin exactly at the posture that they are asked
 from; a motion that goes on after a pause begins beside it by what its legs stray between samples, up to
 4e-6 m."""
-
-SPARE_M = 2.0 * LEAD_IN_M
-"""What two solids of a checked motion have to spare beyond the distance that they must keep."""
 
 _HELD_M = 0.5
 """Farthest that what a hand holds reaches from the joint that carries the hand."""

@@ -4,9 +4,9 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics.check_settings import DEFAULT_SETTINGS
+from kinematics.check_settings import DEFAULT_SETTINGS, SPARE_M
 from kinematics.lead_in import lead_in
-from kinematics.start_gap import LEAD_IN_M, SPARE_M, start_gap
+from kinematics.start_gap import LEAD_IN_M, start_gap
 from kinematics.trajectory import Trajectory
 from kinematics.trajectory_sampler import TrajectorySampler
 from kinematics.zmp import zmp_margins_m

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from kinematics import poses
+from kinematics.check_settings import SPARE_M
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Ball, Box, Cylinder
-from kinematics.start_gap import SPARE_M
 from kinematics.trajectory import CheckedTrajectory, FindingKind, Trajectory, Unsafe
 from tools.checking.solid_world import SolidWorld
 
