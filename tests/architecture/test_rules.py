@@ -44,8 +44,8 @@ JUDGE = ("kinematics.trajectory_check", "kinematics.check_")
 SHARED_WITH_THE_JUDGE = tuple(
     f"kinematics.{name}"
     for name in (
-        "arrays", "concessions", "trajectory", "errors", "robot_model", "robot_description", "scene", "shapes",
-        "poses",
+        "arrays", "concessions", "trajectory", "errors", "robot_model", "robot_description", "scene",
+        "shapes", "poses",
         "kernel.compiler", "kernel.pointers", "kernel.readiness", "kernel.separation", "kernel.solids",
     )
 )  # fmt: skip
