@@ -66,15 +66,7 @@ class HeldMass:
 
     def lever(self, q: Array, point_m: Array) -> Array:
         """Efforts that hold each kilogram at a place in the TCP's frame, shape (3,), Nm/kg."""
-        model, data = self._model, self._data
-        pin.computeJointJacobians(model, data, q)
-        pin.updateFramePlacement(model, data, self._frame)
-        jacobian = pin.getFrameJacobian(model, data, self._frame, pin.LOCAL_WORLD_ALIGNED)[
-            :, 6 + self._joints
-        ]
-        x, y, _ = data.oMf[self._frame].rotation @ point_m
-        # the vertical speed of the place for each joint's: that of the TCP, and what turning adds
-        return np.asarray(GRAVITY_M_S2 * (jacobian[2] + jacobian[3] * y - jacobian[4] * x))
+        return _per_kg(self._model, self._data, self._frame, q, point_m)[self._joints]
 
     @property
     def mass_kg(self) -> float:
@@ -82,3 +74,30 @@ class HeldMass:
         if self._square <= 0.0:
             return 0.0
         return min(max(self._sum / self._square, 0.0), self._payload_kg)
+
+
+def effort_per_kg(model: RobotModel, frame: str, q: Array, point_m: Array) -> Array:
+    """Efforts that hold each kilogram at a place of a frame, at rest.
+
+    Args:
+        model: The robot.
+        frame: Model frame that carries it.
+        q: Configuration, shape (nq,).
+        point_m: Where in that frame, shape (3,).
+
+    Returns:
+        Of the body joints, shape (n,), Nm/kg.
+
+    Raises:
+        UnknownNameError: The model has no such frame.
+    """
+    return _per_kg(model.pin, model.pin.createData(), model.frame_id(frame), q, point_m)
+
+
+def _per_kg(model: pin.Model, data: pin.Data, frame: int, q: Array, point_m: Array) -> Array:
+    pin.computeJointJacobians(model, data, q)
+    pin.updateFramePlacement(model, data, frame)
+    jacobian = pin.getFrameJacobian(model, data, frame, pin.LOCAL_WORLD_ALIGNED)[:, 6:]
+    x, y, _ = data.oMf[frame].rotation @ point_m
+    # the vertical speed of the place for each joint's: that of the frame, and what turning adds
+    return np.asarray(GRAVITY_M_S2 * (jacobian[2] + jacobian[3] * y - jacobian[4] * x))

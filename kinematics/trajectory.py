@@ -191,6 +191,7 @@ class CheckedTrajectory:
             measured (pairs proven far apart are not refined).
         min_com_margin_m: Smallest distance of the CoM to the edge of the support polygon.
         loads: What the hands carry in it: balance and efforts were judged with that.
+        unweighed: What they carry besides, whose mass nobody knows yet; a mass of 0 stands for it.
     """
 
     trajectory: Trajectory
@@ -198,6 +199,7 @@ class CheckedTrajectory:
     min_com_margin_m: float
     seal: _Seal
     loads: tuple[HeldLoad, ...] = ()
+    unweighed: tuple[HeldLoad, ...] = ()
 
     def __post_init__(self) -> None:
         if getattr(self.seal, "of", None) is not self.trajectory:

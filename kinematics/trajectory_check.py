@@ -113,7 +113,8 @@ class TrajectoryChecker:
         findings += rest_findings(trajectory)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
         findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
-        loads = _held_loads(scene)
+        held = _held_loads(scene)
+        loads = tuple(load for load in held if load.mass_kg > 0.0)
         unbalanced, com_margin_m = self._dynamics_with(loads).findings(trajectory, timeline)
         findings += unbalanced
         if concessions:
@@ -131,6 +132,7 @@ class TrajectoryChecker:
             min_com_margin_m=com_margin_m,
             seal=_Seal(trajectory),
             loads=loads,
+            unweighed=tuple(load for load in held if load.mass_kg == 0.0),
         )
 
     def _dynamics_with(self, loads: tuple[HeldLoad, ...]) -> DynamicsCheck:
@@ -166,12 +168,11 @@ class TrajectoryChecker:
 
 
 def _held_loads(scene: PlanningScene) -> tuple[HeldLoad, ...]:
-    """What the hands carry: each attached body whose mass is known, at its centre."""
+    """What the hands carry: each attached body at its centre, of mass 0 where that is not known."""
     loads = []
     for body in scene.attached.values():
-        if body.mass_kg > 0.0:
-            x, y, z = body.frame_T_object[:3, 3].tolist()
-            loads.append(HeldLoad(body.frame, body.mass_kg, (x, y, z)))
+        x, y, z = body.frame_T_object[:3, 3].tolist()
+        loads.append(HeldLoad(body.frame, body.mass_kg, (x, y, z)))
     return tuple(loads)
 
 

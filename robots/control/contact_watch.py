@@ -6,10 +6,14 @@ outside. A stiff arm that goes on pushing would sooner tip the robot over than g
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.robot_description import RobotDescription
+from kinematics.held_mass import effort_per_kg
+from kinematics.robot_model import RobotModel
+from kinematics.trajectory import HeldLoad
 from robots.control.refusal import Limit, Refusal
 from robots.control.setpoint_limits import largest_excess
 
@@ -29,10 +33,12 @@ class ContactWatch:
     """Watches the arms' efforts while planned motions and walks run.
 
     Args:
-        description: The robot; joints without a contact effort are not watched.
+        model: The robot; joints without a contact effort are not watched.
     """
 
-    def __init__(self, description: RobotDescription) -> None:
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+        description = model.description
         allowed = description.contact_effort_nm
         self._joints = [joint for joint in description.actuated if joint in allowed]
         self._indices = np.array([description.actuated.index(joint) for joint in self._joints], dtype=np.intp)
@@ -41,6 +47,34 @@ class ContactWatch:
         self._scaled = self._allowed.copy()
         self._outside = np.zeros(len(self._joints))
         self._periods = 0
+        self._unweighed: tuple[HeldLoad, ...] = ()
+        self._weights: list[tuple[Array, float]] = []
+
+    def bear(self, unweighed: tuple[HeldLoad, ...], reference: Callable[[], Array]) -> None:
+        """Expect weights of unknown size in the hands from now on, none beyond the hand's payload.
+
+        Efforts that a weight there explains are no contact: what is picked up is known by its weight only
+        after it hangs.
+
+        Args:
+            unweighed: What hangs on which frame, and where.
+            reference: The configuration now, shape (nq,). It is asked for when what hangs there changes: a
+                lift is short, and hardly changes the levers.
+        """
+        if unweighed == self._unweighed:
+            return
+        self._unweighed = unweighed
+        q = reference() if unweighed else np.empty(0)
+        body = [self._model.joints.index(joint) for joint in self._joints]
+        grippers = self._model.description.grippers.values()
+        payload_kg = {gripper.tcp_frame: gripper.payload_kg for gripper in grippers}
+        self._weights = [
+            (
+                effort_per_kg(self._model, load.frame, q, np.array(load.point_m))[body],
+                payload_kg.get(load.frame, 0.0),
+            )
+            for load in unweighed
+        ]
 
     def judge(self, effort: Array, expected: Array, moving: bool, walks: bool = False) -> Refusal | None:
         """Judge one period.
@@ -56,6 +90,8 @@ class ContactWatch:
             What pushes too hard, or None.
         """
         outside, bound = self._outside, self._scaled
+        if moving and self._weights:
+            expected = self._with_weights(effort, expected)
         np.multiply(self._bound, WALKING_ROOM if walks else 1.0, out=bound)
         excess_nm = largest_excess(effort, expected, self._indices, bound, outside)
         if not moving:
@@ -68,3 +104,13 @@ class ContactWatch:
         self._periods = 0
         worst = int(np.argmax(outside - bound))
         return Refusal(Limit.CONTACT, self._joints[worst], float(outside[worst]), float(bound[worst]))
+
+    def _with_weights(self, effort: Array, expected: Array) -> Array:
+        """What is expected when each hand carries the weight that explains most of what is felt."""
+        borne = expected.copy()
+        for per_kg, payload_kg in self._weights:
+            felt = effort[self._indices] - borne[self._indices]
+            square = float(per_kg @ per_kg)
+            mass_kg = float(np.clip(per_kg @ felt / square, 0.0, payload_kg)) if square > 0.0 else 0.0
+            borne[self._indices] += mass_kg * per_kg
+        return borne

@@ -93,7 +93,7 @@ class ControlLoop:
         self._balance = Balance(model, stance)
         self._sway = SwayDamping(model.description, period_s)
         self._estimator = BaseEstimator(model, stance)
-        self._contact = ContactWatch(model.description)
+        self._contact = ContactWatch(model)
         self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
         self._streamer = MotionStreamer(model, stance, q, keepers, authority, clock, sink, period_s)
         self._keepers = tuple(keepers.values())
@@ -334,6 +334,7 @@ class ControlLoop:
         """When the body pushes against something, end what moves the robot: a walk within two steps."""
         walks = self._walker.under_way
         watched = (self._streamer.carrying_out or walks) and self._forgiven == 0
+        self._contact.bear(self._streamer.unweighed, self._streamer.reference)
         contact = self._contact.judge(state.effort, self._gate.last.tau, watched, self._walker.active)
         contact = contact or self._walker.held_back
         if contact is None:

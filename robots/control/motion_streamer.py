@@ -42,6 +42,7 @@ class MotionStreamer:
     Attributes:
         trajectories: How many checked trajectories were begun.
         loads: What the hands carry, as the last of them was checked with.
+        unweighed: What they carry besides, of unknown mass.
     """
 
     def __init__(
@@ -85,6 +86,7 @@ class MotionStreamer:
         self._periods_to_try = 0
         self.trajectories = 0
         self.loads: tuple[HeldLoad, ...] = ()
+        self.unweighed: tuple[HeldLoad, ...] = ()
 
     # ---------------------------------------------------------------- for those who want to move
 
@@ -336,7 +338,7 @@ class MotionStreamer:
         self._body_handle, self._body_owner = handle, handle.owner
         self._track.play(lead_in(checked.trajectory, self._track.now.q, self._model.acceleration))
         self.trajectories += 1
-        self.loads = checked.loads
+        self.loads, self.unweighed = checked.loads, checked.unweighed
         self._ledger.begun(handle)
         if self._pause_wanted:
             self._track.pause()
