@@ -14,6 +14,8 @@ from kinematics.reach_ik import ReachIk
 from kinematics.requests import NoPlan, PlacePlan
 from kinematics.scene import PlanningScene, SceneObject
 from kinematics.shapes import Box, Cylinder
+from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.trajectory_check import TrajectoryChecker
 
 BOX = Box((0.066, 0.050, 0.117))
 # The hand is level, and the fingers close 14 mm above the box's middle.
@@ -44,8 +46,11 @@ def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, t
     assert below[:2, 3] == pytest.approx((0.42, -0.34), abs=2e-3)
     assert below[2, 3] == pytest.approx(top_m + 0.5 * BOX.height_m - 0.005, abs=2e-3)
     assert above[2, 3] - below[2, 3] == pytest.approx(0.065, abs=3e-3)
-    world = CollisionWorld(talos, answer.lower.scene)
-    assert not any(world.collides(q) for q in ways[:: max(1, len(ways) // 40)])
+    checker = TrajectoryChecker(talos)
+    for step in (answer.transfer, answer.lower):
+        verdict = checker.check(step.trajectory, step.scene, step.concessions)
+        assert isinstance(verdict, CheckedTrajectory), verdict
+    assert isinstance(checker.check(answer.lower.trajectory, answer.lower.scene), Unsafe)
 
 
 @pytest.mark.requirement("M3")

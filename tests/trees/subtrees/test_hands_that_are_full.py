@@ -179,7 +179,7 @@ def test_what_a_cancelled_pick_has_hardly_lifted_is_not_picked_up_before_it_is_l
     (lift,) = [one for one in stage.fake.planning.requests[asked:] if isinstance(one, RetreatRequest)]
     assert lift.hand == "right"
     assert lift.world_offset_m == pytest.approx((0.0, 0.0, stage.toolbox.policy.lift_m - 0.016), abs=1e-6)
-    assert lift.scene.is_allowed("red cup", "table")
+    assert [one.names for one in lift.concessions] == [("red cup", "table")]
     assert tree.status == "success"
 
 
