@@ -40,7 +40,7 @@ $(VENV)/.run-stamp: requirements.lock pyproject.toml | $(BIN)/python
 	@touch $@
 
 # Compiled before the first run, and before several test processes would all compile the same.
-$(VENV)/.warm-stamp: $(VENV)/.run-stamp $(wildcard kinematics/*.py kinematics/kernel/*.py)
+$(VENV)/.warm-stamp: $(VENV)/.run-stamp $(shell find kinematics -name '*.py')
 	$(BIN)/executive doctor --warm
 	@touch $@
 
@@ -61,7 +61,7 @@ check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
 	$(BIN)/python -m pytest -q tests/architecture
 
 requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, which are not
-	$(BIN)/python -m tools.requirements_report --jobs $(JOBS)
+	$(BIN)/python -m tools.documents.requirements_report --jobs $(JOBS)
 
 evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth
 	$(BIN)/python -m tools.evaluate pick --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS)

@@ -21,7 +21,7 @@ def main() -> None:
         from executive.ending_signals import interrupt_by_all
 
         interrupt_by_all()
-        from executive.cli import main as run
+        from executive.cli.app import main as run
 
         run()
     except KeyboardInterrupt:

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinematics.errors import InvalidArrayError
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
 _FLOAT64 = np.dtype(np.float64)
 _ARRAY_TYPES = frozenset({"Array", "Transform", "poses.Transform", "NDArray[np.float64]"})

@@ -5,32 +5,26 @@ Both are frozen values, so that the same planner serves inline and in a worker p
 
 from __future__ import annotations
 
-from kinematics.gesture_planner import GesturePlanner
-from kinematics.handle_planner import HandlePlanner
-from kinematics.held_load import loaded, loads_in
-from kinematics.move_planner import plan_move
-from kinematics.pick_planner import PickPlanner
-from kinematics.place_planner import PlacePlanner
-from kinematics.place_requests import PlaceRequest
-from kinematics.requests import (
-    CheckRequest,
-    HandlePlan,
-    HandleRequest,
-    MovePlan,
-    MoveRequest,
-    NoPlan,
-    PickPlan,
-    PickRequest,
-    PlacePlan,
-    PlanRequest,
-    RetreatRequest,
-)
-from kinematics.retreat_planner import plan_retreat
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory, HeldLoad, Unsafe
-from kinematics.trajectory_check import TrajectoryChecker
-from kinematics.view_planner import ViewPlanner
-from kinematics.view_request import ViewRequest
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.dynamics.held_load import loaded, loads_in
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import HeldLoad
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.planning.handle_planner import HandlePlanner
+from kinematics.planning.move_planner import plan_move
+from kinematics.planning.pick_planner import PickPlanner
+from kinematics.planning.place_planner import PlacePlanner
+from kinematics.planning.retreat_planner import plan_retreat
+from kinematics.planning.view_planner import ViewPlanner
+from kinematics.requests.any_request import PlanRequest
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.handle import HandlePlan, HandleRequest
+from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.place import PlacePlan, PlaceRequest
+from kinematics.requests.step import NoPlan
+from kinematics.requests.view import ViewRequest
 
 Answer = PickPlan | MovePlan | HandlePlan | PlacePlan | NoPlan | CheckedTrajectory | Unsafe
 

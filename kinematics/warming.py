@@ -4,12 +4,50 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import coal
 import numpy as np
+import pinocchio as pin
 
-from kinematics.kernel import cache, readiness
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.stance import stance_at
+from kinematics.compiled import cache
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+
+
+def compile_judge(tell: Callable[[str], None] = lambda _: None) -> None:
+    """Compile the collision judge and the path search when they are not on disk yet; a minute or two.
+
+    Args:
+        tell: Is told what is being done.
+    """
+    # imported here: they bring the compiler
+    tell("motion kernel: loading the compiler")
+    from kinematics.kernel.collision_kernel import CollisionKernel
+    from kinematics.kernel.robot_arrays import RobotArrays
+
+    tell("motion kernel: compiling hulls (part 1 of 3)")
+    model = pin.Model()
+    base = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "base")
+    model.addJoint(base, pin.JointModelRX(), pin.SE3.Identity(), "hinge")
+    geometry = pin.GeometryModel()
+    for k in range(2):
+        place = pin.SE3(np.eye(3), np.array([0.5 * k, 0.0, 0.0]))
+        geometry.addGeometryObject(pin.GeometryObject(f"part_{k}", base, place, _hull()))
+    geometry.addCollisionPair(pin.CollisionPair(0, 1))
+    robot = RobotArrays(model, geometry, ["part_0", "part_1"])
+    tell("motion kernel: compiling the judge (part 2 of 3)")
+    ball = SceneObject("ball", Ball(0.1), poses.translation(2.0, 0.0, 0.0))
+    kernel = CollisionKernel(robot, PlanningScene().with_object(ball))
+    kernel.collides(np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]))
+
+
+def _hull() -> coal.ConvexBase:
+    points = coal.StdVec_Vec3s()
+    for corner in np.ndindex(2, 2, 2):
+        points.append(0.1 * np.array(corner, np.float64))
+    return coal.ConvexBase.convexHull(points, True, "Qt")
 
 
 def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> None:
@@ -19,16 +57,16 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
         model: A robot that stands on legs with a closed form, whose use brings all of the code.
         tell: Is told what is being done.
     """
-    readiness.compile_judge(tell)
+    compile_judge(tell)
     # imported here: they bring the compiler
-    from kinematics.balanced_timing import time_in_balance
-    from kinematics.curves import PolynomialCurve
-    from kinematics.free_coordinates import free_coordinates
-    from kinematics.ik import along_line, inverse_kinematics
-    from kinematics.timing import Pace
-    from kinematics.trajectory_check import TrajectoryChecker
-    from kinematics.trajectory_sampler import MotionSample
-    from kinematics.zmp import compiled_loads
+    from kinematics.checking.trajectory_checker import TrajectoryChecker
+    from kinematics.dynamics.zmp import compiled_loads
+    from kinematics.ik.solver import along_line, inverse_kinematics
+    from kinematics.motion.curves import PolynomialCurve
+    from kinematics.motion.sampler import MotionSample
+    from kinematics.standing.free_coordinates import free_coordinates
+    from kinematics.timing.balanced_timing import time_in_balance
+    from kinematics.timing.curve_timing import Pace
 
     tell("motion kernel: compiling reach, timing and checker (part 3 of 3)")
     stance = stance_at(model, model.q_home)

@@ -8,26 +8,26 @@ from types import MappingProxyType
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.best_effort import BestEffort
+from trees.beliefs.openings.fridge_inside import is_behind_door
 from trees.extensions import extensions
-from trees.fridge_inside import is_behind_door
-from trees.hand_about import objects_in_open_grasp
-from trees.leaves.lift_clear import LiftClear, held_near_support
-from trees.subtrees.close import close
-from trees.subtrees.gestures import look_at, point_at, wave
-from trees.subtrees.go_home import go_home
-from trees.subtrees.hand_over import hand_over
-from trees.subtrees.leave_handle import leave_handle
-from trees.subtrees.leave_object import leave_object
-from trees.subtrees.move import move
-from trees.subtrees.open import open_or_close
-from trees.subtrees.pick import pick
-from trees.subtrees.place import place
-from trees.subtrees.put_behind_door import put_behind_door
-from trees.subtrees.put_in import put_in
-from trees.subtrees.talk import say, wait
-from trees.subtrees.telling import count, describe, find, find_several
-from trees.subtrees.walk_to import walk_to
+from trees.nodes.best_effort import BestEffort
+from trees.skills.doors.close import close
+from trees.skills.doors.leave_handle import leave_handle
+from trees.skills.doors.open import open_or_close
+from trees.skills.gestures.tree import look_at, point_at, wave
+from trees.skills.hand_over.tree import hand_over
+from trees.skills.home.hand_about import objects_in_open_grasp
+from trees.skills.home.leave_object import leave_object
+from trees.skills.home.lift_clear import LiftClear, held_near_support
+from trees.skills.home.tree import go_home
+from trees.skills.moving.tree import move
+from trees.skills.pick.tree import pick
+from trees.skills.place.tree import place
+from trees.skills.put_in.put_behind_door import put_behind_door
+from trees.skills.put_in.tree import put_in
+from trees.skills.talking.tree import say, wait
+from trees.skills.telling.tree import count, describe, find, find_several
+from trees.skills.walk_to.tree import walk_to
 from trees.task_tree import TaskTree
 from trees.tasks import (
     CloseTask,

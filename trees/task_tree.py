@@ -11,18 +11,18 @@ from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
-from robots.articulated import DRAWER
-from trees.destination import Place, called
+from robots.scenes.articulated import DRAWER
+from trees.beliefs.grounding.destination import Place, called
+from trees.beliefs.grounding.report_words import numbered
+from trees.beliefs.openings.handles import BODY_OF, HandleTarget
 from trees.events import LeafFailed, NodeChanged
-from trees.failure_chain import failure_of, place_of
 from trees.failures import Failure, FailureKind, Number
-from trees.handles import BODY_OF, HandleTarget
-from trees.leaf import Leaf, from_exception
-from trees.report_words import numbered
-from trees.retry import Retry
+from trees.nodes.failure_chain import failure_of, place_of
+from trees.nodes.leaf import Leaf, from_exception
+from trees.nodes.retry import Retry
+from trees.nodes.snapshot_of import snapshot_of, status_word
+from trees.port_values import Target
 from trees.snapshot import TreeSnapshot
-from trees.snapshot_of import snapshot_of, status_word
-from trees.steps import Target
 from trees.tasks import MoveTask, ObjectDescription, Task, WalkToTask
 from trees.toolbox import Toolbox
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from kinematics.robot_description import Hand
+from kinematics.model.robot_description import Hand
 
 RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "next_to", "on", "in", "under", "nearest"
@@ -348,3 +348,7 @@ Task = (
     | WaitTask
     | GoHomeTask
 )
+
+
+Bringing = PickTask | HandOverTask | PlaceTask | PutInTask
+"""What moves an object, and picks it up first when no hand holds it."""

@@ -9,25 +9,36 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.requests import PlanRequest
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory, Stance
-from kinematics.walking.steering import Steering
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.requests.any_request import PlanRequest
+from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
-from robots.control.guarded_motion import GuardedMotion
+from robots.control.guarded.guarded_motion import GuardedMotion
+from robots.control.hands.yield_order import YieldOrder
+from robots.control.hands.yield_settings import YieldReport
 from robots.control.motion_handle import MotionHandle
-from robots.control.yield_order import YieldOrder
-from robots.control.yield_settings import YieldReport
-from robots.gripper_reading import GripperReading
+from robots.interface.gripper_reading import GripperReading
+from robots.interface.sensed_state import SensedState
 from robots.perception.detector import Detector
 from robots.perception.range_sensor import RangeSensor
-from robots.scene_description import Region
-from robots.sensed_state import SensedState
+from robots.scenes.scene_description import Region
 from trees.events import TreeSink
-from trees.pauses import Pauses
 from trees.policy import TreePolicy
 from trees.world_model import WorldModel
+
+
+@dataclass(slots=True)
+class Pauses:
+    """Adds up pauses; whoever runs the tasks writes it, deadlines read it.
+
+    Attributes:
+        total_s: Seconds on the injected clock, since the beginning, in which trees were not ticked.
+    """
+
+    total_s: float = 0.0
 
 
 class MotionControl(Protocol):

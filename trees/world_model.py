@@ -3,15 +3,44 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.poses import Transform
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.arrays import Sealed
+from kinematics.geometry.poses import Transform
+from kinematics.requests.grasp import Grasp
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
-from trees.hand_at_handle import HandAtHandle
-from trees.origin import Origin
-from trees.sight import Glimpse
+from trees.beliefs.openings.handles import HandleTarget
+from trees.beliefs.sight.sight import Glimpse
+
+
+@dataclass(frozen=True, slots=True)
+class Origin(Sealed):
+    """A place on a piece of furniture.
+
+    Attributes:
+        support: What it stood on, as the planning scene names it.
+        odom_T_object: Its pose there, shape (4, 4).
+    """
+
+    support: str
+    odom_T_object: Transform
+
+
+@dataclass(frozen=True, slots=True)
+class HandAtHandle:
+    """A hand that is about a handle, or on its last piece of way to it; it outlives the task.
+
+    Attributes:
+        target: Which handle.
+        grasp: Which hand, and how.
+    """
+
+    target: HandleTarget
+    grasp: Grasp
+
 
 # Looks taken from elsewhere, before a walk, say little in a frame that has drifted since.
 _SAME_PLACE_M = 0.8

@@ -1,0 +1,1 @@
+"""The served robot as the executive and its callers see it, each a process of its own."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.kernel.solids import Array, Indices
+from kinematics.arrays import Array, Indices
 
 # Sizes are rounded up to multiples of this, so that a scene with one thing more fits as well.
 _ROUND = 16384

@@ -6,14 +6,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.kernel.coordinates import Coordinates
-from kinematics.kernel.solids import Solid
-from kinematics.kernel.tree import WORLD, Tree
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from kinematics.arrays import Array, Indices
+from kinematics.distance.solids import Solid
+from kinematics.model.tree import WORLD, Tree
+from kinematics.standing.flat_coordinates import Coordinates
 
 
 class Chains(NamedTuple):

@@ -1,41 +1,37 @@
 """Is this configuration, this row of points, this whole edge free? Answered by compiled code.
 
 The meaning of margins, allowed pairs and attached bodies is that of
-``kinematics.collision.CollisionWorld``; the meaning of a free point that of
-``kinematics.path_planner.PathPlanner``. An edge is proven free as a whole.
+``kinematics.collision.collision_world.CollisionWorld``; the meaning of a free point that of
+``kinematics.planning.path_planner.PathPlanner``. An edge is proven free as a whole.
 """
 
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import as_float64
+from kinematics.arrays import Array, Indices, as_float64
 from kinematics.errors import InvalidArrayError
 from kinematics.kernel import door, judge
 from kinematics.kernel.buffers import Buffers
-from kinematics.kernel.coordinates import Coordinates, Limits
 from kinematics.kernel.memory import Packed
-from kinematics.kernel.model_coordinates import (
+from kinematics.kernel.packing import JUDGED_ROW, Sizes, pack
+from kinematics.kernel.refusal import REASONS, NotFree, Refusal
+from kinematics.kernel.robot_arrays import RobotArrays
+from kinematics.kernel.scene_solids import judged_in, scene_solids
+from kinematics.kernel.tuning import Tuning
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.standing.flat_coordinates import Coordinates, Limits
+from kinematics.standing.model_coordinates import (
     mounted_coordinates,
     mounted_limits,
     standing_coordinates,
     standing_limits,
 )
-from kinematics.kernel.packing import JUDGED_ROW, Sizes, pack
-from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.kernel.scene_solids import judged_in, scene_solids
-from kinematics.kernel.solids import Indices
-from kinematics.kernel.tuning import Tuning
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import Stance
-from kinematics.why_not_free import NotFree
-
-Array = NDArray[np.float64]
 
 # Most intervals that an edge is cut into before it counts as not proven.
 EFFORT = 4000
@@ -54,24 +50,6 @@ TUNING = Tuning(
 # Most corners of a polyline that is searched, and those that shortening may add.
 _MOST_ROWS = 1000
 _ROOM_ROWS = 64
-
-REASONS = ("free", "reach", "limits", "balance", "contact", "unproven")
-
-
-@dataclass(frozen=True, slots=True)
-class Refusal:
-    """Why something is not free.
-
-    Attributes:
-        reason: "reach" (a foot cannot be kept), "limits", "balance", "contact", or "unproven": so near
-            to a bound that it could not be proven to keep it.
-        at: Where: the row of a point, or the row of an edge's beginning plus the parameter in [0, 1] on it.
-        pair: Names of the two solids, when it is a contact.
-    """
-
-    reason: str
-    at: float
-    pair: tuple[str, str] | None
 
 
 class _Shared:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kinematics.kernel.compiler import compiled
+from kinematics.arrays import Array, Indices
+from kinematics.compiled.compiler import compiled
 from kinematics.kernel.judge import (
     CONTACT,
     FREE,
@@ -14,10 +15,9 @@ from kinematics.kernel.judge import (
     judge_points,
 )
 from kinematics.kernel.memory import Memory, problem_at, work_at
-from kinematics.kernel.posture import configuration
 from kinematics.kernel.search import connect
 from kinematics.kernel.shortcuts import shorten
-from kinematics.kernel.solids import Array, Indices
+from kinematics.standing.posture import configuration
 
 AT_CONFIGURATION, AT_POINTS, ALONG_POINTS, DISTANCES, TO_CONFIGURATION, CONNECT, SHORTEN, CONTACTS = range(8)
 

@@ -1,4 +1,6 @@
-"""Does an open hand alone fit at a pose? As ``kinematics.collision.HandCollision``, by the kernel."""
+"""Does an open hand alone fit at a pose? As ``kinematics.collision.collision_world.HandCollision``, by the
+kernel.
+"""
 
 from __future__ import annotations
 
@@ -8,14 +10,13 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from kinematics.arrays import Array
+from kinematics.geometry.poses import Transform, quaternions_from_rotations
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.poses import Transform, quaternions_from_rotations
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-
-Array = NDArray[np.float64]
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.scene.planning_scene import PlanningScene
 
 
 def hand_arrays(model: RobotModel, hand: Hand) -> RobotArrays:

@@ -9,17 +9,17 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled, inlined
-from kinematics.kernel.coordinates import Limits
-from kinematics.kernel.forward_kinematics import centre_of_mass
+from kinematics.arrays import Array
+from kinematics.compiled.compiler import compiled, inlined
+from kinematics.distance.separation import OVERLAP, point_distance
 from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
 from kinematics.kernel.motion_bound import base_drift, bound_motion
 from kinematics.kernel.pair_judge import OPEN, TOUCHING, judge_pair, pair_distance, pair_slack
 from kinematics.kernel.placing import need_all, need_pair, place
-from kinematics.kernel.posture import com_room, configuration, leg_ranges, limits_kept
 from kinematics.kernel.scan import scan
-from kinematics.kernel.separation import OVERLAP, point_distance
-from kinematics.kernel.solids import Array
+from kinematics.model.forward_kinematics import centre_of_mass
+from kinematics.standing.flat_coordinates import Limits
+from kinematics.standing.posture import com_room, configuration, leg_ranges, limits_kept
 
 FREE, REACH, LIMITS, BALANCE, CONTACT, UNPROVEN = 0, 1, 2, 3, 4, 5
 

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from kinematics.arrays import Array, Indices
+from kinematics.compiled.compiler import inlined
+from kinematics.compiled.pointers import floats1, floats2, floats3, ints1, ints2, ints3
+from kinematics.distance.solids import Solids
 from kinematics.kernel.chains import Chains
-from kinematics.kernel.compiler import inlined
-from kinematics.kernel.coordinates import Coordinates, Limits
 from kinematics.kernel.pairs import Pairs
-from kinematics.kernel.pointers import floats1, floats2, floats3, ints1, ints2, ints3
-from kinematics.kernel.solids import Array, Indices, Solids
-from kinematics.kernel.tree import Tree
 from kinematics.kernel.tuning import Tuning
+from kinematics.model.tree import Tree
+from kinematics.standing.flat_coordinates import Coordinates, Limits
 
 
 class Problem(NamedTuple):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+from kinematics.arrays import Array, Indices
+from kinematics.compiled.compiler import compiled, inlined
 from kinematics.kernel.chains import Chains
-from kinematics.kernel.compiler import compiled, inlined
 from kinematics.kernel.memory import Memory, problem_at, work_at
-from kinematics.kernel.tree import FLOATING, SLIDE, Array, Indices, Tree
+from kinematics.model.tree import FLOATING, SLIDE, Tree
 
 Sweep = tuple[float, float, float, float, float, float, float]
 """Displacement of a ball's centre and turn, of first order, and what points of the ball can deviate, m."""

@@ -8,14 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kinematics.arrays import Array, Indices
+from kinematics.distance.solids import Solids
 from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.chains import Chains
-from kinematics.kernel.coordinates import Coordinates, Limits
 from kinematics.kernel.memory import Packed, Problem, Work
 from kinematics.kernel.pairs import Carriers, OwnPairs, Pairs
-from kinematics.kernel.solids import Array, Indices, Solids
-from kinematics.kernel.tree import Tree
 from kinematics.kernel.tuning import Tuning
+from kinematics.model.tree import Tree
+from kinematics.standing.flat_coordinates import Coordinates, Limits
 
 Value = Array | Indices | int | float
 Parts = tuple[Array | Indices, ...]

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled, inlined
+from kinematics.compiled.compiler import compiled, inlined
+from kinematics.distance.separation import OVERLAP, core_gap, point_distance
+from kinematics.distance.solids import Solids
+from kinematics.kernel.extents import along, extent
 from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
 from kinematics.kernel.motion_bound import STILL, Sweep, nearing, swept
 from kinematics.kernel.placing import pose_of
-from kinematics.kernel.separation import OVERLAP, core_gap, point_distance
-from kinematics.kernel.solids import Solids
-from kinematics.kernel.support import along, extent
-from kinematics.kernel.tree import WORLD
+from kinematics.model.tree import WORLD
 
 APART, OPEN, TOUCHING = 0, 1, 2
 """Status of a pair."""

@@ -8,10 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Array, Indices
 from kinematics.kernel.chains import Chains
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 class Pairs(NamedTuple):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from kinematics.kernel.compiler import inlined
-from kinematics.kernel.forward_kinematics import place_bodies
+from kinematics.arrays import Array
+from kinematics.compiled.compiler import inlined
+from kinematics.distance.solids import HULL, Solids
 from kinematics.kernel.memory import Problem, Work
-from kinematics.kernel.solids import HULL, Array, Solids
+from kinematics.model.forward_kinematics import place_bodies
 
 
 @inlined

@@ -9,17 +9,19 @@ from typing import NamedTuple
 import numpy as np
 import pinocchio as pin
 
+from kinematics.arrays import Indices
+from kinematics.distance.link_solids import link_solid
+from kinematics.distance.solids import Solid, Solids, flatten
 from kinematics.errors import ModelError, UnknownNameError
+from kinematics.geometry.poses import Transform
 from kinematics.kernel.buffers import Buffers
-from kinematics.kernel.chains import Chains, Indices, chains_of, limbs_of
-from kinematics.kernel.coordinates import Coordinates, Limits, joint_limits, plain_coordinates
+from kinematics.kernel.chains import Chains, chains_of, limbs_of
 from kinematics.kernel.packing import CARRIED_ROWS, FIXED_ROWS, HULL_ROWS, Block, block
 from kinematics.kernel.pairs import Carriers, OwnPair, OwnPairs, carriers_of, grouped, meeting
-from kinematics.kernel.solids import Solid, Solids, flatten, link_solid
-from kinematics.kernel.tree import Tree, tree_of, welded_at
 from kinematics.kernel.tuning import Tuning
-from kinematics.poses import Transform
-from kinematics.robot_model import RobotModel
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.tree import Tree, tree_of, welded_at
+from kinematics.standing.flat_coordinates import Coordinates, Limits, joint_limits, plain_coordinates
 
 _BASE = 1
 """The body of the base joint in every model that ``RobotModel`` builds."""
@@ -186,7 +188,7 @@ class RobotArrays:
     def _rigid_distances(self) -> dict[tuple[int, int], float]:
         """Lower bounds of the distances of judged pairs that never move against each other, m."""
         # imported here: it brings the compiler
-        from kinematics.kernel.separation import core_distance
+        from kinematics.distance.separation import core_distance
 
         body = [solid.body for solid in self.solids]
         flat = self.flat

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from kinematics.kernel.compiler import compiled, inlined
+from kinematics.arrays import Indices
+from kinematics.compiled.compiler import compiled, inlined
 from kinematics.kernel.memory import Memory, Problem, Work, problem_at, work_at
 from kinematics.kernel.pair_judge import APART, OPEN, TOUCHING, judge_own, judge_with, own_slack
-from kinematics.kernel.solids import Indices
 
 
 @compiled

@@ -8,13 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kinematics.arrays import Array, Indices
+from kinematics.distance.solids import Solid, Solids, flatten, half_extents_m, plain_solid, plain_solids
 from kinematics.kernel.chains import with_solids
 from kinematics.kernel.packing import SCENE_ROWS, SCENE_SOLIDS, Block, block
-from kinematics.kernel.pairs import Array, Indices, OwnPairs, carriers_of, joined
+from kinematics.kernel.pairs import OwnPairs, carriers_of, joined
 from kinematics.kernel.robot_arrays import RobotAlone, RobotArrays, carried
-from kinematics.kernel.solids import Solid, Solids, flatten, half_extents_m, plain_solid, plain_solids
-from kinematics.kernel.tree import WORLD
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.tree import WORLD
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 class SceneSolids(NamedTuple):

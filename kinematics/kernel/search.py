@@ -12,11 +12,11 @@ import math
 
 import numpy as np
 
-from kinematics.kernel.compiler import compiled, inlined
+from kinematics.arrays import Array, Indices
+from kinematics.compiled.compiler import compiled, inlined
 from kinematics.kernel.judge import FREE, RESOLUTION_M, judge_edge, judge_point
 from kinematics.kernel.memory import Memory
 from kinematics.kernel.shortcuts import blocked, distance_of, shortcut_is_proven
-from kinematics.kernel.solids import Array, Indices
 
 # Most intervals of a proof.
 _PROOF_EFFORT = 4000.0

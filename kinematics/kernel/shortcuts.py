@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from kinematics.kernel.compiler import compiled, inlined
+from kinematics.arrays import Array, Indices
+from kinematics.compiled.compiler import compiled, inlined
 from kinematics.kernel.judge import FREE, judge_edge, judge_point
 from kinematics.kernel.memory import Memory, problem_at, work_at
-from kinematics.kernel.solids import Array, Indices
 
 # Most points at which an edge is asked first.
 _MOST_POINTS = 16

@@ -6,16 +6,15 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.gesture_requests import GestureRequest
-from kinematics.gesture_task import GestureTask, Wish
-from kinematics.requests import MovePlan, NoPlan, PlannedStep
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Trajectory
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.planning.gesture_task import GestureTask, Wish
+from kinematics.requests.gesture import GestureRequest
+from kinematics.requests.move import MovePlan
+from kinematics.requests.step import NoPlan, PlannedStep
 
 # So many of each stretch: what looks where a hand passes looks at rows of its trajectory.
 _ROWS = 12

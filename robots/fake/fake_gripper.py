@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.robot_description import GripperDescription
+from kinematics.model.robot_description import GripperDescription
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.scripted_world import PoseOf, ScriptedWorld, diameter_m
-from robots.gripper_reading import GripperReading, read_gripper
+from robots.interface.gripper_reading import GripperReading, read_gripper
 
 
 class FakeGripper:

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at, standing_at
-from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory
-from kinematics.trajectory_sampler import TrajectorySampler
-from kinematics.walking.planar import PlanarPose
+from kinematics.arrays import Array
+from kinematics.geometry.planar import PlanarPose
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_at import stance_at, standing_at
+from kinematics.motion.sampler import TrajectorySampler
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.clock import Clock
-from robots.control.guarded_motion import GuardedMotion
+from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
-
-Array = NDArray[np.float64]
 
 # A trajectory that starts farther from the reference than this would jump.
 _JUMP_RAD = 1e-6

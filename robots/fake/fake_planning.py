@@ -8,44 +8,37 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.concessions import Concession, ConcessionReason, touching
-from kinematics.gaze import gaze_joints
-from kinematics.gesture_planner import GesturePlanner
-from kinematics.gesture_requests import (
+from kinematics.arrays import Array
+from kinematics.ik.gaze import gaze_joints
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.requests.any_request import PlanRequest
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.gesture import (
     CarryRequest,
     OfferRequest,
     PointRequest,
     RaiseHandRequest,
     SwingRequest,
 )
-from kinematics.place_requests import PlaceRequest
-from kinematics.requests import (
-    CheckRequest,
-    Grasp,
-    HandlePlan,
-    HandleRequest,
-    MovePlan,
-    MoveRequest,
-    NoPlan,
-    PickPlan,
-    PickRequest,
-    PlacePlan,
-    PlannedStep,
-    PlanRequest,
-    RetreatRequest,
-)
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-from kinematics.scene import AttachedBody, PlanningScene
-from kinematics.support import under_foot_of
-from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory, Unsafe
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.handle import HandlePlan, HandleRequest
+from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.place import PlacePlan, PlaceRequest
+from kinematics.requests.step import NoPlan, PlannedStep
+from kinematics.scene.concessions import Concession, ConcessionReason, touching
+from kinematics.scene.planning_scene import AttachedBody, PlanningScene
+from kinematics.scene.support_of import under_foot_of
 from robots.clock import Clock
 from robots.fake.fake_gesture import FakeGesture
 from robots.fake.scripted_world import diameter_m
 
-Array = NDArray[np.float64]
 Answer = PickPlan | PlacePlan | HandlePlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
 
 _APPROACH_M = 0.10

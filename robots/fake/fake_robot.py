@@ -5,21 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_description import RobotDescription
+from kinematics.arrays import Array
+from kinematics.model.robot_description import RobotDescription
 from robots.clock import Clock
 from robots.errors import SetpointRefusedError
-from robots.interface import JointSetpoint, RobotState
-
-Array = NDArray[np.float64]
+from robots.interface.robot import JointSetpoint, RobotState
 
 _GRAVITY_M_S2 = 9.81
 _WEIGHT_N = 900.0
 
 
 class FakeRobot:
-    """A kinematic robot that tracks perfectly; implements ``robots.interface.Robot``.
+    """A kinematic robot that tracks perfectly; implements ``robots.interface.robot.Robot``.
 
     Attributes:
         stuck: Names of joints that do not move any more.

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 
-from robots.control.state_history import KEPT_S
-from robots.sensed_state import SensedState
+from robots.control.loop.state_history import KEPT_S
+from robots.interface.sensed_state import SensedState
 
 Sense = Callable[[], SensedState]
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kinematics.walking.planar import PlanarPose
-from kinematics.walking.steering import Steering
+from kinematics.geometry.planar import PlanarPose
+from kinematics.walking.pattern.steering import Steering
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion
 

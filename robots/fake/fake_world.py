@@ -8,14 +8,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.dynamics import StandingDynamics
-from kinematics.poses import Transform
-from kinematics.requests import CheckRequest
-from kinematics.robot_description import HANDS, Hand
-from kinematics.robot_model import RobotModel
-from kinematics.shapes import Box, Cylinder
-from kinematics.trajectory import CheckedTrajectory, Unsafe
+from kinematics.dynamics.standing_dynamics import StandingDynamics
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion
@@ -27,9 +27,9 @@ from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
-from robots.interface import RobotState
+from robots.interface.robot import RobotState
+from robots.interface.sensed_state import SensedState
 from robots.perception.truth_view import TrueObject
-from robots.sensed_state import SensedState
 
 SUPPORT_N = 10.0
 """What a support gives to a hand that stands something on it."""

@@ -8,10 +8,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.robot_description import Hand
+from kinematics.model.robot_description import Hand
+from robots.control.hands.yield_order import YieldOrder
+from robots.control.hands.yield_settings import Outcome, YieldReport
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from robots.control.yield_order import YieldOrder
-from robots.control.yield_settings import Outcome, YieldReport
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from kinematics import poses
-from kinematics.poses import Transform
-from kinematics.robot_description import CameraDescription
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.model.robot_description import CameraDescription
 from robots.clock import Clock
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.detector import Detection, PerceptionFrame

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.poses import Transform
-from kinematics.robot_description import Hand
-from kinematics.shapes import Ball, Box, Cylinder, Shape
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
 
 PoseOf = Callable[[str], Transform]

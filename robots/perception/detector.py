@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Literal, Protocol
 
 from kinematics.arrays import Sealed
-from kinematics.poses import Transform
-from kinematics.shapes import Shape
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Shape
 
 Category = Literal["object", "furniture", "person"]
 

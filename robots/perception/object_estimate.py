@@ -9,15 +9,12 @@ from dataclasses import dataclass, field
 from statistics import fmean, median
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.arrays import Sealed
-from kinematics.poses import Transform
-from kinematics.shapes import Ball, Box, Cylinder, Shape
+from kinematics.arrays import Array, Sealed
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.perception.detector import Category, Detection, PerceptionFrame
-
-Array = NDArray[np.float64]
 
 # Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.
 _OBJECT_GATE_M = 0.03

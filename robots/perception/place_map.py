@@ -7,8 +7,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from kinematics.walking.planar import PlanarPose
-from robots.scene_description import Region, SceneDescription
+from kinematics.geometry.planar import PlanarPose
+from robots.scenes.scene_description import Region, SceneDescription
 
 START_M = 0.05
 START_RAD = 0.01

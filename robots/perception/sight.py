@@ -9,13 +9,12 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.poses import Transform
-from kinematics.robot_description import CameraDescription
-from kinematics.shapes import Shape
+from kinematics.arrays import Array
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Shape
+from kinematics.model.robot_description import CameraDescription
 from robots.perception.surface import surface_points
 from robots.perception.truth_view import TrueObject, TruthView
-
-Array = NDArray[np.float64]
 
 
 class Sight:

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from kinematics.shapes import Ball, Box
+from kinematics.geometry.shapes import Ball, Box
 from robots.perception.object_estimate import ObjectEstimate
 
 # Four standard deviations of the difference of two heights, each wrong by 5 mm.

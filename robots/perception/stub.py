@@ -23,21 +23,19 @@ from functools import lru_cache
 from itertools import groupby
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.poses import Transform
-from kinematics.robot_description import CameraDescription
-from kinematics.shapes import Ball, Box, Cylinder, Shape
-from robots.articulated import PART_KINDS
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.model.robot_description import CameraDescription
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
 from robots.perception.truth_view import TrueObject, TruthView
-from robots.scene_description import PerceptionModel
-
-Array = NDArray[np.float64]
+from robots.scenes.articulated import PART_KINDS
+from robots.scenes.scene_description import PerceptionModel
 
 # A plane is recognised from a small part of it; an object needs the declared share.
 _FURNITURE_MIN_VISIBLE = 0.04

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.poses import Transform
-from robots.articulated import PART_KINDS
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from robots.scenes.articulated import PART_KINDS
 
 # A look is over when the camera has turned by two degrees, or after a second.
 _LOOK_TURN_RAD = np.deg2rad(2.0)

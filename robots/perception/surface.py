@@ -6,11 +6,9 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.shapes import Ball, Box, Cylinder, Shape
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 
 # Slightly above the surface, so that a ray that grazes the solid's own edge is not lost to rounding.
 _LIFT_M = 1e-4

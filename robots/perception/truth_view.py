@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Sealed
-from kinematics.poses import Transform
-from kinematics.shapes import Shape
-from robots.furniture_names import own_name
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Shape
 from robots.perception.detector import Category
+from robots.scenes.furniture_names import own_name
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from robots.planned_fault import PlannedFault
+from robots.scenes.planned_fault import PlannedFault
 from robots.simulated.world import SimulatedWorld
 
 _Act = Callable[[SimulatedWorld, str, tuple[float, ...]], None]

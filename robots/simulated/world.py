@@ -6,15 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.robot_description import RobotDescription
-from robots.scene_description import SceneDescription
-from robots.simulated.body_faults import BodyFaults
-from robots.simulated.faults import FaultInjector
-from robots.simulated.physics import Physics
-from robots.simulated.range_sensor import SimulatedRangeSensor
-from robots.simulated.simulated_robot import SimulatedRobot
-from robots.simulated.taking_people import TakingPeople
-from robots.simulated.truth import SimulatorTruth
+from kinematics.model.robot_description import RobotDescription
+from robots.scenes.scene_description import SceneDescription
+from robots.simulated.body.physics import Physics
+from robots.simulated.body.range_sensor import SimulatedRangeSensor
+from robots.simulated.body.simulated_robot import SimulatedRobot
+from robots.simulated.faults.body_faults import BodyFaults
+from robots.simulated.faults.world_faults import FaultInjector
+from robots.simulated.people.taking_people import TakingPeople
+from robots.simulated.truth.truth import SimulatorTruth
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ def build_world(
 
     Args:
         description: The robot.
-        scene: Everything else; ``robots.scene_rules.validate`` has judged it.
+        scene: Everything else; ``robots.scenes.scene_rules.validate`` has judged it.
         rng: Source of the sensors' noise; used by nothing else.
 
     Raises:

@@ -23,15 +23,15 @@ HEAVY = {
     "rich": ("executive", "tools"),
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
-TRUTH = ("robots.simulated.truth", "robots.simulated.true_contacts", "robots.perception.truth_view")
+TRUTH = ("robots.simulated.truth", "robots.perception.truth_view")
 TRUTH_USERS = (
     "robots.perception.stub", "robots.perception.sight", "robots.simulated", "robots.fake",
-    "executive.assembly", "tools",
+    "executive.session.assembly", "tools",
 )  # fmt: skip
 # Scripts that run in other environments than the product's: nobody imports them.
 ELSEWHERE = ("tools.benchmark.peers.runners",)
 # The one place that opens sockets, and no others than those of this machine.
-LOCAL_SOCKETS = "robots.live.unix_socket"
+LOCAL_SOCKETS = "robots.live.wire.unix_socket"
 NETWORK = ("socket", "ssl", "http", "urllib.request", "requests", "httpx", "aiohttp", "ftplib", "smtplib")
 WALL_CLOCK = re.compile(
     r"(time\.(time|time_ns|monotonic|monotonic_ns|perf_counter|perf_counter_ns|sleep|process_time|localtime"
@@ -40,16 +40,12 @@ WALL_CLOCK = re.compile(
 GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|numpy\.random\.[a-z]\w*$")
 # What the judge of motions shares with those who plan them: what is judged, in which
 # form its numbers come, and how far two solids are apart.
-JUDGE = ("kinematics.trajectory_check", "kinematics.check_")
+JUDGE = "kinematics.checking"
 SHARED_WITH_THE_JUDGE = tuple(
     f"kinematics.{name}"
-    for name in (
-        "arrays", "concessions", "trajectory", "errors", "robot_model", "robot_description", "scene",
-        "shapes", "poses",
-        "kernel.compiler", "kernel.pointers", "kernel.readiness", "kernel.separation", "kernel.solids",
-    )
+    for name in ("arrays", "compiled", "distance", "errors", "geometry", "model", "motion", "scene")
 )  # fmt: skip
-SEALED = ("kinematics.trajectory", "kinematics.trajectory_check")
+SEALED = ("kinematics.motion.verdict", "kinematics.checking.trajectory_checker")
 
 
 def _within(name: str, places: tuple[str, ...]) -> bool:
@@ -134,20 +130,20 @@ def seal(module: Module) -> list[str]:
 
 def judge(module: Module) -> list[str]:
     """What the judge of motions has from those who plan them, beyond what is told in ADR 0007."""
-    if not module.name.startswith(JUDGE):
+    if not _within(module.name, (JUDGE,)):
         return []
     return [
         f"{module.file}:{line}: the checker shares no {name} with the planner"
         for line, name in module.imports()
         if name.startswith("kinematics.")
-        and not name.startswith(JUDGE)
+        and not _within(name, (JUDGE,))
         and not _within(name, SHARED_WITH_THE_JUDGE)
     ]
 
 
 def commander(module: Module) -> list[str]:
     """Calls of a robot's ``command`` beside the gate; robots themselves define it."""
-    if module.name == "robots.control.setpoint_gate":
+    if module.name == "robots.control.gate.setpoint_gate":
         return []
     return [
         f"{module.file}:{node.lineno}: only the gate commands a robot"
@@ -158,7 +154,7 @@ def commander(module: Module) -> list[str]:
 
 def environment(module: Module) -> list[str]:
     """Readings of the environment outside executive/config (evaluations set that of their workers)."""
-    if _within(module.name, ("executive.config", "tools", "robots.simulated.rendering")):
+    if _within(module.name, ("executive.config", "tools", "robots.simulated.pictures.rendering")):
         return []
     return [
         f"{module.file}:{line}: {name}"
@@ -181,18 +177,18 @@ def imported_again(module: Module) -> list[str]:
 
 def around(module: Module) -> list[str]:
     """Surroundings that somebody puts together by hand: "the other table" would be another one to them."""
-    if module.name in ("trees.around", "trees.believed_thing"):
+    if module.name in ("trees.readings.around", "trees.beliefs.scene.believed_thing"):
         return []
     return [
-        f"{module.file}:{line}: trees.around tells what is around the robot"
+        f"{module.file}:{line}: trees.readings.around tells what is around the robot"
         for line, name in module.imports()
-        if name == "trees.believed_thing.surroundings"
+        if name == "trees.beliefs.scene.believed_thing.surroundings"
     ]
 
 
 BREACHES = [
     (wrong_layer, "import trees.tasks", "robots/example.py"),
-    (wrong_layer, "def f():\n    from executive.cli import main", "trees/example.py"),
+    (wrong_layer, "def f():\n    from executive.cli.app import main", "trees/example.py"),
     (wrong_layer, "import tools.evaluate", "executive/example.py"),
     (wrong_library, "import mujoco", "robots/control/example.py"),
     (wrong_library, "from mujoco import MjModel", "tools/example.py"),
@@ -201,9 +197,9 @@ BREACHES = [
     (wrong_library, "from rich.table import Table", "trees/example.py"),
     (wrong_library, "import socket", "executive/example.py"),
     (wrong_library, "import urllib.request", "executive/example.py"),
-    (wrong_library, "import socket", "robots/live/connection.py"),
-    (wrong_library, "import http", "robots/live/unix_socket.py"),
-    (wrong_library, "import socket\nsocket.socket(socket.AF_INET)", "robots/live/unix_socket.py"),
+    (wrong_library, "import socket", "robots/live/wire/connection.py"),
+    (wrong_library, "import http", "robots/live/wire/unix_socket.py"),
+    (wrong_library, "import socket\nsocket.socket(socket.AF_INET)", "robots/live/wire/unix_socket.py"),
     (wall_clock, "import time\nt = time.monotonic()", "executive/example.py"),
     (wall_clock, "from time import perf_counter as now\nnow()", "kinematics/example.py"),
     (wall_clock, "import datetime\ndatetime.datetime.now()", "executive/example.py"),
@@ -216,35 +212,35 @@ BREACHES = [
     (global_random, "import numpy as np\nnp.random.normal()", "robots/example.py"),
     (global_random, "import numpy as np\nnp.random.default_rng()", "robots/example.py"),
     (global_random, "import uuid\nuuid.uuid4()", "executive/example.py"),
-    (truth, "from robots.simulated.truth import SimulatorTruth", "trees/example.py"),
-    (truth, "from robots.perception import truth_view", "executive/session.py"),
-    (truth, "import robots.simulated.truth", "robots/control/example.py"),
-    (seal, "from kinematics.trajectory import _Seal", "kinematics/motion_planner.py"),
-    (seal, "import kinematics.trajectory as t\nt._Seal", "robots/control/example.py"),
-    (judge, "from kinematics.reach_ik import solve", "kinematics/check_contacts.py"),
-    (judge, "from kinematics.kernel import search", "kinematics/trajectory_check.py"),
-    (commander, "self._robot.command(setpoint)", "robots/control/control_loop.py"),
+    (truth, "from robots.simulated.truth.truth import SimulatorTruth", "trees/example.py"),
+    (truth, "from robots.perception import truth_view", "executive/session/session.py"),
+    (truth, "import robots.simulated.truth.truth", "robots/control/example.py"),
+    (seal, "from kinematics.motion.trajectory import _Seal", "kinematics/motion_planner.py"),
+    (seal, "import kinematics.motion.trajectory as t\nt._Seal", "robots/control/example.py"),
+    (judge, "from kinematics.ik.reach_ik import solve", "kinematics/checking/contacts.py"),
+    (judge, "from kinematics.kernel import search", "kinematics/checking/trajectory_checker.py"),
+    (commander, "self._robot.command(setpoint)", "robots/control/loop/control_loop.py"),
     (commander, "send = world.robot.command", "executive/example.py"),
     (environment, "import os\nos.environ['HOME']", "executive/example.py"),
     (imported_again, "from math import pi\ndef f():\n    from math import tau", "trees/example.py"),
-    (around, "from trees.believed_thing import surroundings", "trees/leaves/example.py"),
+    (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/leaves/example.py"),
 ]
 ALLOWED = [
-    (wrong_layer, "import kinematics.poses", "robots/example.py"),
+    (wrong_layer, "import kinematics.geometry.poses", "robots/example.py"),
     (wrong_library, "import mujoco", "robots/simulated/world.py"),
     (wrong_library, "import urllib.parse", "executive/example.py"),
-    (wrong_library, "import socket\nsocket.socket(socket.AF_UNIX)", "robots/live/unix_socket.py"),
+    (wrong_library, "import socket\nsocket.socket(socket.AF_UNIX)", "robots/live/wire/unix_socket.py"),
     (wall_clock, "import time\ntime.monotonic()", "robots/clock.py"),
     (wall_clock, "import time\ntime.process_time()", "tools/example.py"),
     (wall_clock, "import datetime\ndatetime.timedelta(1)", "executive/example.py"),
     (global_random, "import numpy as np\nnp.random.default_rng(3)", "tools/example.py"),
     (global_random, "import numpy as np\ndef f(rng: np.random.Generator): ...", "robots/example.py"),
     (truth, "from robots.perception.truth_view import TruthView", "robots/perception/stub.py"),
-    (seal, "from kinematics.trajectory import _Seal", "kinematics/trajectory_check.py"),
-    (judge, "from kinematics.kernel.separation import core_distance", "kinematics/check_certificate.py"),
-    (commander, "self._robot.command(setpoint)", "robots/control/setpoint_gate.py"),
-    (around, "from trees.believed_thing import Surroundings", "trees/leaves/example.py"),
-    (around, "from trees.believed_thing import surroundings", "trees/around.py"),
+    (seal, "from kinematics.motion.trajectory import _Seal", "kinematics/checking/trajectory_checker.py"),
+    (judge, "from kinematics.distance.separation import core_distance", "kinematics/checking/certificate.py"),
+    (commander, "self._robot.command(setpoint)", "robots/control/gate/setpoint_gate.py"),
+    (around, "from trees.beliefs.scene.believed_thing import Surroundings", "trees/leaves/example.py"),
+    (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/readings/around.py"),
     (imported_again, "from math import pi\ndef f():\n    from cmath import tau", "trees/example.py"),
     (imported_again, "if True:\n    from math import pi\ndef f():\n    from math import pi", "trees/a.py"),
 ]

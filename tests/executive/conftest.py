@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 from py_trees.blackboard import Blackboard
 
-from executive.planning_jobs import PlanningJobs
-from executive.session import Session
-from executive.supervisor import Supervisor
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory
-from robots.control.emergency_stop import EmergencyStop
-from robots.description import load_description
+from executive.embedding.requests import Requests
+from executive.session.planning_jobs import PlanningJobs
+from executive.session.session import Session
+from executive.session.supervisor import Supervisor
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
+from robots.control.loop.emergency_stop import EmergencyStop
 from robots.fake.fake_world import FakeWorld, cup, table
+from robots.models.description import load_description
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -70,6 +71,7 @@ class FakeStage:
         planning = PlanningJobs(None, self.fake.clock, self.events.append)
         guard = Supervisor(Guard(), self.fake.clock, self.events.append) if guarded else None
         self.session = Session(toolbox, Loop(self.fake), planning, self.events.append, supervisor=guard)
+        self.requests = Requests(self.session)
 
     def arms_moved(self):
         model, q = self.fake.model, self.fake.motion.reference()[7:]

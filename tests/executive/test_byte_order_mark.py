@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from executive.cli import app
-from executive.command_parser import parser_with
-from executive.task_script import load_script
-from executive.terminal_attendant import TerminalAttendant
-from executive.understanding import understand
-from kinematics.json_reader import parse_document as parse_json
+from executive.cli.app import app
+from executive.screens.terminal_attendant import TerminalAttendant
+from executive.scripts.task_script import load_script
+from executive.understanding.command_parser import parser_with
+from executive.understanding.understanding import understand
+from kinematics.formats.json_reader import parse_document as parse_json
 from trees.btcpp.document import parse_document as parse_tree
 
 MARK = "\ufeff"

@@ -10,15 +10,17 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from executive import cli, stored_check
-from executive.check_report import MotionVerdict
-from kinematics.check_settings import CheckSettings
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.trajectory import FindingKind, Trajectory
-from kinematics.trajectory_document import StoredTrajectory, write_trajectory
-from robots.control.motion_streamer import MotionStreamer
-from robots.description import load_description
+from executive.checks import check_trajectory_file as stored_check
+from executive.cli import app as cli
+from executive.reports.check_report import MotionVerdict
+from kinematics.checking.settings import CheckSettings
+from kinematics.formats.trajectory_document import StoredTrajectory, write_trajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import FindingKind
+from robots.control.streaming.motion_streamer import MotionStreamer
+from robots.models.description import load_description
 
 DOCS = Path(__file__).parents[2] / "docs"
 SCHEMA = json.loads((DOCS / "check-report.schema.json").read_text())
@@ -287,7 +289,7 @@ def test_an_object_that_is_not_seen_is_exit_code_1_with_what_is(executive):
     ],
 )
 def test_a_sentence_without_a_motion_needs_no_simulator(executive, monkeypatch, text, code, says):
-    from executive import assembly
+    from executive.session import assembly
 
     monkeypatch.setattr(assembly, "assemble", lambda *_, **__: pytest.fail("a world was built"))
 
@@ -359,7 +361,7 @@ def test_the_published_schema_knows_every_kind_of_finding():
 
 
 def test_what_is_beyond_all_measure_is_null_in_a_report(talos):
-    from kinematics.trajectory import Finding, Unsafe
+    from kinematics.motion.verdict import Finding, Unsafe
 
     t_s, q = np.array([0.0, 1.0]), np.tile(talos.q_home, (2, 1))
     motion = Trajectory(talos.joints, stance_at(talos, talos.q_home), t_s, q, np.zeros((2, talos.nv)))

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from executive import cli
+from executive.cli import app as cli
 from executive.exit_codes import ExitCode
 
 
@@ -131,7 +131,7 @@ main()
 """
 
 
-@pytest.mark.parametrize("module", ["executive.cli", "typer", "executive.understanding"])
+@pytest.mark.parametrize("module", ["executive.cli.app", "typer", "executive.understanding.understanding"])
 def test_ctrl_c_while_the_program_loads_is_a_cancel_without_a_traceback(module):
     done = subprocess.run(
         [sys.executable, "-c", INTERRUPTED.format(module=module)],

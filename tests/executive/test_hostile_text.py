@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from executive.command_parser import parse, parse_selection
+from executive.understanding.command_parser import parse, parse_selection
 from executive.vocabulary import load_vocabulary
 
 CORPUS = Path(__file__).parents[1] / "corpus"

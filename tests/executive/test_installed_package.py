@@ -36,9 +36,10 @@ def run(environment, *arguments):
 
 def test_an_installed_package_is_listed_understood_and_drawn(installed):
     script = (
-        "import json; from executive.command_parser import parse; from executive.commands.list_ import *;"
-        "from executive.tree_preview import preview, preview_document, preview_of_document;"
-        "from executive.commands import list_ as shown;"
+        "import json; from executive.understanding.command_parser import parse;"
+        "from executive.cli.commands.list_ import *;"
+        "from executive.checks.tree_preview import preview, preview_document, preview_of_document;"
+        "from executive.cli.commands import list_ as shown;"
         "print(list(shown._lines(What.SKILLS))); parsed = parse('Take a bow!');"
         "print(json.dumps(parsed.to_json())); print(preview(parsed.commands[0]).root.name);"
         "document = preview_document(parsed.commands[0]);"
@@ -70,9 +71,9 @@ def test_the_leaf_of_an_installed_package_is_held_to_the_contract(installed):
 
 def test_nothing_of_other_packages_is_loaded_before_it_is_asked_for(installed):
     script = (
-        "import sys, executive.cli, trees.extensions, robots.scene_file;"
+        "import sys, executive.cli.app, trees.extensions, robots.scenes.scene_file;"
         "print('bowing' in sys.modules);"
-        "from executive.command_parser import parse; parse('go home');"
+        "from executive.understanding.command_parser import parse; parse('go home');"
         "print('bowing.bow' in sys.modules)"
     )
 

@@ -6,10 +6,10 @@ from types import SimpleNamespace
 
 import pytest
 
-from executive.command_parser import parse
-from executive.errand import Errand, drive
-from executive.preparing import Known
-from executive.task_result import TaskResult, TaskTimes
+from executive.errands.errand import Errand, drive
+from executive.errands.unsaid_steps import Known
+from executive.session.task_result import TaskResult, TaskTimes
+from executive.understanding.command_parser import parse
 from trees.failures import Failure
 
 

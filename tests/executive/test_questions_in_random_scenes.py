@@ -6,7 +6,7 @@ The fake robot makes many of them cheap; ``python -m tools.evaluate question`` d
 import numpy as np
 import pytest
 
-from executive.clarification import OpenQuestion
+from executive.dialogue.clarification import OpenQuestion
 from robots.fake.fake_world import cup
 
 SCENES = 25
@@ -34,7 +34,7 @@ def test_every_ambiguous_scene_is_asked_about(fake_stage, seed):
     rng = np.random.default_rng([seed, 6])
     row, meant = ambiguous(rng)
     on = fake_stage(*row)
-    ticket, asked = on.session.submit("pick up the cup"), []
+    ticket, asked = on.requests.submit("pick up the cup"), []
 
     def answer(question: OpenQuestion) -> str:
         assert not on.arms_moved()

@@ -6,12 +6,13 @@ import time
 import pytest
 from typer.testing import CliRunner
 
-from executive import cli
+from executive.cli import app as cli
 from executive.exit_codes import ExitCode
-from executive.live.desk import Desk, Say, ScriptLine
-from robots.live.messages import write_message
-from robots.live.runtime_folder import RuntimeFolder
-from robots.live.socket_server import SocketServer
+from executive.live.desk_messages import Say, ScriptLine
+from executive.live.served_executive.desk import Desk
+from robots.live.wire.messages import write_message
+from robots.live.wire.runtime_folder import RuntimeFolder
+from robots.live.wire.socket_server import SocketServer
 
 DONE, FAILED = ("done: it waves", "done", ExitCode.DONE), ("failed: it fell", "failed", ExitCode.FAILED)
 

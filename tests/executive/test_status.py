@@ -6,10 +6,10 @@ import time
 import pytest
 from typer.testing import CliRunner
 
-from executive import cli
-from robots.live.messages import write_message
-from robots.live.runtime_folder import RuntimeFolder
-from robots.live.socket_server import SocketServer
+from executive.cli import app as cli
+from robots.live.wire.messages import write_message
+from robots.live.wire.runtime_folder import RuntimeFolder
+from robots.live.wire.socket_server import SocketServer
 
 STANDS = {
     "robot": "talos", "scene": "tabletop", "t_s": 12.0, "motions": [], "resting": True, "emergency": None,

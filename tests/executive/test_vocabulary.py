@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 import executive.vocabulary
-from executive.command_parser import parser_with
 from executive.errors import VocabularyError
 from executive.language.grammar import grammar_text, terminals_of
+from executive.understanding.command_parser import parser_with
 from executive.vocabulary import load_vocabulary
 from executive.vocabulary.inflection import gerund, participle, plain_forms, plural
 from executive.vocabulary.written import expand

@@ -5,9 +5,9 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from executive import cli
+from executive.cli import app as cli
 from executive.errors import ScriptError
-from executive.task_script import load_script
+from executive.scripts.task_script import load_script
 
 
 @pytest.fixture

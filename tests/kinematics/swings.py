@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from kinematics.balanced_timing import time_in_balance
-from kinematics.curves import RoundedPolyline
-from kinematics.free_coordinates import free_coordinates
-from kinematics.timing import Pace
+from kinematics.motion.curves import RoundedPolyline
+from kinematics.standing.free_coordinates import free_coordinates
+from kinematics.timing.balanced_timing import time_in_balance
+from kinematics.timing.curve_timing import Pace
 
 WAVING = Pace(0.7, 0.9)
 """As fast as waving may be."""

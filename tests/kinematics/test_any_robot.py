@@ -5,26 +5,29 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.collision import CollisionWorld
-from kinematics.curves import PolynomialCurve
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.collision.collision_world import CollisionWorld
+from kinematics.collision.validity import SampledValidity
 from kinematics.errors import KinematicsError, MissingPartError
-from kinematics.free_coordinates import FreeCoordinates
-from kinematics.ik_result import IkTolerance
-from kinematics.path_planner import PathPlanner, PathSettings
-from kinematics.placo_ik import PlacoIk
-from kinematics.requests import CheckRequest
-from kinematics.robot_model import RobotModel
-from kinematics.scene import FLOOR, PlanningScene, SceneObject
-from kinematics.shapes import Box
-from kinematics.stance import SupportPolygon, stance_at, standing_at
-from kinematics.timing import Pace, time_curve
-from kinematics.trajectory import CheckedTrajectory, FindingKind, Stance, Trajectory, Unsafe
-from kinematics.trajectory_check import TrajectoryChecker
-from kinematics.trajectory_document import read_trajectory, write_trajectory
-from kinematics.trajectory_fit import fit, stored_from
-from kinematics.validity import SampledValidity
-from robots.description import load_description
+from kinematics.formats.trajectory_document import read_trajectory, write_trajectory
+from kinematics.formats.trajectory_fit import fit, stored_from
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.ik.placo_ik import PlacoIk
+from kinematics.ik.result import IkTolerance
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_at import stance_at, standing_at
+from kinematics.model.support_polygon import SupportPolygon
+from kinematics.motion.curves import PolynomialCurve
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, FindingKind, Unsafe
+from kinematics.planning.path_planner import PathPlanner, PathSettings
+from kinematics.requests.check import CheckRequest
+from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
+from kinematics.standing.free_coordinates import FreeCoordinates
+from kinematics.timing.curve_timing import Pace, time_curve
+from robots.models.description import load_description
 
 NO_STANCE = Stance(())
 # the cubics between samples overshoot a velocity that is held, by some 1e-4

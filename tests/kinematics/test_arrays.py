@@ -11,9 +11,8 @@ from dataclasses import FrozenInstanceError, dataclass, fields, is_dataclass, re
 import numpy as np
 import pytest
 
-from kinematics.arrays import InFloat64, Sealed, as_float64, sealed
+from kinematics.arrays import Array, InFloat64, Sealed, as_float64, sealed
 from kinematics.errors import InvalidArrayError
-from kinematics.trajectory import Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,24 +87,24 @@ def test_a_copy_is_sealed_as_well(again):
 # Intermediate results of one computation, which never leave the room that makes them: they are filled,
 # cut and handed to compiled code.
 WORKING = {
-    "kinematics.arm_frames.ArmFrames",
-    "kinematics.check_kinematics.BodyPoses",
-    "kinematics.check_pairs.Pairs",
-    "kinematics.check_solids.Solid",
-    "kinematics.check_timeline.Configurations",
-    "kinematics.curve_speed.CurveGrid",
-    "kinematics.gesture_task.Wish",
-    "kinematics.grasping.GraspTable",
-    "kinematics.kernel.solids.Solid",
-    "kinematics.leg_ik.LegGeometry",
-    "kinematics.pick_task.Way",
-    "kinematics.place_task.PlaceGoal",
-    "kinematics.trajectory_sampler.MotionSample",
-    "kinematics.walking.foot_wrenches.SoleWrench",
-    "kinematics.walking.legged_estimator.ComEstimate",
-    "kinematics.walking.ways.WayFinder",
-    "robots.control.proposal.Proposal",
-    "robots.simulated.true_contacts.PadContact",
+    "kinematics.ik.arm_frames.ArmFrames",
+    "kinematics.checking.kinematics.BodyPoses",
+    "kinematics.checking.pairs.Pairs",
+    "kinematics.checking.solids.Solid",
+    "kinematics.checking.timeline.Configurations",
+    "kinematics.timing.curve_speed.CurveGrid",
+    "kinematics.planning.gesture_task.Wish",
+    "kinematics.planning.grasps.GraspTable",
+    "kinematics.distance.solids.Solid",
+    "kinematics.standing.leg_ik.LegGeometry",
+    "kinematics.planning.pick_task.Way",
+    "kinematics.planning.place_task.PlaceGoal",
+    "kinematics.motion.sampler.MotionSample",
+    "kinematics.walking.body.foot_wrenches.SoleWrench",
+    "kinematics.walking.body.legged_estimator.ComEstimate",
+    "kinematics.walking.route.ways.WayFinder",
+    "robots.control.gate.proposal.Proposal",
+    "robots.simulated.truth.true_contacts.PadContact",
 }
 
 

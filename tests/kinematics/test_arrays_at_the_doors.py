@@ -7,23 +7,25 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinematics.curves import BlendedPolyline
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.compiled import readiness
 from kinematics.errors import InvalidArrayError, InvalidMotionError
-from kinematics.free_coordinates import free_coordinates
-from kinematics.kernel import readiness
+from kinematics.formats.trajectory_document import StoredTrajectory, read_trajectory, write_trajectory
+from kinematics.geometry.poses import translation
+from kinematics.ik.placo_ik import PlacoIk
+from kinematics.ik.reach_ik import ReachIk
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import humanoid_arrays
-from kinematics.placo_ik import PlacoIk
-from kinematics.poses import translation
-from kinematics.reach_ik import ReachIk
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.stance import stance_at
-from kinematics.timing import JointLimits, time_coordinates
-from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory
-from kinematics.trajectory_check import TrajectoryChecker
-from kinematics.trajectory_document import StoredTrajectory, read_trajectory, write_trajectory
-from robots.description import load_description
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.curves import BlendedPolyline
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.standing.free_coordinates import free_coordinates
+from kinematics.timing.curve_timing import JointLimits, time_coordinates
+from robots.models.description import load_description
 
 TYPES = ("f8", ">f8", "f4", ">f4", "f2", "g", "i8", "i4", "u1", "?")
 LAYOUTS = ("C", "Fortran", "gaps", "backwards", "unaligned", "read-only", "list")

@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.collision import CollisionWorld
-from kinematics.gesture_planner import GesturePlanner
-from kinematics.gesture_requests import CarryRequest
-from kinematics.requests import MovePlan
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Cylinder
-from kinematics.stance import stance_at
-from robots.description import load_description
+from kinematics.collision.collision_world import CollisionWorld
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.requests.gesture import CarryRequest
+from kinematics.requests.move import MovePlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 
 SWAY_M = 0.05
 

@@ -2,15 +2,16 @@
 
 import pytest
 
-from kinematics import poses
-from kinematics.ik import inverse_kinematics
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.ik.solver import inverse_kinematics
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import MovePlan, MoveRequest, NoPlan
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
-from kinematics.stance import stance_at
-from robots.description import load_description
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 
 HAND_M = (0.62, 0.22, 1.15)
 HALF_M = 0.19

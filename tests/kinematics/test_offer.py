@@ -6,17 +6,18 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.arm_frames import arm_kinematics
-from kinematics.gesture_planner import BESIDE_FINGERS, GesturePlanner
-from kinematics.gesture_requests import OfferRequest
-from kinematics.gesture_task import GestureTask, Wish
-from kinematics.requests import MovePlan, NoPlan
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Cylinder
-from kinematics.stance import stance_at
-from robots.description import load_description
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from kinematics.ik.arm_frames import arm_kinematics
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.planning.gesture_planner import BESIDE_FINGERS, GesturePlanner
+from kinematics.planning.gesture_task import GestureTask, Wish
+from kinematics.requests.gesture import OfferRequest
+from kinematics.requests.move import MovePlan
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 
 
 @pytest.fixture(scope="module")

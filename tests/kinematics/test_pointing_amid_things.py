@@ -1,13 +1,13 @@
 """Above a high table an arm points with its elbow up, or with its palm in the table."""
 
-from kinematics import poses
-from kinematics.gesture_planner import GesturePlanner
-from kinematics.gesture_requests import PointRequest
-from kinematics.pointing import pointing_error_m
-from kinematics.requests import MovePlan
-from kinematics.robot_description import HANDS
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.ik.pointing import pointing_error_m
+from kinematics.model.robot_description import HANDS
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.requests.gesture import PointRequest
+from kinematics.requests.move import MovePlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 TARGET_M = (0.59, -0.36, 1.01)
 THINGS = (

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import MovePlan, MoveRequest, PickPlan, PickRequest
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import CheckedTrajectory
-from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.scene.planning_scene import PlanningScene
 
 NEAR_RAD = 0.003
 
@@ -39,7 +40,7 @@ def test_it_picks_something_up(talos, stance, tabletop, at_the_limit):
 
 
 def test_a_start_inside_the_margins_is_left_as_it_is(talos, stance):
-    from kinematics.free_coordinates import free_coordinates
+    from kinematics.standing.free_coordinates import free_coordinates
 
     space = free_coordinates(talos, stance)
 

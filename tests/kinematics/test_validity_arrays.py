@@ -2,10 +2,10 @@
 
 import dataclasses
 
-from kinematics import leg_room, validity
-from kinematics.robot_build import robot_build
-from kinematics.robot_model import RobotModel
-from robots.description import load_description
+from kinematics.collision import leg_room, validity
+from kinematics.model.robot_build import robot_build
+from kinematics.model.robot_model import RobotModel
+from robots.models.description import load_description
 
 TALOS = load_description("talos")
 

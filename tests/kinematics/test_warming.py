@@ -1,22 +1,32 @@
 import pytest
 
-from kinematics import (
-    check_certificate,
-    check_course,
-    check_effort,
-    check_placing,
-    check_quickly,
-    compiled_configurations,
-    ground_loads,
-    timing_kernel,
-    warming,
+from kinematics import warming
+from kinematics.checking import (
+    certificate as check_certificate,
 )
-from kinematics.kernel import door, reach, readiness
+from kinematics.checking import (
+    compiled_course as check_course,
+)
+from kinematics.checking import (
+    compiled_effort as check_effort,
+)
+from kinematics.checking import (
+    compiled_placing as check_placing,
+)
+from kinematics.checking import (
+    plain_limits as check_quickly,
+)
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.compiled import readiness
+from kinematics.dynamics import ground_loads
+from kinematics.ik import reach
+from kinematics.kernel import door
+from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import PickRequest
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import CheckedTrajectory
-from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.standing import posture as compiled_configurations
+from kinematics.timing import timing_kernel
 
 USED = [
     check_certificate.certify,

@@ -4,13 +4,13 @@ import dataclasses
 
 import pytest
 
-from kinematics.walking.path_planning import footprints, plan_path
-from kinematics.walking.planar import PlanarPose
+from kinematics.geometry.planar import PlanarPose
+from kinematics.walking.route.path_planning import footprints, plan_path
 from robots.errors import SceneError
-from robots.scene_description import Region
-from robots.scene_file import load_scene, read_scene
-from robots.scene_solids import planning_scene
-from robots.scene_writer import dump
+from robots.scenes.scene_description import Region
+from robots.scenes.scene_file import load_scene, read_scene
+from robots.scenes.scene_solids import planning_scene
+from robots.scenes.scene_writer import dump
 
 
 def test_a_scene_with_places_is_read_back_as_it_was_written():

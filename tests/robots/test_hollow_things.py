@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.errors import SceneError
-from robots.hollow import hollow_parts
-from robots.scene_description import SceneDescription, SceneItem
-from robots.scene_rules import validate
+from robots.scenes.hollow import hollow_parts
+from robots.scenes.scene_description import SceneDescription, SceneItem
+from robots.scenes.scene_rules import validate
 
 WALL_M = 0.01
 HEIGHT_M = 0.1

@@ -11,9 +11,9 @@ import pytest
 import robots
 from executive.vocabulary.outside import outside_words
 from robots import outside
-from robots.description import known_robots, load_description
 from robots.errors import SceneError, UnknownRobotError
-from robots.scene_file import known_scenes, load_scene
+from robots.models.description import known_robots, load_description
+from robots.scenes.scene_file import known_scenes, load_scene
 
 MODELS, SCENES = (Path(robots.__file__).parent / name for name in ("models", "scenes"))
 

@@ -3,15 +3,16 @@
 import numpy as np
 import pytest
 
-from executive.assembly import assemble
-from robots.scene_file import load_scene
+from executive.embedding.requests import Requests
+from executive.session.assembly import assemble
+from robots.scenes.scene_file import load_scene
 
 
 @pytest.mark.requirement("M2")
 def test_both_cups_of_the_laid_table_are_told_with_where_they_truly_are():
     assembly = assemble("talos", load_scene("dinner"), 1)
 
-    (result,) = assembly.session.submit("where are the cups?").result()
+    (result,) = Requests(assembly.session).submit("where are the cups?").result()
 
     assert result.outcome == "done"
     assert sorted(str(result.evidence["names"]).split(", ")) == ["blue cup", "red cup"]

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from executive.assembly import assemble
-from robots.scene_file import load_scene
+from executive.embedding.requests import Requests
+from executive.session.assembly import assemble
+from robots.scenes.scene_file import load_scene
 
 
 @pytest.mark.requirement("M6")
@@ -14,7 +15,7 @@ def test_the_robot_walks_to_the_kitchen_and_touches_nothing():
     truth, touched = assembly.world.truth, []
     assembly.session.watch_periods(lambda: touched.extend(truth.contacts.robot_with_furniture()))
 
-    (result,) = assembly.session.submit("walk to the kitchen").result()
+    (result,) = Requests(assembly.session).submit("walk to the kitchen").result()
 
     kitchen = next(region for region in scene.places if region.name == "kitchen")
     off = np.abs(truth.world_T_base()[:2, 3] - kitchen.position_m)

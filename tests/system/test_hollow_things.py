@@ -2,8 +2,9 @@
 
 import pytest
 
-from executive.assembly import assemble
-from robots.scene_file import read_scene
+from executive.embedding.requests import Requests
+from executive.session.assembly import assemble
+from robots.scenes.scene_file import read_scene
 
 SCENE = """
 [[furniture]]
@@ -57,7 +58,7 @@ position_m = [-0.15, -0.2]
 def test_what_is_in_the_box_is_told_as_it_is(question, said):
     assembly = assemble("talos", read_scene(SCENE, "hollow.toml", "hollow"), 1)
 
-    (result,) = assembly.session.submit(question).result()
+    (result,) = Requests(assembly.session).submit(question).result()
 
     assert result.outcome == "done"
     assert result.evidence["said"] == said

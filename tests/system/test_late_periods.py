@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from executive.assembly import assemble
-from executive.command_parser import parse
-from executive.session import Session
+from executive.session.assembly import assemble
+from executive.session.session import Session
+from executive.understanding.command_parser import parse
 from robots.control.events import HealthChanged, SetpointRefused, StopStarted
-from robots.scene_file import load_scene
+from robots.scenes.scene_file import load_scene
 
 
 class LateLoop:

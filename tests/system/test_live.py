@@ -10,10 +10,18 @@ import time
 
 import pytest
 
-from executive.live.caller import Caller, ask_at
-from executive.live.desk import Say, write_desk_message
-from executive.live.service import Service, ServiceRequest
-from robots.live.messages import GetStatus, Hello, Reset, Shutdown, Stop, write_control_message, write_message
+from executive.live.caller.caller import Caller, ask_at
+from executive.live.caller.service import Service, ServiceRequest
+from executive.live.desk_messages import Say, write_desk_message
+from robots.live.wire.messages import (
+    GetStatus,
+    Hello,
+    Reset,
+    Shutdown,
+    Stop,
+    write_control_message,
+    write_message,
+)
 
 PATIENCE_S = 200.0
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from executive.assembly import assemble
-from robots.scene_file import load_scene
+from executive.session.assembly import assemble
+from robots.scenes.scene_file import load_scene
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 MOST_N = 95.0

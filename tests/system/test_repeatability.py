@@ -8,7 +8,7 @@ import sys
 
 def digest(folder, seed):
     report = folder / f"{seed}-{len(list(folder.iterdir()))}.json"
-    call = "import sys; from executive.cli import main; sys.exit(main())"
+    call = "import sys; from executive.cli.app import main; sys.exit(main())"
     command = [sys.executable, "-c", call, "run", "pick up the red cup on the table", "--seed", str(seed)]
     done = subprocess.run(
         [*command, "--report", str(report), "--record", str(folder / report.stem), "--plain"],

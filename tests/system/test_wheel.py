@@ -77,7 +77,7 @@ def test_the_installed_wheel_does_the_main_job_from_another_folder(installed, tm
     )
     assert where.stdout.count(str(installed)) == 2
 
-    call = "import sys; from executive.cli import main; sys.exit(main())"
+    call = "import sys; from executive.cli.app import main; sys.exit(main())"
     done = python(
         installed,
         tmp_path,

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kinematics.grasping import ABOVE_MIDDLE
-from kinematics.pick_task import PickTask
-from kinematics.robot_model import RobotModel
-from robots.description import load_description
+from kinematics.model.robot_model import RobotModel
+from kinematics.planning.grasps import ABOVE_MIDDLE
+from kinematics.planning.pick_task import PickTask
+from robots.models.description import load_description
 from tools.benchmark.pick import Trial, peer_figures, peer_notes
 from tools.benchmark.pick_peers import PeerPick, PeerPicker
 from tools.benchmark.problems.natural_grasps import natural_grasps

@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.scene import FLOOR, SceneObject
-from kinematics.shapes import Box
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.scene.planning_scene import FLOOR, SceneObject
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge, path_length
 from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import LINE_STEP_RAD, READY, problems

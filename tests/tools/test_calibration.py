@@ -5,15 +5,15 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
-from robots.description import load_description
-from robots.scene_file import load_scene
+from kinematics.model.robot_model import RobotModel
+from robots.models.description import load_description
+from robots.scenes.scene_file import load_scene
 from tools.calibration.answers import Answer
 from tools.calibration.fit import fitted
 from tools.calibration.quick_robot import QuickRobot
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
-from trees.stated_confidence import calibrated, log_odds
+from trees.skills.telling.stated_confidence import calibrated, log_odds
 from trees.tasks import CountTask, ObjectDescription
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics import poses
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball
-from robots.description import load_description
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball
+from kinematics.model.robot_model import RobotModel
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 from tools.checking.contact_search import STEP_M, STEP_S, ContactSearch
 from tools.checking.definition import Definition
 from tools.checking.farthest import Farthest

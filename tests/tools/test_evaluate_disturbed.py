@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from tools.draw_pushes import curves, picture
 from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.disturbed.pushes import PushSummary
 from tools.evaluate.disturbed.rough import RoughSummary
 from tools.evaluate.records import EpisodeRecord
+from tools.pictures.draw_pushes import curves, picture
 
 
 def push(seed, stood=True, gait="standing", side="sideways", at="pelvis", share=1.0, force_n=250.0):

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from robots.scene_file import load_scene
+from robots.scenes.scene_file import load_scene
 from tools.evaluate.skills import errands
 
 

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from kinematics import poses
+from kinematics.geometry import poses
 from tools.evaluate.__main__ import main
 from tools.evaluate.faults import CLOSE, FAULTS, LIFT, REACH, VERIFY, FaultBench, FaultState
 from tools.evaluate.phases import PhaseWatch
@@ -15,7 +15,7 @@ from tools.evaluate.scenes import TARGET, pick_scene, read_episode_scene
 from tools.evaluate.skills.faults import CARRYING, SKILL_FAULTS
 from trees.events import NodeChanged
 
-SUBTREES = Path(__file__).parents[2] / "trees" / "subtrees"
+SKILLS = Path(__file__).parents[2] / "trees" / "skills"
 
 
 class ScriptedWorld:
@@ -71,7 +71,7 @@ def armed(fault, seed=0):
 def test_the_tree_has_a_leaf_of_the_name_that_a_fault_waits_for(phase):
     words = {
         node.value
-        for file in SUBTREES.glob("*.py")
+        for file in SKILLS.rglob("*.py")
         for node in ast.walk(ast.parse(file.read_text("utf-8")))
         if isinstance(node, ast.Constant)
     }

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from kinematics import poses
+from kinematics.geometry import poses
 from tools.evaluate.judge import Judge
 
 CUP = "red cup"

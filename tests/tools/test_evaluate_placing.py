@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Cylinder
-from robots.scene_description import Furniture, SceneItem
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from robots.scenes.scene_description import Furniture, SceneItem
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.placing import BESIDE_M, DIRECTION_RAD
 from tools.evaluate.skills.room_beside import has_room

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from robots.scene_file import load_scene
-from robots.scene_writer import dump
+from robots.scenes.scene_file import load_scene
+from robots.scenes.scene_writer import dump
 from tools.evaluate.scenes import TARGET, episode_scene, pick_scene, read_episode_scene
 
 SCENES = [read_episode_scene(pick_scene(seed), seed) for seed in range(100)]
@@ -92,7 +92,7 @@ def test_a_scene_survives_being_written_again():
 
 
 def test_the_sentence_names_the_furniture_that_the_cup_is_on():
-    from robots.scene_file import load_scene
+    from robots.scenes.scene_file import load_scene
     from tools.evaluate.scenes import sentence_for
 
     assert sentence_for(load_scene("tabletop")) == "pick up the red cup on the table"

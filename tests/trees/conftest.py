@@ -8,17 +8,23 @@ import pytest
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
-from kinematics.dynamics import StandingDynamics
-from kinematics.gesture_planner import GesturePlanner
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.trajectory import CheckedTrajectory
-from robots.description import load_description
+from kinematics.dynamics.standing_dynamics import StandingDynamics
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_gesture import FakeGesture
 from robots.fake.fake_world import FakeWorld, cup, table
+from robots.models.description import load_description
 from trees.build import build_tree
-from trees.leaf import Leaf
+from trees.nodes.leaf import Leaf
 from trees.policy import TreePolicy
+from trees.port_values import CheckedStep, Step, Target
 from trees.tasks import ObjectDescription, PickTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -238,8 +244,8 @@ def probe_leaf():
     """A leaf whose steps are scripted; it notes how it is treated."""
 
     class Probe(Leaf, register=False):
-        from trees.contract import Contract
-        from trees.ports import ports
+        from trees.nodes.contract import Contract
+        from trees.nodes.ports import ports
 
         INPUT_PORTS = ports()
         OUTPUT_PORTS = ports()
@@ -266,3 +272,78 @@ def probe_leaf():
             self.released.append(reason)
 
     return Probe
+
+
+CUP_POSE = poses.translation(0.45, -0.2, 0.955)
+
+
+@pytest.fixture
+def target():
+    return Target("red cup", "cup", "red", Cylinder(0.03, 0.11), CUP_POSE, 0.95)
+
+
+@pytest.fixture
+def knowing(stage, target):
+    """The stage, with the red cup in the world model."""
+    stage.told.update(stage.told.scene.with_object(SceneObject("red cup", target.shape, CUP_POSE, 0.01)))
+    return stage
+
+
+@pytest.fixture
+def planned(knowing):
+    """Grasp and steps of a pick, as the planner would give them."""
+    fake, scene = knowing.fake, knowing.told.scene
+    plan = fake.planning.answer(PickRequest(fake.motion.reference(), fake.motion.stance(), scene, "red cup"))
+
+    class Planned:
+        grasp = plan.grasp
+
+        @staticmethod
+        def step(name):
+            step = getattr(plan, name)
+            return Step(name, step.trajectory, step.scene, scene.version, step.concessions)
+
+        @staticmethod
+        def checked(name):
+            step = getattr(plan, name)
+            checked = fake.planning.answer(step.question)
+            return CheckedStep(name, checked, scene.version)
+
+        @staticmethod
+        def play(*names):
+            """Bring the fake robot to the end of these steps."""
+            for name in names:
+                handle = fake.motion.start(Planned.checked(name).checked)
+                while not handle.finished:
+                    fake.step()
+                assert handle.status.value == "done", handle.reason
+
+        @staticmethod
+        def grip():
+            """Reach, approach, close: the fake hand holds the cup."""
+            Planned.play("reach", "approach")
+            handle = fake.grippers[plan.grasp.hand].close()
+            while not handle.finished:
+                fake.step()
+
+    return Planned
+
+
+@pytest.fixture
+def right_grasp():
+    return Grasp("right", "side", np.eye(4), 0.1, 0.06)
+
+
+@pytest.fixture
+def hold_level(stage):
+    """Puts a solid into the left hand, its own axes along the world's."""
+
+    def hold(shape):
+        toolbox = stage.toolbox
+        frame = toolbox.model.description.tcp_frames["left"]
+        tcp_T_object = poses.inverse(toolbox.model.frame_pose(toolbox.sensing.state().q, frame))
+        tcp_T_object[:3, 3] = 0.0
+        scene = toolbox.world.scene.with_objects([SceneObject("blue box", shape, np.eye(4))])
+        toolbox.world.update(scene.with_attached("blue box", frame, tcp_T_object, ()))
+
+    return hold

@@ -1,7 +1,7 @@
 """What the tests of household skills share: things, and what a stage was asked and told."""
 
-from kinematics import poses
-from kinematics.shapes import Box
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
 from robots.fake.fake_world import person
 from robots.perception.truth_view import TrueObject
 from trees.build import build_tree

@@ -4,42 +4,41 @@ from dataclasses import replace
 
 import numpy as np
 
-from kinematics import poses
-from kinematics.requests import CheckRequest, HandleRequest
-from kinematics.scene import SceneObject
-from robots.articulated import furniture_T_part, moving_solids, opened
+from kinematics.geometry import poses
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.handle import HandleRequest
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, table
-from robots.furniture import floor_pose, solids
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.truth_view import TrueObject
-from robots.scene_file import load_scene
-from trees.destination import Place
-from trees.handles import OPEN_TO, handles_in
-from trees.held import HeldObject
-from trees.held_handle import HeldHandle
-from trees.leaves.approach_handle import ApproachHandle
-from trees.leaves.ask_for_swap import AskForSwap
-from trees.leaves.choose_handle import ChooseHandle
-from trees.leaves.choose_stand import ChooseStand
-from trees.leaves.choose_stand_to_put import ChooseStandToPut
-from trees.leaves.find_board_room import FindBoardRoom
-from trees.leaves.grasp_handle import GraspHandle
-from trees.leaves.is_it_so import IsItSo
-from trees.leaves.lead_handle import LeadHandle
-from trees.leaves.plan_handle import PlanHandle
-from trees.leaves.reach_watching import ReachWatching
-from trees.leaves.see_front import SeeFront
-from trees.leaves.squared_up import SquaredUp
-from trees.leaves.stands_at_handle import StandsAtHandle
-from trees.leaves.stands_there_already import StandsThereAlready
-from trees.leaves.tell_found import TellFound
-from trees.leaves.touch_front import TouchFront
-from trees.leaves.turn_to import TurnTo
-from trees.leaves.verify_opening import VerifyOpening
-from trees.leaves.walk_to import WalkTo
-from trees.leaves.walk_to_handle import WalkToHandle
-from trees.reachable_standing import Stand
-from trees.steps import CheckedStep
+from robots.scenes.articulated import furniture_T_part, moving_solids, opened
+from robots.scenes.furniture import floor_pose, solids
+from robots.scenes.scene_file import load_scene
+from trees.beliefs.grounding.destination import Place
+from trees.beliefs.openings.handles import OPEN_TO, handles_in
+from trees.beliefs.scene.held_object import HeldObject
+from trees.port_values import CheckedStep
+from trees.skills.carrying.ask_for_swap import AskForSwap
+from trees.skills.doors.approach_handle import ApproachHandle
+from trees.skills.doors.choose_handle import ChooseHandle
+from trees.skills.doors.grasp_handle import GraspHandle
+from trees.skills.doors.held_handle import HeldHandle
+from trees.skills.doors.lead_handle import LeadHandle
+from trees.skills.doors.plan_handle import PlanHandle
+from trees.skills.doors.reach_watching import ReachWatching
+from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
+from trees.skills.doors.touch_front import TouchFront
+from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
+from trees.skills.doors.walk_to_handle import WalkToHandle
+from trees.skills.gestures.turn_to import TurnTo
+from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
+from trees.skills.put_in.find_board_room import FindBoardRoom
+from trees.skills.telling.tell_found import TellFound
+from trees.skills.walk_to.choose_stand import ChooseStand
+from trees.skills.walk_to.see_front import SeeFront
+from trees.skills.walk_to.squared_up import SquaredUp
+from trees.skills.walking.reachable_standing import Stand
+from trees.skills.walking.walk_to import WalkTo
 from trees.tasks import ObjectDescription, OpenTask, PutInTask
 
 OPEN = OpenTask("open the fridge", ObjectDescription("fridge"))

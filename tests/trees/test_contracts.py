@@ -4,31 +4,21 @@ import ast
 import functools
 import importlib
 import inspect
-import pkgutil
 import re
 import subprocess
 import sys
 
 import pytest
 
-import trees.leaves
-from trees.contract import Contract
-from trees.job_leaf import JobLeaf
-from trees.leaf import Leaf
-from trees.motion_leaf import MotionLeaf
-from trees.planned_motion_leaf import PlannedMotionLeaf
-from trees.walking_leaf import WalkingLeaf
+from trees.btcpp.leaf_kinds import known_leaves
+from trees.nodes.contract import Contract
+from trees.nodes.job_leaf import JobLeaf
+from trees.nodes.leaf import Leaf
+from trees.nodes.motion_leaf import MotionLeaf
+from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
+from trees.skills.walking.walking_leaf import WalkingLeaf
 
-MODULES = [
-    importlib.import_module(f"trees.leaves.{module.name}")
-    for module in pkgutil.iter_modules(trees.leaves.__path__)
-]
-LEAVES = [
-    item
-    for module in MODULES
-    for _, item in inspect.getmembers(module, inspect.isclass)
-    if issubclass(item, Leaf) and item.__module__ == module.__name__
-]
+LEAVES = [leaf for leaf in known_leaves().values() if leaf.__module__.startswith("trees.")]
 
 
 @functools.cache

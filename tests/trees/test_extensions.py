@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from trees.extensions import SkillExtension, extensions, load, load_leaves
+from trees.btcpp.outside_leaves import load_leaves
+from trees.extensions import SkillExtension, extensions, load
 
 ROOT = Path(__file__).parents[2]
 GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
-from trees.believed_thing import surroundings
-from trees.grounding import Ambiguous, Found, Missing, ground, ground_furniture
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground, ground_furniture
+from trees.beliefs.scene.believed_thing import surroundings
 from trees.tasks import ObjectDescription, Relation
 
 HEIGHTS_M = {"shelf": 1.2, "shelf 2": 0.4, "shelf 3": 0.8}

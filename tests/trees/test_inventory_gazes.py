@@ -4,8 +4,8 @@ import itertools
 
 import numpy as np
 
+from trees.beliefs.sight.sight import in_view
 from trees.policy import TreePolicy
-from trees.sight import in_view
 
 TOPS_M = (0.75, 0.82, 0.9, 1.0)
 AHEAD_M, ASIDE_M = np.arange(0.36, 0.62, 0.04), np.arange(-0.48, 0.49, 0.04)

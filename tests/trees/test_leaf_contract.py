@@ -9,9 +9,6 @@ undisturbed run over again, tick by tick, and is left out.
 
 import contextlib
 import functools
-import importlib
-import inspect
-import pkgutil
 from pathlib import Path
 
 import numpy as np
@@ -19,14 +16,15 @@ import pytest
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
-import trees.leaves
-from kinematics.requests import NoPlan
+from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import bowl, cup, person, table
 from tests.trees.leaf_inputs import GIVEN
+from trees.btcpp.leaf_kinds import known_leaves
+from trees.btcpp.outside_leaves import outside_leaves
 from trees.build import SKILLS, build_tree
-from trees.extensions import extensions, outside_leaves
+from trees.extensions import extensions
 from trees.failures import FailureKind
-from trees.leaf import Leaf
+from trees.nodes.leaf import Leaf
 from trees.tasks import (
     CloseTask,
     CountTask,
@@ -77,12 +75,7 @@ FURTHER = {
     FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
 }
 
-LEAVES = [
-    item
-    for module in pkgutil.iter_modules(trees.leaves.__path__)
-    for _, item in inspect.getmembers(importlib.import_module(f"trees.leaves.{module.name}"), inspect.isclass)
-    if issubclass(item, Leaf) and item.__module__ == f"trees.leaves.{module.name}"
-]
+LEAVES = [leaf for leaf in known_leaves().values() if leaf.__module__.startswith("trees.")]
 # Skills of other packages that are installed here are held to the same contract.
 OUTSIDE = tuple(extensions().skills.values())
 TASKS |= {skill.task: (skill.make or skill.task)(skill.example) for skill in OUTSIDE}

@@ -6,19 +6,19 @@ import math
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.opening_path import DoorArc, DrawerLine
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
-from kinematics.walking.load import Load
-from kinematics.walking.path_planning import clearance_m, footprints
-from kinematics.walking.planar import PlanarPose
-from kinematics.walking.room import WalkingRoom
-from robots.description import load_description
-from trees.destination import Place
-from trees.handle_standing import handle_standing_place
-from trees.handles import HandleTarget
-from trees.standing_place import standing_place, stands_inside
+from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.scene.opening_path import DoorArc, DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.walking.route.load import Load
+from kinematics.walking.route.path_planning import clearance_m, footprints
+from kinematics.walking.route.room import WalkingRoom
+from robots.models.description import load_description
+from trees.beliefs.grounding.destination import Place
+from trees.beliefs.openings.handles import HandleTarget
+from trees.skills.doors.handle_standing import handle_standing_place
+from trees.skills.walking.standing_place import standing_place, stands_inside
 
 ROOM = WalkingRoom(load_description("talos").walking)
 

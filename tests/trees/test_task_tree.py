@@ -3,10 +3,10 @@ from py_trees.blackboard import Blackboard
 from py_trees.composites import Sequence
 
 from trees.events import NodeChanged
-from trees.failure_chain import place_of
 from trees.failures import FailureKind
-from trees.leaf import DONE, RUNNING
-from trees.snapshot_of import status_word
+from trees.nodes.failure_chain import place_of
+from trees.nodes.leaf import DONE, RUNNING
+from trees.nodes.snapshot_of import status_word
 from trees.task_tree import TaskTree
 from trees.tasks import GoHomeTask
 

@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
+from kinematics.arrays import Array
 from tools.benchmark.contest import Answer, ArmPlanner, Result, run_contest, standings
 from tools.benchmark.own_arm_planner import OwnArmPlanner
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
-from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
+from tools.benchmark.problems.arm_judge import Arm, ArmJudge
 from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import problems
 from tools.benchmark.problems.panda_files import RobotFiles, write_panda

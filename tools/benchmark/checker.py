@@ -7,17 +7,18 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kinematics import poses
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.sampler import TrajectorySampler
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import MovePlan, MoveRequest
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
-from kinematics.stance import stance_at
-from kinematics.trajectory import CheckedTrajectory, Trajectory
-from kinematics.trajectory_check import TrajectoryChecker
-from kinematics.trajectory_sampler import TrajectorySampler
-from robots.description import load_description
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure, timed_s
 
 DURATION_S = 5.0

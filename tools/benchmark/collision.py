@@ -12,15 +12,16 @@ from typing import Protocol
 import numpy as np
 
 from executive.config import APPLICATION
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.trajectory import Stance
-from kinematics.validity import validity
-from robots.description import load_description
+from kinematics.arrays import Array
+from kinematics.collision.validity import validity
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
-from tools.benchmark.problems.arm_judge import REFEREE_STEP_RAD, Arm, ArmJudge, Array
+from tools.benchmark.problems.arm_judge import REFEREE_STEP_RAD, Arm, ArmJudge
 from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import problems
 from tools.benchmark.problems.panda_files import write_panda

@@ -10,7 +10,8 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from tools.benchmark.problems.arm_judge import Array, path_length
+from kinematics.arrays import Array
+from tools.benchmark.problems.arm_judge import path_length
 from tools.benchmark.problems.problem import Problem
 
 Referee = Callable[[Problem, Array], bool]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from executive.assembly import Assembly, assemble
+from executive.session.assembly import Assembly, assemble
 from robots.control.period import PERIOD_S
-from robots.scene_file import load_scene
+from robots.scenes.scene_file import load_scene
 from tools.benchmark.figures import Figure, figure, timed_s
 
 _ROBOT, _SCENE = "talos", "tabletop"

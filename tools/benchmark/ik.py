@@ -12,13 +12,14 @@ from typing import Any, Protocol
 import numpy as np
 
 from executive.config import APPLICATION
-from kinematics.ik import inverse_kinematics
-from kinematics.ik_result import IkTolerance
-from kinematics.urdf_bodies import without_meshes
+from kinematics.arrays import Array
+from kinematics.ik.placo_ik import without_meshes
+from kinematics.ik.result import IkTolerance
+from kinematics.ik.solver import inverse_kinematics
 from tools.benchmark.contest import Result, standings
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
-from tools.benchmark.reaches import HAND, Array, Reach, ReachingBody
+from tools.benchmark.reaches import HAND, Reach, ReachingBody
 from tools.benchmark.report import Report, contest_figures
 
 PEERS = {"pink": "reach_pink", "mink": "reach_mink"}

@@ -8,13 +8,13 @@ import time
 import numpy as np
 
 from executive.config import APPLICATION
-from kinematics.free_coordinates import FreeCoordinates
-from kinematics.path_planner import PathPlanner, PathSettings
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import Stance
-from kinematics.validity import validity
-from robots.description import load_description
+from kinematics.collision.validity import validity
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.planning.path_planner import PathPlanner, PathSettings
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.standing.free_coordinates import FreeCoordinates
+from robots.models.description import load_description
 from tools.benchmark.contest import Answer
 from tools.benchmark.problems.problem import Problem
 

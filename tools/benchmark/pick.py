@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import PickPlan, PickRequest
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory
-from robots.description import load_description
+from kinematics.requests.pick import PickPlan, PickRequest
+from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import peer_process
@@ -23,8 +23,6 @@ from tools.benchmark.pick_peers import PARTS, STAGES, PeerPick, PeerPicker, peer
 from tools.benchmark.pick_search import BUDGET_S, RUNNER, LongSearch
 from tools.benchmark.problems.picks import picks
 from tools.benchmark.report import Report
-
-Array = NDArray[np.float64]
 
 QUICK_BUDGET_S = 5.0
 # What the peers move, and whether that is the whole body.

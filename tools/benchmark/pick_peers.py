@@ -15,28 +15,28 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.free_coordinates import free_coordinates
-from kinematics.grasping import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate
-from kinematics.ik_result import IkTolerance
-from kinematics.pick_planner import MOST_BLOCKED
-from kinematics.pick_task import APPROACH_M, CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE
-from kinematics.requests import PickRequest
-from kinematics.robot_description import HANDS, Hand
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.start_state import relaxed_at
-from kinematics.support import under_foot_of
-from kinematics.timing import Pace
-from kinematics.urdf_bodies import without_meshes
+from kinematics.arrays import Array
+from kinematics.collision.relaxed_start import relaxed_at
+from kinematics.geometry import poses
+from kinematics.ik.placo_ik import without_meshes
+from kinematics.ik.result import IkTolerance
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate
+from kinematics.planning.pick_planner import MOST_BLOCKED
+from kinematics.planning.pick_task import APPROACH_M
+from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.support_of import under_foot_of
+from kinematics.standing.free_coordinates import free_coordinates
+from kinematics.timing.curve_timing import Pace
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
 from tools.benchmark.problems.natural_grasps import natural_grasps
 from tools.benchmark.problems.problem import object_to_json
 
-Array = NDArray[np.float64]
 Document = dict[str, Any]
 
 # Environment and runner of each part.

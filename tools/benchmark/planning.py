@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from executive.assembly import Assembly, assemble
-from executive.command_parser import parse
-from executive.events import Event, PlanningAnswered
+from executive.session.assembly import Assembly, assemble
+from executive.session.events import Event, PlanningAnswered
+from executive.understanding.command_parser import parse
 from tools.benchmark.figures import Figure, figure
 from tools.evaluate.scenes import SENTENCE, pick_scene, read_episode_scene
 

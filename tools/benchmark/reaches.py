@@ -6,20 +6,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.collision import CollisionWorld
-from kinematics.ik_result import IkTolerance
-from kinematics.leg_ik import LegIk
-from kinematics.poses import Transform
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.stance import SupportPolygon, stance_at
-from robots.description import load_description
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.collision.collision_world import CollisionWorld
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.ik.result import IkTolerance
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.model.support_polygon import SupportPolygon
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.standing.leg_ik import LegIk
+from robots.models.description import load_description
 
 HAND: Hand = "right"
 # How far the pelvis may be from home: m along x, y, z, and rad about them.

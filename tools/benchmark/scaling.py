@@ -17,27 +17,27 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
 
-from kinematics import poses
-from kinematics.curves import PolynomialCurve, RoundedPolyline
-from kinematics.free_coordinates import FreeCoordinates, free_coordinates
-from kinematics.path_planner import PathPlanner
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
-from kinematics.stance import stance_at
-from kinematics.timing import Pace, time_curve
-from kinematics.trajectory import CheckedTrajectory, Stance, Trajectory
-from kinematics.trajectory_check import TrajectoryChecker
-from kinematics.validity import Validity, validity
-from robots.description import load_description
+from kinematics.arrays import Array
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.collision.validity import Validity, validity
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.curves import PolynomialCurve, RoundedPolyline
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.planning.path_planner import PathPlanner
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinates
+from kinematics.timing.curve_timing import Pace, time_curve
+from robots.models.description import load_description
 from tools.benchmark.figures import timed_s
 from tools.benchmark.scaling_picture import picture
-
-Array = NDArray[np.float64]
 
 OBSTACLES = (1, 3, 10, 30, 100, 300, 1000)
 WAYPOINTS = (2, 4, 8, 16, 32, 64, 128)

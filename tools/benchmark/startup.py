@@ -12,7 +12,7 @@ from tools.benchmark.figures import Figure, figure
 _STARTS = {
     "help, ms": ("-m", "executive", "--help"),
     "a sentence understood, ms": ("-m", "executive", "parse", "pick up the red cup on the table"),
-    "import of the whole executive, ms": ("-c", "import executive.performance, executive.assembly"),
+    "import of the whole executive, ms": ("-c", "import executive.runs.run, executive.session.assembly"),
 }
 _PEER = "interpreter with numpy, pinocchio, coal, placo and mujoco"
 _LIBRARIES = ("-c", "import numpy, pinocchio, coal, placo, mujoco")

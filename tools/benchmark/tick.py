@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from executive.assembly import Assembly, assemble
-from executive.command_parser import parse
+from executive.session.assembly import Assembly, assemble
+from executive.understanding.command_parser import parse
 from tools.benchmark.figures import Figure, figure, timed_s
 from tools.evaluate.scenes import SENTENCE, pick_scene, read_episode_scene
 from trees.build import build_tree

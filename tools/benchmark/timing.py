@@ -19,21 +19,27 @@ from pathlib import Path
 
 import numpy as np
 import ruckig
-from numpy.typing import NDArray
 from rich.console import Console
 from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
-from kinematics.curve_speed import CurveGrid
-from kinematics.curves import BlendedPolyline
-from kinematics.free_coordinates import FreeCoordinates
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.timing import FOLLOWING, JointLimits, Pace, TimedCurve, time_coordinates, time_curve
-from kinematics.timing_kernel import grid_times
-from robots.description import load_description
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.curves import BlendedPolyline
+from kinematics.standing.free_coordinates import FreeCoordinates
+from kinematics.timing.curve_speed import CurveGrid
+from kinematics.timing.curve_timing import (
+    FOLLOWING,
+    JointLimits,
+    Pace,
+    TimedCurve,
+    time_coordinates,
+    time_curve,
+)
+from kinematics.timing.timing_kernel import grid_times
+from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure, print_figures
 
-Array = NDArray[np.float64]
 Bound = Callable[[CurveGrid], tuple[float, float]]
 """Least duration of a curve without a jerk limit, s, and the processor time that it took, s."""
 

@@ -14,13 +14,13 @@ from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 
-from robots.scene_description import PerceptionModel
+from robots.scenes.scene_description import PerceptionModel
 from tools.calibration.answers import SKILLS, Answer, answers
 from tools.calibration.fit import fitted
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
 from trees.policy import TreePolicy
-from trees.stated_confidence import calibrated
+from trees.skills.telling.stated_confidence import calibrated
 
 NOISES = {
     "declared": PerceptionModel(),

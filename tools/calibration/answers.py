@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any, cast
 
-from kinematics.robot_model import RobotModel
-from robots.description import load_description
-from robots.scene_description import PerceptionModel
+from kinematics.model.robot_model import RobotModel
+from robots.models.description import load_description
+from robots.scenes.scene_description import PerceptionModel
 from tools.calibration.quick_robot import QuickRobot
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.skills.registry import SKILL_SUITES

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kinematics.arrays import Array
 from tools.calibration.answers import Answer
-from trees.stated_confidence import log_odds
-
-Array = NDArray[np.float64]
+from trees.skills.telling.stated_confidence import log_odds
 
 _STEPS = 100
 _RIDGE = 1.0

@@ -10,17 +10,17 @@ from functools import partial
 
 import numpy as np
 
-from executive.planning_jobs import PlanningJobs
+from executive.session.planning_jobs import PlanningJobs
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory, Unsafe
-from robots.control.guarded_motion import GuardedMotion
+from kinematics.requests.check import CheckRequest
+from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_world import FakeWorld
 from robots.perception.stub import PerceptionStub
-from robots.scene_description import SceneDescription
+from robots.scenes.scene_description import SceneDescription
 from robots.seeded import seeded
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import build_tree

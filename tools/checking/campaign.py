@@ -20,10 +20,10 @@ from pathlib import Path
 
 import numpy as np
 
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Unsafe
-from kinematics.trajectory_check import TrajectoryChecker
-from robots.description import load_description
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import Unsafe
+from robots.models.description import load_description
 from tools.checking.generator import DEFECTS, Generator, Kind
 
 

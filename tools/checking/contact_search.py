@@ -12,11 +12,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
 from tools.checking.farthest import Farthest
 from tools.checking.solid_world import SolidWorld
 
-Array = NDArray[np.float64]
 Pairs = NDArray[np.intp]
 
 STEP_S = 0.0005

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 
-from kinematics.trajectory import Trajectory
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.motion.trajectory import Trajectory
 
 
 class Definition:

@@ -11,10 +11,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
 from tools.checking.solid_world import SolidWorld
-
-Array = NDArray[np.float64]
 
 # Rotations are summed up in chords of quaternions, distances with Coal's precision.
 ROUNDING = 1.0 + 1e-6

@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.robot_description import HANDS
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box, Cylinder, Shape
-from kinematics.trajectory import Trajectory
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.model.robot_description import HANDS
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from tools.checking.motions import (
     Choreographer,
     Motion,
@@ -25,8 +25,6 @@ from tools.checking.placing import Placer, random_rotation, random_shape
 from tools.checking.profiles import Profile
 from tools.checking.referee import Referee, Verdict
 from tools.checking.solid_world import SolidWorld
-
-Array = NDArray[np.float64]
 
 Kind = Literal["sound", "limit", "self", "scene", "held", "balance", "jump", "thin", "brief"]
 DEFECTS: tuple[Kind, ...] = ("limit", "self", "scene", "held", "balance", "jump", "thin", "brief")

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Stance, Trajectory
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.trajectory import Trajectory
 from tools.checking.profiles import Profile, random_profile
-
-Array = NDArray[np.float64]
 
 PELVIS = ("x", "y", "z", "yaw", "pitch")
 _PELVIS_SIZE = {"x": 0.04, "y": 0.05, "z": 0.06, "yaw": 0.15, "pitch": 0.1}

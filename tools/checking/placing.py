@@ -6,18 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box, Cylinder, Shape
-from kinematics.trajectory import Trajectory
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from tools.checking.ray import Ray
 from tools.checking.referee import Referee
 from tools.checking.solid_world import SolidWorld
-
-Array = NDArray[np.float64]
 
 _CLOSENESS_M = 0.00005
 # Along a ray from the robot, at most.

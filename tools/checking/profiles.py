@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
 
 _S = Polynomial([0.0, 1.0])
 _GO = 10 * _S**3 - 15 * _S**4 + 6 * _S**5

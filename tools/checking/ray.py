@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
 from tools.checking.enclosing_balls import EnclosingBalls
 from tools.checking.solid_world import SolidWorld
-
-Array = NDArray[np.float64]
 
 
 class Ray:

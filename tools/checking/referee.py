@@ -1,6 +1,6 @@
 """A slow judge of trajectories that trusts nothing but dense sampling, Pinocchio and Coal.
 
-It evaluates the definition in ``kinematics.trajectory`` at short steps, and shares no code with
+It evaluates the definition in ``kinematics.motion.trajectory`` at short steps, and shares no code with
 the checker. It is right up to its step: 0.5 ms, and where two solids come near, 0.2 mm.
 """
 
@@ -10,19 +10,17 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import Trajectory
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import PlanningScene
 from tools.checking.contact_search import ContactSearch
 from tools.checking.definition import Definition
 from tools.checking.solid_world import SolidWorld
-
-Array = NDArray[np.float64]
 
 _STANCE_STEP_S = 0.004
 _TIPPING_STEP_S = 0.01

@@ -9,12 +9,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.arrays import Array
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from tools.checking.enclosing_balls import EnclosingBalls
-
-Array = NDArray[np.float64]
 
 
 class SolidWorld:

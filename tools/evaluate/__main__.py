@@ -16,23 +16,23 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from executive.errors import UserError
-from executive.run_log import require_writable
-from robots.description import known_robots, load_description
+from executive.runs.run_log import require_writable
 from robots.errors import RobotsError
-from robots.live.faulty_connection import CONNECTION_FAULTS
-from robots.scene_file import load_scene
+from robots.live.wire.faulty_connection import CONNECTION_FAULTS
+from robots.models.description import known_robots, load_description
+from robots.scenes.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
-from tools.evaluate.connection import run_connection
 from tools.evaluate.digests import run_digests
 from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
-from tools.evaluate.fuzz import run_fuzz
 from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
-from tools.evaluate.kill import run_kill
-from tools.evaluate.load import run_load
+from tools.evaluate.live.connection import run_connection
+from tools.evaluate.live.fuzz import run_fuzz
+from tools.evaluate.live.kill import run_kill
+from tools.evaluate.live.load import run_load
 from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from executive.assembly import assemble
-from executive.command_parser import parse
-from executive.settled_heap import settled_heap
-from executive.task_result import TaskResult, chain
+from executive.runs.frozen_heap import settled_heap
+from executive.session.assembly import assemble
+from executive.session.task_result import TaskResult, chain
+from executive.understanding.command_parser import parse
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.robot_description import HANDS
+from kinematics.model.robot_description import HANDS
 from robots.perception.stub import PerceptionStub
-from robots.scene_description import SceneDescription
-from robots.simulated.faults import FaultInjector
-from robots.simulated.truth import SimulatorTruth
+from robots.scenes.scene_description import SceneDescription
+from robots.simulated.faults.world_faults import FaultInjector
+from robots.simulated.truth.truth import SimulatorTruth
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.scenes import CUP_AHEAD_M, CUP_ASIDE_M
 

@@ -12,10 +12,10 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 
-from executive.assembly import assemble
-from executive.command_parser import parse
-from executive.settled_heap import settled_heap
-from executive.task_result import chain
+from executive.runs.frozen_heap import settled_heap
+from executive.session.assembly import assemble
+from executive.session.task_result import chain
+from executive.understanding.command_parser import parse
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord, broken_episode

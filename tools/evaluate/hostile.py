@@ -19,8 +19,8 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 
-from executive.command_parser import parser_with
-from executive.understanding import Understood, understand
+from executive.understanding.command_parser import parser_with
+from executive.understanding.understanding import Understood, understand
 
 CORPUS = Path(__file__).parents[2] / "tests" / "corpus"
 P99_BAR_MS = 20.0

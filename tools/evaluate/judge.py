@@ -8,9 +8,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.poses import Transform
-from kinematics.robot_description import HANDS, Hand
-from robots.simulated.true_contacts import PadContact, TrueContact
+from kinematics.geometry.poses import Transform
+from kinematics.model.robot_description import HANDS, Hand
+from robots.simulated.truth.true_contacts import PadContact, TrueContact
 
 LIFTED_M = 0.10
 HELD_S = 2.0

@@ -12,18 +12,18 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from executive.assembly import Assembly, assemble
-from executive.attendant import Nobody
-from executive.clarification import OpenQuestion
-from executive.command_parser import parse
-from executive.errand import Errand, drive
-from robots.scene_description import SceneDescription, SceneItem
+from executive.dialogue.attendant import Nobody
+from executive.dialogue.clarification import OpenQuestion
+from executive.errands.errand import Errand, drive
+from executive.session.assembly import Assembly, assemble
+from executive.understanding.command_parser import parse
+from robots.scenes.scene_description import SceneDescription, SceneItem
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.skills import rooms
-from trees.believed_thing import split_words
+from trees.beliefs.scene.believed_thing import split_words
 
 STILL_RAD = 0.02
 """Arms that move less are only carried by the balance."""

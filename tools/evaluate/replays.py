@@ -14,16 +14,16 @@ from pathlib import Path
 
 import numpy as np
 
-from executive.attendant import Nobody, Stoppable
-from executive.clarification import OpenQuestion
-from executive.outputs.display import NoDisplay
-from executive.performance import perform
-from executive.replay import replay
-from executive.run_log import recorded_run
-from executive.run_request import RunRequest
-from executive.task_script import script_for
-from robots.planned_fault import PlannedFault
-from robots.scene_writer import dump
+from executive.dialogue.attendant import Nobody, Stoppable
+from executive.dialogue.clarification import OpenQuestion
+from executive.runs.replay import replay
+from executive.runs.run import perform
+from executive.runs.run_log import recorded_run
+from executive.runs.run_request import RunRequest
+from executive.screens.display import NoDisplay
+from executive.scripts.task_script import script_for
+from robots.scenes.planned_fault import PlannedFault
+from robots.scenes.scene_writer import dump
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord

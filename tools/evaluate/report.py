@@ -9,7 +9,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from robots.scene_writer import dump
+from robots.scenes.scene_writer import dump
 from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.scenes import CLUTTER, SENTENCE, episode_scene

@@ -12,12 +12,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from kinematics import poses
-from kinematics.shapes import Box, Cylinder, Shape
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder, Shape
 from robots.errors import SceneError
-from robots.scene_description import Furniture, PerceptionModel, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import load_scene, read_scene
-from robots.scene_writer import dump
+from robots.scenes.scene_description import (
+    Furniture,
+    PerceptionModel,
+    RobotStart,
+    SceneDescription,
+    SceneItem,
+)
+from robots.scenes.scene_file import load_scene, read_scene
+from robots.scenes.scene_writer import dump
 
 TARGET = "red cup"
 SENTENCE = "pick up the red cup on the table"

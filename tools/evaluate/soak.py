@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 
-from executive.assembly import Assembly, assemble
-from executive.command_parser import parse
-from executive.events import Event, InputTaken, TaskAccepted, TaskEnded
+from executive.session.assembly import Assembly, assemble
+from executive.session.events import Event, InputTaken, TaskAccepted, TaskEnded
+from executive.understanding.command_parser import parse
 from robots.control.events import EmergencyReset, EmergencyStopped, MotionPaused, MotionResumed
-from robots.scene_description import SceneDescription
-from robots.simulated.body_faults import BodyFaults
+from robots.scenes.scene_description import SceneDescription
+from robots.simulated.faults.body_faults import BodyFaults
 from tools.evaluate.records import Bar
 from tools.evaluate.scenes import SENTENCE, episode_rng, pick_scene, read_episode_scene
 from tools.evaluate.skills.walking import floor

@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 from trees.btcpp.composites import IfThenElse, Parallel, ParallelAll, SequenceWithMemory, WhileDoElse
 from trees.btcpp.node_kind import NodeKind, Parts, Port
 from trees.btcpp.repeating import KeepRunningUntilFailure, Repeat, RepeatingDecorator, RetryUntilSuccessful
-from trees.deadline import Deadline
+from trees.nodes.deadline import Deadline
 
 _MANY = (1, 1000)
 

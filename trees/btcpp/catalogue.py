@@ -13,9 +13,9 @@ from trees.btcpp.builtin_kinds import BUILTIN_KINDS, builtin_kind
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.leaf_kinds import known_leaves, leaf_kind
 from trees.btcpp.node_kind import NodeKind
+from trees.btcpp.outside_leaves import outside_leaves
 from trees.btcpp.own_kinds import OWN_KINDS
-from trees.extensions import outside_leaves
-from trees.leaf import Leaf
+from trees.nodes.leaf import Leaf
 
 
 @cache

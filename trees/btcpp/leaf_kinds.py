@@ -13,11 +13,12 @@ from py_trees.behaviour import Behaviour
 from py_trees.ports import PortInformation
 
 import trees.leaves
+import trees.skills
 from trees.btcpp.literals import to_text, type_name
 from trees.btcpp.node_kind import NodeKind, Parts, Port
-from trees.extensions import outside_leaves
-from trees.leaf import Leaf
-from trees.leaf_settings import setting_types
+from trees.btcpp.outside_leaves import outside_leaves
+from trees.nodes.leaf import Leaf
+from trees.nodes.leaf_settings import setting_types
 
 
 @cache
@@ -46,8 +47,9 @@ def leaf_kind(cls: type[Leaf]) -> NodeKind:
 def known_leaves() -> Mapping[str, type[Leaf]]:
     """All leaves by their IDs: those of this package and those of others, in the order of the IDs."""
     found = {cls.__name__: cls for cls in outside_leaves().leaves}
-    for module in pkgutil.iter_modules(trees.leaves.__path__):
-        importlib.import_module(f"trees.leaves.{module.name}")
+    for package in (trees.leaves, trees.skills):
+        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
     for cls in _below(Leaf):
         if cls.__module__.startswith("trees.") and _is_whole(cls):
             found[cls.__name__] = cls

@@ -9,20 +9,19 @@ from typing import Any
 
 from py_trees.behaviour import Behaviour
 
-from trees.alternatives import Alternatives, always_worth_trying, defect
-from trees.best_effort import BestEffort
 from trees.btcpp.literals import to_text, type_name
 from trees.btcpp.node_kind import NodeKind, Parts, Port
-from trees.clean_up import CleanUp
-from trees.deadline import Deadline
 from trees.failures import Failure, FailureKind
-from trees.if_beside import IfBeside
-from trees.if_nothing_is_known import IfNothingIsKnown
-from trees.if_shifted import IfShifted
-from trees.only_after import OnlyAfter
-from trees.retry import Retry
-from trees.unless_held import UnlessHeld
-from trees.unless_seen import UnlessSeen
+from trees.nodes.alternatives import Alternatives
+from trees.nodes.best_effort import BestEffort
+from trees.nodes.clean_up import CleanUp
+from trees.nodes.deadline import Deadline
+from trees.nodes.judgements import always_worth_trying, defect
+from trees.nodes.retry import Retry
+from trees.nodes.skipping import IfShifted, OnlyAfter, UnlessHeld
+from trees.skills.gestures.if_beside import IfBeside
+from trees.skills.home.if_nothing_is_known import IfNothingIsKnown
+from trees.skills.looking.unless_seen import UnlessSeen
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinematics.requests import CheckRequest
-from kinematics.trajectory import CheckedTrajectory, Unsafe
-from trees.contract import Contract
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
 from trees.failures import Failure
-from trees.job_leaf import JobLeaf
-from trees.plan_failures import unsafe_failure, why_stale
-from trees.ports import ports
-from trees.steps import CheckedStep, Step
+from trees.nodes.contract import Contract
+from trees.nodes.job_leaf import JobLeaf
+from trees.nodes.plan_failures import unsafe_failure, why_stale
+from trees.nodes.ports import ports
+from trees.port_values import CheckedStep, Step
 
 
 class CheckTrajectory(JobLeaf):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from kinematics.requests import Grasp
-from trees.contract import Contract
+from kinematics.requests.grasp import Grasp
 from trees.failures import Failure, FailureKind
-from trees.leaf import DONE, Leaf
-from trees.ports import optional, ports
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import optional, ports
 
 # Parts of a skill in which a failure says something about the grasp.
 _GRASP_STAGES = frozenset({"approach", "grasp", "lift", "push"})

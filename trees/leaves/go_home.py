@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from kinematics.gesture_requests import GestureRequest
-from kinematics.requests import MoveRequest
-from trees.arrival import is_told_to_be_home
-from trees.contract import Contract
-from trees.move_here import move_from_here
-from trees.planned_motion_leaf import PlannedMotionLeaf
-from trees.ports import ports
+from kinematics.requests.gesture import GestureRequest
+from kinematics.requests.move import MoveRequest
+from trees.nodes.arrival import is_told_to_be_home
+from trees.nodes.contract import Contract
+from trees.nodes.move_from_here import move_from_here
+from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
+from trees.nodes.ports import ports
 
 
 class GoHome(PlannedMotionLeaf):

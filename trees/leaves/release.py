@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from robots.control.motion_handle import MotionHandle
-from trees.contract import Contract
 from trees.failures import Failure
-from trees.leaf import DONE
-from trees.motion_leaf import MotionLeaf
-from trees.ports import optional, ports
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.motion_leaf import MotionLeaf
+from trees.nodes.ports import optional, ports
 
 # An object let go nearer than this to where it stood still stands.
 _SAFE_DROP_M = 0.015

@@ -5,13 +5,13 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from robots.control.motion_handle import MotionHandle
-from trees.arrival import arrival
-from trees.contract import Contract
 from trees.failures import Failure
-from trees.motion_leaf import MotionLeaf
-from trees.plan_failures import why_stale
-from trees.ports import ports
-from trees.steps import CheckedStep
+from trees.nodes.arrival import arrival
+from trees.nodes.contract import Contract
+from trees.nodes.motion_leaf import MotionLeaf
+from trees.nodes.plan_failures import why_stale
+from trees.nodes.ports import ports
+from trees.port_values import CheckedStep
 
 
 class StreamMotion(MotionLeaf):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from trees.contract import Contract
 from trees.failures import Failure
-from trees.leaf import DONE, RUNNING, Leaf
-from trees.ports import ports
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, RUNNING, Leaf
+from trees.nodes.ports import ports
 from trees.tasks import WaitTask
 from trees.toolbox import Toolbox
 

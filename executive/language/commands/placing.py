@@ -24,8 +24,8 @@ from executive.language.phrases import (
     draft,
 )
 from executive.language.words.word import Word
-from robots.furniture_names import kind_called
-from trees.articles import with_article
+from robots.scenes.furniture_names import kind_called
+from trees.beliefs.grounding.articles import with_article
 
 _PLACING = frozenset({"place", "placing", "set", "setting", "deposit", "depositing", "position", "drop off"})
 """Verbs of which nobody thinks that they say what to wear, as of "put on the hat"."""

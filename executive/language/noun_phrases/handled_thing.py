@@ -8,7 +8,7 @@ from executive.language.noun_phrases.arranging import Arranged, trouble
 from executive.language.phrase_parts import Parts
 from executive.language.phrases import Item, Nominal
 from executive.language.words.word import Word
-from trees.articles import with_article
+from trees.beliefs.grounding.articles import with_article
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
 IT = Nominal("any", reference="it", determined=True)

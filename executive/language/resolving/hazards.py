@@ -13,7 +13,7 @@ from typing import Any
 
 from executive.language.phrases import Trouble
 from executive.meaning import Command
-from trees.articles import with_article
+from trees.beliefs.grounding.articles import with_article
 from trees.tasks import HandOverTask, ObjectDescription, ObjectOf, PlaceTask, PutInTask
 
 

@@ -9,7 +9,7 @@ from executive.language.noun_phrases.lists import another_of
 from executive.language.phrases import Nominal, Relative, Trouble
 from executive.language.resolving.discourse import Discourse, UnresolvedError, ask
 from trees import tasks
-from trees.articles import with_article
+from trees.beliefs.grounding.articles import with_article
 from trees.tasks import ObjectOf
 
 _WITH_A_DOOR = frozenset(

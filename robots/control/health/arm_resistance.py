@@ -11,16 +11,14 @@ theirs explain its own.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.hand_touch import HandTouch
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
+from kinematics.arrays import Array
+from kinematics.estimation.hand_touch import HandTouch
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Finding
 from robots.control.health.resistance_arithmetic import average_resistance, find_jammed
-from robots.interface import JointSetpoint, RobotState
-
-Array = NDArray[np.float64]
+from robots.interface.robot import JointSetpoint, RobotState
 
 _EVERY = 5
 _TIME_S = 0.05

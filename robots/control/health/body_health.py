@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections import deque
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.poses import vector_from_rotation
-from kinematics.robot_model import RobotModel
-from kinematics.stance import SupportPolygon, stance_at
+from kinematics.arrays import Array
+from kinematics.geometry.poses import vector_from_rotation
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.model.support_polygon import SupportPolygon
 from robots.control.health.finding import Ailment, Finding
-from robots.sensed_state import SensedState
-
-Array = NDArray[np.float64]
+from robots.interface.sensed_state import SensedState
 
 _GYRO_WINDOW_S = 1.0
 _GYRO_STEP_S = 0.1

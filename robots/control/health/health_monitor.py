@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from kinematics.robot_model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.health.arm_resistance import ArmResistance
 from robots.control.health.body_health import BodyHealth
 from robots.control.health.finding import Ailment, Finding, Response
 from robots.control.health.joint_health import JointHealth
-from robots.interface import JointSetpoint
-from robots.sensed_state import SensedState
+from robots.interface.robot import JointSetpoint
+from robots.interface.sensed_state import SensedState
 
 _ALARMING = 2
 """So many judgements in a row must find the same before it counts."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.kernel.compiler import compiled
+from kinematics.arrays import Array
+from kinematics.compiled.compiler import compiled
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 

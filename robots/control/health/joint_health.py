@@ -15,9 +15,9 @@ import math
 from collections import deque
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_description import RobotDescription
+from kinematics.arrays import Array
+from kinematics.model.robot_description import RobotDescription
 from robots.control.health.finding import Ailment, Finding
 from robots.control.health.joint_arithmetic import (
     add_travel,
@@ -25,9 +25,7 @@ from robots.control.health.joint_arithmetic import (
     watch_followers,
     watch_motors,
 )
-from robots.interface import JointSetpoint, RobotState
-
-Array = NDArray[np.float64]
+from robots.interface.robot import JointSetpoint, RobotState
 
 _EVERY = 5
 _MOTOR_TIME_S = 0.05

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
-from kinematics.walking.pattern_sample import Phase
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+from kinematics.walking.pattern.pattern_sample import Phase
 
 _LEAST_RAD = 0.008
 """On a level floor soft ankles yield by less."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.hand_force import HandForce
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.estimation.hand_force import HandForce
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 
 _GRAVITY_M_S2 = 9.81
 _TIME_S = 0.5

@@ -12,14 +12,12 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_description import Hand
-from kinematics.walking.dcm import Point
-from kinematics.walking.planar import PlanarPose
-from robots.control.refusal import Limit, Refusal
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.geometry.planar import PlanarPose
+from kinematics.model.robot_description import Hand
+from kinematics.walking.pattern.dcm import Point
+from robots.control.gate.refusal import Limit, Refusal
 
 MOST_N = 80.0
 """Undisturbed walks show 12 N at most, plates 26, pushes of 0.1 s 43; walls and tables that are walked into

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from kinematics.robot_description import Hand
-from kinematics.walking.dcm import Point
-from kinematics.walking.pattern_sample import PatternSample
+from kinematics.model.robot_description import Hand
+from kinematics.walking.pattern.dcm import Point
+from kinematics.walking.pattern.pattern_sample import PatternSample
 
 _MEAN_S = 0.03
 """A sole that rocks on its edge shows errors of 10 cm to and fro within this time; a push stays."""

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_model import RobotModel
-from kinematics.walking.settings import WalkingSettings
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.walking_settings import WalkingSettings
 
 _BLEND_S = 0.3
 """From stiff to soft, and back."""

@@ -5,20 +5,18 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics.robot_description import Hand
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory_sampler import MotionSample
-from kinematics.walking.attitude import righting_moment
-from kinematics.walking.dcm import Point
-from kinematics.walking.foot_wrenches import WrenchDistribution
-from kinematics.walking.legged_estimator import LeggedEstimator
-from kinematics.walking.pattern_sample import PatternSample
-from kinematics.walking.settings import WalkingSettings
-from kinematics.walking.walking_dynamics import WalkingDynamics
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.walking_settings import WalkingSettings
+from kinematics.motion.sampler import MotionSample
+from kinematics.walking.body.attitude import righting_moment
+from kinematics.walking.body.foot_wrenches import WrenchDistribution
+from kinematics.walking.body.legged_estimator import LeggedEstimator
+from kinematics.walking.body.walking_dynamics import WalkingDynamics
+from kinematics.walking.pattern.dcm import Point
+from kinematics.walking.pattern.pattern_sample import PatternSample
 
 
 class Stabiliser:

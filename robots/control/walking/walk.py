@@ -3,31 +3,29 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.trajectory import Stance
-from kinematics.trajectory_sampler import MotionSample
-from kinematics.walking.floor_finding import FloorFinding
-from kinematics.walking.legged_estimator import LeggedEstimator
-from kinematics.walking.level_soles import levelled
-from kinematics.walking.pattern import WalkingPattern
-from kinematics.walking.pattern_sample import PatternSample, Phase
-from kinematics.walking.planar import PlanarPose
-from kinematics.walking.whole_body import WholeBody
-from robots.control.motion_streamer import MotionStreamer
-from robots.control.refusal import Refusal
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.sampler import MotionSample
+from kinematics.walking.body.floor_finding import FloorFinding
+from kinematics.walking.body.legged_estimator import LeggedEstimator
+from kinematics.walking.body.level_soles import levelled
+from kinematics.walking.body.whole_body import WholeBody
+from kinematics.walking.pattern.pattern import WalkingPattern
+from kinematics.walking.pattern.pattern_sample import PatternSample, Phase
+from robots.control.gate.refusal import Refusal
+from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.fitted_ankles import FittedAnkles
 from robots.control.walking.outside_force import OutsideForce
 from robots.control.walking.push_watch import PushWatch
 from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
-from robots.interface import RobotState
-
-Array = NDArray[np.float64]
+from robots.interface.robot import RobotState
 
 _AT_REST_PERIODS = 3
 """Periods at rest until the averaged references are at rest too."""

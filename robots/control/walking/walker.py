@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import Stance
-from kinematics.walking.settings import UPRIGHT_RAD
-from kinematics.walking.steering import Steering
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.walking_settings import UPRIGHT_RAD
+from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
-from robots.control.authority import HOLD, STOP, Authority, together
 from robots.control.events import ControlSink, MotionEnded, MotionStarted
+from robots.control.gate.authority import HOLD, STOP, Authority, together
+from robots.control.gate.proposal import Proposal
+from robots.control.gate.refusal import Refusal
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from robots.control.motion_streamer import MotionStreamer
-from robots.control.proposal import Proposal
-from robots.control.refusal import Refusal
+from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.walk import Walk
-from robots.interface import RobotState
-from robots.sensed_state import SensedState
-
-Array = NDArray[np.float64]
+from robots.interface.robot import RobotState
+from robots.interface.sensed_state import SensedState
 
 _GYRO_TIME_S = 4.0
 """What the gyro shows at rest is averaged over this."""

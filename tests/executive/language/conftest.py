@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.clarification import clarified
+from executive.dialogue.clarification import clarified
 
 
 @pytest.fixture

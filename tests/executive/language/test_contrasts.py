@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.command_parser import parse, parse_selection
+from executive.understanding.command_parser import parse, parse_selection
 
 
 @pytest.mark.requirement("L2", "L5")

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 KINDS = ("cup", "bowl", "ball", "bottle", "book")
 COLORS = (None, None, "red", "blue", "green")

@@ -2,7 +2,7 @@
 
 import random
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 KINDS = ("cup", "bottle", "box", "ball", "bowl", "plate")
 PLACES = ("table", "shelf", "counter", "sofa")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 HONOURED = {
     "pick up the red cup, no wait, the green one": "pick up the green cup",

@@ -7,7 +7,7 @@ import random
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 SEED = 20261124
 SENTENCES = 400

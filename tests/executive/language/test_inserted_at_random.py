@@ -4,8 +4,8 @@ import random
 
 import pytest
 
-from executive.command_parser import parse
 from executive.meaning import command_json
+from executive.understanding.command_parser import parse
 
 SENTENCES = (
     "pick up the red cup on the table",

@@ -2,8 +2,8 @@
 
 import pytest
 
-from executive.command_parser import parse
-from executive.conversation import Conversation
+from executive.understanding.command_parser import parse
+from executive.understanding.conversation import Conversation
 
 
 @pytest.mark.requirement("L6")

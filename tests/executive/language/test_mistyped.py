@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 
 @pytest.mark.requirement("L5")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 CORPUS = Path(__file__).parents[2] / "corpus"
 OPPOSITE = {"open": "close", "close": "open", "pick": "place", "place": "pick"}

@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 
 def tasks_of(sentence):

@@ -2,8 +2,8 @@
 
 import pytest
 
-from executive.command_parser import parse
 from executive.language.words.records import sentences_of_records
+from executive.understanding.command_parser import parse
 
 
 def tasks_of(text):

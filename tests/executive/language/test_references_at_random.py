@@ -6,7 +6,7 @@ import itertools
 import random
 from dataclasses import dataclass, field
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 SENTENCES = 1500
 SEED = 20261123

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 from tests.executive.test_corpus import SENTENCES
 
 COMMANDS = [

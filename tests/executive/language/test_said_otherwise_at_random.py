@@ -2,7 +2,7 @@
 
 import random
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 
 _THINGS = ("cup", "red bowl", "plate", "blue box", "green ball", "towel")
 _PLACES = ("table", "shelf", "counter", "sofa")

@@ -4,21 +4,21 @@ from concurrent.futures import Future
 
 import pytest
 
-from executive.live.control_link import ControlLink
-from executive.live.live_steps import DetectorClient, LiveSteps, RangingClient
-from executive.live.motion_client import MotionClient
-from executive.live.planning_client import LivePlanning
-from executive.live.planning_service import Planned
-from executive.live.walking_client import WalkingClient
-from executive.live.yielding_client import YieldingClient
-from kinematics.requests import CheckRequest
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene
-from robots.description import load_description
-from robots.live.connection import Connection
-from robots.live.robot_report import ReportLayout, RobotReport
-from robots.live.runtime_folder import RuntimeFolder
-from robots.live.state_slot import StateSlotWriter
+from executive.live.control_client.control_link import ControlLink
+from executive.live.control_client.live_steps import DetectorClient, LiveSteps, RangingClient
+from executive.live.control_client.motion_client import MotionClient
+from executive.live.control_client.planning_client import LivePlanning
+from executive.live.control_client.planning_service import Planned
+from executive.live.control_client.walking_client import WalkingClient
+from executive.live.control_client.yielding_client import YieldingClient
+from kinematics.model.robot_model import RobotModel
+from kinematics.requests.check import CheckRequest
+from kinematics.scene.planning_scene import PlanningScene
+from robots.live.documents.robot_report import ReportLayout, RobotReport
+from robots.live.wire.connection import Connection
+from robots.live.wire.runtime_folder import RuntimeFolder
+from robots.live.wire.state_slot import StateSlotWriter
+from robots.models.description import load_description
 from tests.robots.live.conftest import LiveRig
 from trees.world_model import WorldModel
 

@@ -5,11 +5,11 @@ import contextlib
 import numpy as np
 import pytest
 
-from executive.live.control_link import ControlLostError
-from executive.live.planning_client import NotAdmittedError
-from executive.live.planning_service import Planned
+from executive.live.control_client.control_link import ControlLostError
+from executive.live.control_client.planning_client import NotAdmittedError
+from executive.live.control_client.planning_service import Planned
 from robots.control.motion_handle import MotionStatus
-from robots.live.faulty_connection import CONNECTION_FAULTS, FaultyConnection, FaultyLine
+from robots.live.wire.faulty_connection import CONNECTION_FAULTS, FaultyConnection, FaultyLine
 from tests.executive.live.conftest import Executive
 from tests.robots.live.conftest import swing
 

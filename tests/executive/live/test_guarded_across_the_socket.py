@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from executive.live.yielding_client import YieldingClient
-from kinematics import poses
-from kinematics.opening_path import DrawerLine
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
-from kinematics.walking.steering import VelocitySteering
+from executive.live.control_client.yielding_client import YieldingClient
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.scene.opening_path import DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.walking.pattern.steering import VelocitySteering
+from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionStatus
-from robots.control.yield_order import YieldOrder
 from trees.world_model import WorldModel
 
 AHEAD = np.array([1.0, 0.0, 0.0])

@@ -5,16 +5,16 @@ import dataclasses
 import numpy as np
 import pytest
 
-from executive.live.control_link import AttachRefusedError, ControlLink, ControlLostError
-from executive.live.live_guard import LiveGuard
-from executive.live.live_steps import LiveClock
-from executive.live.motion_client import GripperClient
-from executive.live.planning_client import NotAdmittedError
-from executive.live.planning_service import Planned
-from kinematics.trajectory import Finding, FindingKind, Unsafe
+from executive.live.control_client.control_link import AttachRefusedError, ControlLink, ControlLostError
+from executive.live.control_client.live_guard import LiveGuard
+from executive.live.control_client.live_steps import LiveClock
+from executive.live.control_client.motion_client import GripperClient
+from executive.live.control_client.planning_client import NotAdmittedError
+from executive.live.control_client.planning_service import Planned
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from robots.control.events import StopStarted
 from robots.control.motion_handle import MotionStatus
-from robots.live.messages import Stop
+from robots.live.wire.messages import Stop
 from tests.robots.live.conftest import Client, swing
 
 

@@ -5,15 +5,15 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics import poses
-from kinematics.collision import CollisionWorld
+from kinematics.collision.collision_world import CollisionWorld
+from kinematics.collision.validity import SampledValidity
 from kinematics.errors import UnknownNameError
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box
 from kinematics.kernel import door
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box
-from kinematics.validity import SampledValidity
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 def both(arrays, talos, stance, scene, extra_m=0.004, own_m=0.005):

@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.collision import HandCollision
+from kinematics.collision.collision_world import HandCollision
+from kinematics.geometry import poses
 from kinematics.kernel.hand_kernel import HandKernel, hand_arrays
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 
 
 @pytest.fixture(scope="module")

@@ -5,17 +5,17 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics import poses
-from kinematics.collision import CollisionWorld, with_floor
-from kinematics.free_coordinates import FreeCoordinates
+from kinematics.collision.collision_world import CollisionWorld, with_floor
+from kinematics.collision.validity import validity
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Ball, Box, Cylinder
-from kinematics.trajectory import Stance
-from kinematics.validity import validity
-from robots.description import load_description
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.standing.free_coordinates import FreeCoordinates
+from robots.models.description import load_description
 
 START, GOAL = np.array([0.0, 0.5]), np.array([3.0, 0.5])
 LOWER, UPPER = np.array([-0.2, -0.6]), np.array([3.2, 0.6])

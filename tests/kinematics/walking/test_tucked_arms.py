@@ -6,15 +6,15 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics import poses
-from kinematics.collision import CollisionWorld
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box
-from kinematics.walking.planar import PlanarPose
-from kinematics.walking.room import WalkingRoom
-from kinematics.walking.steering import PathSteering, foreseen
-from robots.description import load_description
+from kinematics.collision.collision_world import CollisionWorld
+from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from kinematics.geometry.shapes import Box
+from kinematics.model.robot_model import RobotModel
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.walking.pattern.steering import PathSteering, foreseen
+from kinematics.walking.route.room import WalkingRoom
+from robots.models.description import load_description
 
 DESCRIPTION = load_description("talos")
 SETTINGS = DESCRIPTION.walking

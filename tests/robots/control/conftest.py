@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.trajectory import CheckedTrajectory, Trajectory, _Seal
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
-from robots.description import load_description
-from robots.interface import RobotState
+from robots.control.loop.control_loop import ControlLoop
+from robots.interface.robot import RobotState
+from robots.models.description import load_description
 
 PERIOD_S = 0.002
 

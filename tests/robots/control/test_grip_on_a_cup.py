@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Cylinder
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
+from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
-from robots.scene_description import SceneDescription, SceneItem
+from robots.scenes.scene_description import SceneDescription, SceneItem
 from robots.simulated.world import build_world
 
 

@@ -5,13 +5,13 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics.lead_in import lead_in
-from kinematics.resuming import rest_of
-from kinematics.start_gap import LEAD_IN_M, start_gap
-from kinematics.trajectory_sampler import TrajectorySampler
-from robots.control import body_track
+from kinematics.checking.start_gap import LEAD_IN_M, start_gap
+from kinematics.motion.lead_in import lead_in
+from kinematics.motion.sampler import TrajectorySampler
+from kinematics.stopping.resuming import rest_of
 from robots.control.events import MotionPaused, MotionResumed
 from robots.control.motion_handle import MotionStatus
+from robots.control.streaming import body_track
 
 
 def shares(rig, since=0):

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from numba.core.dispatcher import Dispatcher
 
-from kinematics.kernel import readiness
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import CheckedTrajectory
-from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.compiled import readiness
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.scene.planning_scene import PlanningScene
 
 ELBOW = "arm_left_2_joint"
 

@@ -5,14 +5,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.scene import PlanningScene
-from kinematics.trajectory import CheckedTrajectory
-from kinematics.trajectory_check import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.geometry import poses
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
+from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
-from robots.scene_description import SceneDescription
+from robots.scenes.scene_description import SceneDescription
 from robots.simulated.world import build_world
 
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from kinematics.opening_path import DrawerLine
-from kinematics.scene import PlanningScene
-from kinematics.stance import stance_at
+from kinematics.model.standing_at import stance_at
+from kinematics.scene.opening_path import DrawerLine
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused
+from robots.control.hands.yielding_hand import YieldingHand
 from robots.control.motion_handle import MotionStatus
-from robots.control.yielding_hand import YieldingHand
 
 REST_WITHIN_S = 0.5
 LED_M = 0.08

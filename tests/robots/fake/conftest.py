@@ -2,10 +2,10 @@
 
 import pytest
 
-from kinematics.robot_model import RobotModel
-from kinematics.trajectory import CheckedTrajectory
-from robots.description import load_description
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.fake.fake_world import FakeWorld, cup, table
+from robots.models.description import load_description
 
 
 def believed(request):

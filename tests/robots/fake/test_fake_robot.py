@@ -4,7 +4,7 @@ import pytest
 from robots.clock import ManualClock
 from robots.errors import SetpointRefusedError
 from robots.fake.fake_robot import FakeRobot
-from robots.interface import JointSetpoint
+from robots.interface.robot import JointSetpoint
 
 
 @pytest.fixture

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kinematics.walking.planar import PlanarPose
-from kinematics.walking.steering import PathSteering
+from kinematics.geometry.planar import PlanarPose
+from kinematics.walking.pattern.steering import PathSteering
 from robots.control.motion_handle import MotionStatus
 
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kinematics.opening_path import DoorArc
-from kinematics.scene import PlanningScene
-from robots.control.yield_order import YieldOrder
+from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.planning_scene import PlanningScene
+from robots.control.hands.yield_order import YieldOrder
 
 
 @pytest.fixture

@@ -7,20 +7,21 @@ from concurrent.futures import Future
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
-from kinematics.stance import stance_at
-from kinematics.trajectory import CheckedTrajectory, Trajectory, _Seal
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
-from robots.description import load_description
+from robots.control.loop.control_loop import ControlLoop
 from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
-from robots.live.connection import Connection
-from robots.live.control_server import ControlServer
-from robots.live.framing import FrameKind
-from robots.live.messages import Admit, Hello, read_object, write_control_message
-from robots.live.runtime_folder import RuntimeFolder
-from robots.live.unix_socket import connect_to
+from robots.live.process.control_server import ControlServer
+from robots.live.wire.connection import Connection
+from robots.live.wire.framing import FrameKind
+from robots.live.wire.messages import Admit, Hello, read_object, write_control_message
+from robots.live.wire.runtime_folder import RuntimeFolder
+from robots.live.wire.unix_socket import connect_to
+from robots.models.description import load_description
 
 PERIOD_S = 0.002
 

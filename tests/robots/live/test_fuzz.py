@@ -6,8 +6,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from robots.live.framing import FrameKind
-from robots.live.messages import GetStatus, Heartbeat, Lead, Steer, Walk, write_control_message
+from robots.live.wire.framing import FrameKind
+from robots.live.wire.messages import GetStatus, Heartbeat, Lead, Steer, Walk, write_control_message
 
 WORDS = ["hello", "heartbeat", "start", "guarded", "cancel", "admit", "status", "reset"]
 FIELDS = ["number", "stamp_s", "motion", "trajectory", "role", "name", "hand", "reason", "busy", "person"]

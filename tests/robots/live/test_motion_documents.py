@@ -5,18 +5,23 @@ import json
 import numpy as np
 import pytest
 
-import kinematics.walking.steering as steering_module
-from kinematics import poses
+import kinematics.walking.pattern.steering as steering_module
 from kinematics.errors import KinematicsError
-from kinematics.opening_path import DoorArc, DrawerLine
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
-from kinematics.walking.planar import PlanarPose
-from kinematics.walking.steering import PathSteering, StretchSteering, TurnSteering, VelocitySteering
-from robots.control.yield_order import YieldOrder
-from robots.live.scan_message import RangeScan, read_scan, write_scan
-from robots.live.steering_document import read_steering, write_steering
-from robots.live.yield_document import read_yield_order, write_yield_order
+from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.scene.opening_path import DoorArc, DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.walking.pattern.steering import (
+    PathSteering,
+    StretchSteering,
+    TurnSteering,
+    VelocitySteering,
+)
+from robots.control.hands.yield_order import YieldOrder
+from robots.live.documents.scan_message import RangeScan, read_scan, write_scan
+from robots.live.documents.steering_document import read_steering, write_steering
+from robots.live.documents.yield_document import read_yield_order, write_yield_order
 
 ARC = DoorArc(np.array([0.8, 0.7]), 0.15, 1.0, 0.45, 0.05, 1.1)
 LINE = DrawerLine(np.array([0.6, 0.1, 0.7]), -0.2)

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.object_estimate import fuse_frames
 

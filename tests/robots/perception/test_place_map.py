@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinematics.walking.planar import PlanarPose
+from kinematics.geometry.planar import PlanarPose
 from robots.perception.place_map import START_M, START_RAD, place_map
-from robots.scene_description import Region, RobotStart, SceneDescription
+from robots.scenes.scene_description import Region, RobotStart, SceneDescription
 
 KITCHEN = Region("kitchen", (4.0, 1.0), (3.0, 4.0), 0.3)
 

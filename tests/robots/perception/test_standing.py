@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Box, Cylinder
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops
 

@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.robot_description import CameraDescription
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.model.robot_description import CameraDescription
 from robots.clock import ManualClock
 from robots.perception.stub import PerceptionStub
 from robots.perception.truth_view import TrueObject
-from robots.scene_description import PerceptionModel
+from robots.scenes.scene_description import PerceptionModel
 
 CAMERA = CameraDescription(
     frame="camera", horizontal_fov_rad=1.05, vertical_fov_rad=0.86, range_m=(0.3, 4.0),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.shapes import Ball, Box, Cylinder
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.perception.surface import surface_points
 
 

@@ -8,14 +8,14 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics import poses
-from kinematics.dynamics import StandingDynamics
-from kinematics.robot_model import RobotModel
-from kinematics.shapes import Cylinder
-from kinematics.trajectory import Stance
-from robots.description import load_description
-from robots.interface import JointSetpoint
-from robots.scene_description import SceneDescription, SceneItem
+from kinematics.dynamics.standing_dynamics import StandingDynamics
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from robots.interface.robot import JointSetpoint
+from robots.models.description import load_description
+from robots.scenes.scene_description import SceneDescription, SceneItem
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002

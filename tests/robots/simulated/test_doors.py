@@ -7,9 +7,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from robots.scene_file import load_scene
-from robots.simulated.furniture_model import part_body, part_joint
-from robots.simulated.geom_roles import CONAFFINITY, CONTYPE, Role
+from robots.scenes.scene_file import load_scene
+from robots.simulated.body.furniture_model import part_body, part_joint
+from robots.simulated.body.geom_roles import CONAFFINITY, CONTYPE, Role
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Ball, Box, Cylinder
-from robots.scene_description import SceneItem
-from robots.scene_file import load_scene
-from robots.scene_rules import validate
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from robots.scenes.scene_description import SceneItem
+from robots.scenes.scene_file import load_scene
+from robots.scenes.scene_rules import validate
 
 STILL_M = 0.001
 BALL_ROLLS_M = 0.01

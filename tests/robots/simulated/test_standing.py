@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kinematics.free_coordinates import free_coordinates
-from kinematics.stance import stance_at
-from robots.scene_description import SceneDescription
+from kinematics.model.standing_at import stance_at
+from kinematics.standing.free_coordinates import free_coordinates
+from robots.scenes.scene_description import SceneDescription
 
 
 def test_over_one_foot_the_robot_does_not_sway(stand, robot_model):

@@ -16,10 +16,10 @@ from tools.control_flow.trace import Trace
 from trees.btcpp import catalogue
 from trees.btcpp.leaf_kinds import leaf_kind
 from trees.btcpp.reader import read_tree
-from trees.contract import Contract
 from trees.failures import Failure, FailureKind
-from trees.leaf import DONE, RUNNING, Leaf
-from trees.ports import ports
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, RUNNING, Leaf
+from trees.nodes.ports import ports
 
 RECORD = json.loads((Path(__file__).parent / "btcpp_traces.json").read_text("utf-8"))
 OUTCOMES = {"R": RUNNING, "S": DONE, "F": Failure.error("as its script says")}

@@ -7,8 +7,8 @@ import pytest
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.reader import read_tree
 from trees.leaves.go_home import GoHome
-from trees.leaves.look_at import LookAt
 from trees.policy import Gaze
+from trees.skills.looking.look_at import LookAt
 
 
 def tree(body, *more):
@@ -103,12 +103,12 @@ def test_what_is_no_tree_is_refused_with_the_place_and_the_reason(stage, text, w
         "subprocess:run",
         "trees.build:build_tree",
         "trees.failures:Failure",
-        "trees.alternatives:Alternatives",
-        "trees.alternatives:always_worth_trying",
+        "trees.nodes.alternatives:Alternatives",
+        "trees.nodes.judgements:always_worth_trying",
         "trees.nothing:defect",
-        "trees.alternatives:failure_of",
+        "trees.nodes.alternatives:failure_of",
         "defect",
-        "trees.alternatives:defect.__globals__",
+        "trees.nodes.judgements:defect.__globals__",
     ],
 )
 def test_nothing_but_a_judgement_can_be_named_as_one(stage, judgement):

@@ -5,12 +5,12 @@ from xml.etree import ElementTree
 import pytest
 from py_trees.blackboard import Blackboard
 
-from executive.events import plain
+from executive.session.events import plain
 from trees.btcpp.reader import read_tree
 from trees.btcpp.writer import write_tree
 from trees.build import SKILLS
-from trees.leaf import Leaf
-from trees.snapshot_of import snapshot_of
+from trees.nodes.leaf import Leaf
+from trees.nodes.snapshot_of import snapshot_of
 from trees.task_tree import TaskTree
 from trees.tasks import ObjectDescription, PickTask, PlaceTask, WaveTask
 

@@ -3,9 +3,9 @@ import pytest
 from py_trees.common import Status
 
 from trees.failures import FailureKind
-from trees.leaves.close_gripper import CloseGripper
-from trees.leaves.open_gripper import OpenGripper
-from trees.leaves.verify_hold import VerifyHold
+from trees.skills.pick.close_gripper import CloseGripper
+from trees.skills.pick.open_gripper import OpenGripper
+from trees.skills.pick.verify_hold import VerifyHold
 
 
 def test_open_gripper_opens_the_hand_of_the_grasp(stage, right_grasp):

@@ -3,10 +3,10 @@
 import pytest
 from py_trees.common import Status
 
-from kinematics.requests import MoveRequest
-from kinematics.trajectory import Finding, FindingKind, Unsafe
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
+from kinematics.requests.move import MoveRequest
 from trees.failures import FailureKind
-from trees.leaves.draw_arms_in import DrawArmsIn
+from trees.skills.walking.draw_arms_in import DrawArmsIn
 
 HIT = Finding(FindingKind.SCENE_COLLISION, 2.1, ("gripper_left_fingertip_1_link", "fridge 2"), 0.0149, 0.015)
 

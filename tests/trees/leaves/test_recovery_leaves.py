@@ -2,15 +2,15 @@ import numpy as np
 import pytest
 from py_trees.common import Status
 
-from kinematics.requests import RetreatRequest
+from kinematics.requests.move import RetreatRequest
 from trees.failures import Failure
-from trees.leaves.attach import Attach
-from trees.leaves.back_out import BackOut
 from trees.leaves.exclude_grasp import ExcludeGrasp
-from trees.leaves.forget_target import ForgetTarget
 from trees.leaves.go_home import GoHome
-from trees.leaves.put_back import PutBack
 from trees.leaves.release import Release
+from trees.skills.pick.attach import Attach
+from trees.skills.pick.back_out import BackOut
+from trees.skills.pick.forget_target import ForgetTarget
+from trees.skills.pick.put_back import PutBack
 
 
 def attach(stage, planned, target):

@@ -4,10 +4,10 @@ import pytest
 from py_trees.common import Status
 
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from trees.contract import Contract
 from trees.failures import FailureKind
-from trees.ports import ports
-from trees.yielding_leaf import YieldingLeaf
+from trees.nodes.contract import Contract
+from trees.nodes.ports import ports
+from trees.nodes.yielding_leaf import YieldingLeaf
 
 
 @pytest.fixture

@@ -4,11 +4,11 @@ import dataclasses
 
 import pytest
 
-from kinematics import poses
-from kinematics.shapes import Box
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
 from robots.fake.fake_world import cup, person, table
 from robots.perception.truth_view import TrueObject
-from robots.scene_description import Region
+from robots.scenes.scene_description import Region
 from trees.build import build_tree
 from trees.events import Said
 from trees.tasks import FindTask, ObjectDescription

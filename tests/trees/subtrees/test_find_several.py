@@ -5,7 +5,7 @@ import dataclasses
 import pytest
 
 from robots.fake.fake_world import cup, person, table
-from robots.scene_description import Region
+from robots.scenes.scene_description import Region
 from trees.build import build_tree
 from trees.events import Said
 from trees.failures import FailureKind

@@ -5,11 +5,11 @@ import math
 
 import pytest
 
-from kinematics.walking.planar import PlanarPose
+from kinematics.geometry.planar import PlanarPose
 from robots.fake.fake_world import cup, person, table
-from robots.scene_description import Region
+from robots.scenes.scene_description import Region
 from trees.build import build_tree
-from trees.odometry import feet_pose
+from trees.readings.odometry import feet_pose
 from trees.tasks import LookAtTask, MoveTask, ObjectDescription, PointAtTask, WaveTask
 
 BEHIND = person("Ana", (-1.5, 0.3))

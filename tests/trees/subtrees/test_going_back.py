@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from kinematics.walking.planar import PlanarPose
+from kinematics.geometry.planar import PlanarPose
 from robots.fake.fake_world import person
 from trees.build import build_tree
-from trees.odometry import feet_pose
+from trees.readings.odometry import feet_pose
 from trees.tasks import MoveTask, WalkToTask
 
 

@@ -2,15 +2,16 @@
 
 import pytest
 
-from kinematics.place_requests import PlaceRequest
-from kinematics.requests import NoPlan, RetreatRequest
+from kinematics.requests.move import RetreatRequest
+from kinematics.requests.place import PlaceRequest
+from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import cup, table
-from trees import hand_ways
 from trees.build import build_tree
 from trees.failures import FailureKind
-from trees.leaves.lift_wholly import LiftWholly
-from trees.origin import Origin
+from trees.skills.looking import hand_ways
+from trees.skills.pick.lift_wholly import LiftWholly
 from trees.tasks import ObjectDescription, PickTask, PlaceTask, Relation
+from trees.world_model import Origin
 
 RED_CUP, BLUE_CUP = ObjectDescription("cup", "red"), ObjectDescription("cup", "blue")
 AT_ONCE_S = 0.3

@@ -2,12 +2,12 @@
 
 import pytest
 
-from trees.leaves.change_viewpoint import ChangeViewpoint
-from trees.subtrees.gestures import wave
-from trees.subtrees.hand_over import hand_over
-from trees.subtrees.look_elsewhere import turning_if_it_walks
-from trees.subtrees.telling import find
-from trees.subtrees.walk_to import walk_to
+from trees.skills.gestures.tree import wave
+from trees.skills.hand_over.tree import hand_over
+from trees.skills.searching.look_elsewhere import turning_if_it_walks
+from trees.skills.telling.tree import find
+from trees.skills.walk_to.tree import walk_to
+from trees.skills.walking.change_viewpoint import ChangeViewpoint
 
 
 def in_order(tree):

@@ -10,14 +10,12 @@ from collections.abc import Sequence
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
-from kinematics.collision import coal_shape
-from kinematics.poses import Transform
-from kinematics.scene import SceneObject
+from kinematics.arrays import Array
+from kinematics.distance.coal_shapes import coal_shape
+from kinematics.geometry.poses import Transform
+from kinematics.scene.planning_scene import SceneObject
 from tools.benchmark.problems.panda_files import TCP_FRAME, RobotFiles
-
-Array = NDArray[np.float64]
 
 # Distance of two points at which the referee looks, in the largest joint's motion.
 REFEREE_STEP_RAD = 1.0 / 256.0

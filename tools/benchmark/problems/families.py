@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.poses import Transform
-from kinematics.scene import SceneObject
-from kinematics.shapes import Ball, Box, Cylinder, Shape
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.scene.planning_scene import SceneObject
 
 Rng = np.random.Generator
 Place = Callable[[Rng], Transform]

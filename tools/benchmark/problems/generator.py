@@ -7,10 +7,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kinematics import poses
-from kinematics.scene import FLOOR, SceneObject
-from kinematics.shapes import Box
-from tools.benchmark.problems.arm_judge import Arm, ArmJudge, Array
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.scene.planning_scene import FLOOR, SceneObject
+from tools.benchmark.problems.arm_judge import Arm, ArmJudge
 from tools.benchmark.problems.families import FAMILIES, Place, Rng, Setting
 from tools.benchmark.problems.problem import Problem
 

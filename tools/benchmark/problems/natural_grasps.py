@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kinematics.grasping import GraspCandidate, grasp_table
-from kinematics.pick_task import APPROACH_M, FARTHEST_M
-from kinematics.requests import PickRequest
-from kinematics.robot_model import RobotModel
+from kinematics.model.robot_model import RobotModel
+from kinematics.planning.grasps import GraspCandidate, grasp_table
+from kinematics.planning.pick_task import APPROACH_M, FARTHEST_M
+from kinematics.requests.pick import PickRequest
 
 
 def natural_grasps(model: RobotModel, request: PickRequest, heights: Sequence[float]) -> list[GraspCandidate]:

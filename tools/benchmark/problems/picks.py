@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kinematics import poses
-from kinematics.requests import PickRequest
-from kinematics.robot_model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
-from kinematics.shapes import Box, Cylinder
-from kinematics.stance import stance_at
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_at import stance_at
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 TARGET = "cup"
 # Distance kept from everything: what perception's error asks for.

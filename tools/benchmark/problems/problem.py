@@ -7,13 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kinematics import poses
-from kinematics.scene import SceneObject
-from kinematics.shapes import Ball, Box, Cylinder, Shape
-
-Array = NDArray[np.float64]
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.scene.planning_scene import SceneObject
 
 
 @dataclass(frozen=True, slots=True)

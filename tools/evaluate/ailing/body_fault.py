@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.robot_description import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.control.health.finding import Ailment
-from robots.simulated.body_faults import BodyFaults
+from robots.simulated.faults.body_faults import BodyFaults
 
 WEAK_SHARE = 0.1
 OFFSET_RAD = (math.radians(2.0), math.radians(4.0))

@@ -9,9 +9,9 @@ from typing import Literal
 
 import numpy as np
 
-from executive.command_parser import parse
-from executive.events import Event, TaskEnded
-from executive.task_result import chain
+from executive.session.events import Event, TaskEnded
+from executive.session.task_result import chain
+from executive.understanding.command_parser import parse
 from robots.control.events import HealthChanged
 from tools.evaluate.ailing.body_fault import BODY_FAULTS, BodyFault, struck_joint
 from tools.evaluate.ailing.fault_record import FaultRecord

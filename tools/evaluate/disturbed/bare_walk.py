@@ -6,14 +6,14 @@ import math
 
 import numpy as np
 
-from kinematics.robot_model import RobotModel
-from kinematics.walking.settings import WalkingSettings
-from kinematics.walking.steering import VelocitySteering
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.walking_settings import WalkingSettings
+from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
+from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionHandle
-from robots.description import load_description
-from robots.scene_description import Furniture, RobotStart, SceneDescription
+from robots.models.description import load_description
+from robots.scenes.scene_description import Furniture, RobotStart, SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
 
 PERIOD_S = 0.002

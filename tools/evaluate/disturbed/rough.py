@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from robots.scene_description import Furniture
+from robots.scenes.scene_description import Furniture
 from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import Bar, EpisodeRecord, Summary, broken_episode

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from rich.console import Console
 
-from robots.description import load_description
+from robots.models.description import load_description
 from tools.evaluate.disturbed.pushes import PushSummary, run_push_episode
 from tools.evaluate.disturbed.rough import RoughSummary, run_rough_episode
 from tools.evaluate.orders import EpisodeOrder

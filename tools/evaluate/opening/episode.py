@@ -6,10 +6,10 @@ import math
 import traceback
 from dataclasses import dataclass
 
-from executive.assembly import assemble
-from executive.task_result import TaskResult, chain
+from executive.session.assembly import assemble
+from executive.session.task_result import TaskResult, chain
 from robots.errors import SceneError
-from robots.simulated.truth import SimulatorTruth
+from robots.simulated.truth.truth import SimulatorTruth
 from tools.evaluate.opening.faults import OPENING_FAULTS, OpeningBench
 from tools.evaluate.opening.judge import OpeningJudge
 from tools.evaluate.opening.records import OpeningRecord

@@ -10,8 +10,8 @@ from types import MappingProxyType
 import numpy as np
 
 from robots.perception.stub_faults import StubFaults
-from robots.simulated.faults import FaultInjector
-from robots.simulated.truth import SimulatorTruth
+from robots.simulated.faults.world_faults import FaultInjector
+from robots.simulated.truth.truth import SimulatorTruth
 from tools.evaluate.opening.scenes import FURNITURE, OpeningScene
 from tools.evaluate.phases import PhaseWatch
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.robot_description import SoleDescription
-from robots.simulated.truth import SimulatorTruth
+from kinematics.model.robot_description import SoleDescription
+from robots.simulated.truth.truth import SimulatorTruth
 
 _EVERY = 5
 _CARRIES_N, _LANDED_S = 20.0, 0.2

@@ -9,9 +9,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robots.scene_description import Furniture, MovingPart, PerceptionModel, RobotStart, SceneDescription
-from robots.scene_file import read_scene
-from robots.scene_writer import dump
+from robots.scenes.scene_description import (
+    Furniture,
+    MovingPart,
+    PerceptionModel,
+    RobotStart,
+    SceneDescription,
+)
+from robots.scenes.scene_file import read_scene
+from robots.scenes.scene_writer import dump
 from tools.evaluate.scenes import episode_rng
 
 FURNITURE = "piece"

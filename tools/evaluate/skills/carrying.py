@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.events import TaskAccepted
-from executive.task_result import TaskResult
-from kinematics.shapes import Cylinder
-from robots.scene_description import Person
+from executive.session.assembly import Assembly
+from executive.session.events import TaskAccepted
+from executive.session.task_result import TaskResult
+from kinematics.geometry.shapes import Cylinder
+from robots.scenes.scene_description import Person
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
-from executive.assembly import assemble
-from executive.session import Session
-from executive.settled_heap import settled_heap
-from executive.task_result import TaskResult, chain
+from executive.embedding.requests import Requests
+from executive.runs.frozen_heap import settled_heap
+from executive.session.assembly import assemble
+from executive.session.session import Session
+from executive.session.task_result import TaskResult, chain
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
@@ -101,7 +102,7 @@ def _asked(session: Session, trial: Trial, planning: PlanningWatch) -> tuple[lis
     if trial.sentence and prepared:
         planning.begin()
         with session.events.heard_by(planning.take):
-            results += session.submit(trial.sentence, on_question="first").result()
+            results += Requests(session).submit(trial.sentence, on_question="first").result()
     elif not trial.sentence:
         prepared = len(results) == len(trial.tasks)
     return results, prepared

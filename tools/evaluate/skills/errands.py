@@ -8,19 +8,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics import poses
-from robots.articulated import moving_part
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry import poses
 from robots.errors import SceneError
-from robots.scene_description import RobotStart, SceneDescription
-from robots.scene_file import load_scene, read_scene
-from robots.scene_writer import dump
+from robots.scenes.articulated import moving_part
+from robots.scenes.scene_description import RobotStart, SceneDescription
+from robots.scenes.scene_file import load_scene, read_scene
+from robots.scenes.scene_writer import dump
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.handing_over import TakingJudge
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked
-from trees.handles import OPEN_ENOUGH
+from trees.beliefs.openings.handles import OPEN_ENOUGH
 from trees.tasks import HandOverTask, ObjectDescription, OpenTask, PickTask, WalkToTask
 
 START_M, START_RAD = 0.35, 0.6

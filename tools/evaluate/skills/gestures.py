@@ -6,19 +6,17 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics.pointing import beside_ray_m, link_moved_by
-from kinematics.robot_description import HANDS, Hand
-from robots.scene_description import Person, SceneDescription
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.arrays import Array
+from kinematics.ik.pointing import beside_ray_m, link_moved_by
+from kinematics.model.robot_description import HANDS, Hand
+from robots.scenes.scene_description import Person, SceneDescription
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.events import NodeChanged
 from trees.tasks import LookAtTask, ObjectDescription, PointAtTask, WaveTask
-
-Array = NDArray[np.float64]
 
 SWING_M = 0.15
 SWINGS = 3

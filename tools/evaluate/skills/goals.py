@@ -7,23 +7,30 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics.shapes import Cylinder
-from kinematics.walking.path_planning import clearance_m, footprints, plan_path
-from kinematics.walking.planar import PlanarPose, wrapped
-from robots.articulated import ARTICULATED_KINDS, GAP_M, PANEL_M
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry.planar import PlanarPose, wrapped
+from kinematics.geometry.shapes import Cylinder
+from kinematics.walking.route.path_planning import clearance_m, footprints, plan_path
 from robots.errors import SceneError
-from robots.furniture import floor_pose
-from robots.scene_description import Furniture, MovingPart, Person, RobotStart, SceneDescription, SceneItem
-from robots.scene_file import read_scene
-from robots.scene_solids import planning_scene
-from robots.scene_writer import dump
+from robots.scenes.articulated import ARTICULATED_KINDS, GAP_M, PANEL_M
+from robots.scenes.furniture import floor_pose
+from robots.scenes.scene_description import (
+    Furniture,
+    MovingPart,
+    Person,
+    RobotStart,
+    SceneDescription,
+    SceneItem,
+)
+from robots.scenes.scene_file import read_scene
+from robots.scenes.scene_solids import planning_scene
+from robots.scenes.scene_writer import dump
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.way_walked import WayWalked, feet_of
 from trees.events import Measured
-from trees.standing_place import PERSON_M, edge_m
+from trees.skills.walking.standing_place import PERSON_M, edge_m
 from trees.tasks import ObjectDescription, WalkToTask
 
 FAR_M = (1.0, 6.0)

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
 from robots.control.period import PERIOD_S
-from robots.simulated.taking_person import TakingPerson
+from robots.simulated.people.taking_person import TakingPerson
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.events import Offered

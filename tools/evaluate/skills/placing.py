@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics import poses
-from kinematics.shapes import Box
-from robots.scene_description import Furniture, SceneItem
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from robots.scenes.scene_description import Furniture, SceneItem
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.room_beside import has_room
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict

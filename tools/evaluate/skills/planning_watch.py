@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from executive.events import PlanningAnswered
-from executive.planning_jobs import PlanningJobs
+from executive.session.events import PlanningAnswered
+from executive.session.planning_jobs import PlanningJobs
 
 
 class PlanningWatch:

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics import poses
-from robots.articulated import (
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry import poses
+from robots.scenes.articulated import (
     DRAWER_FRONT_HEIGHT_M,
     DRAWER_LENGTH_SHARE,
     DRAWER_OPENS_SHARE,
@@ -17,8 +17,8 @@ from robots.articulated import (
     furniture_T_part,
     opened,
 )
-from robots.furniture import floor_pose
-from robots.scene_description import Furniture, MovingPart, SceneItem
+from robots.scenes.furniture import floor_pose
+from robots.scenes.scene_description import Furniture, MovingPart, SceneItem
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders

@@ -8,13 +8,13 @@ from typing import Literal
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics import poses
-from kinematics.shapes import Cylinder
-from robots.articulated import fixed_boxes
-from robots.furniture import floor_pose
-from robots.scene_description import Furniture, MovingPart, SceneItem
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from robots.scenes.articulated import fixed_boxes
+from robots.scenes.furniture import floor_pose
+from robots.scenes.scene_description import Furniture, MovingPart, SceneItem
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders

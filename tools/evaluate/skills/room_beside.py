@@ -11,8 +11,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.placing_spots import footprint_radius_m
-from robots.scene_description import Furniture, SceneItem
+from kinematics.scene.free_spots import footprint_radius_m
+from robots.scenes.scene_description import Furniture, SceneItem
 
 EDGE_M = 0.01
 GAP_M = 0.04

@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from kinematics import poses
-from kinematics.shapes import Box, Cylinder, Shape
-from robots.scene_description import (
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder, Shape
+from robots.scenes.scene_description import (
     Furniture,
     PerceptionModel,
     Person,
@@ -18,8 +18,8 @@ from robots.scene_description import (
     SceneDescription,
     SceneItem,
 )
-from robots.scene_file import read_scene
-from robots.scene_writer import dump
+from robots.scenes.scene_file import read_scene
+from robots.scenes.scene_writer import dump
 
 START_OFFSET_M = 0.03
 START_YAW_RAD = math.radians(5.0)

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.events import TaskAccepted, TaskEnded
-from executive.task_result import TaskResult, TaskTimes
-from robots.scene_description import SceneDescription, SceneItem
-from robots.scene_file import load_scene
+from executive.session.assembly import Assembly
+from executive.session.events import TaskAccepted, TaskEnded
+from executive.session.task_result import TaskResult, TaskTimes
+from robots.scenes.scene_description import SceneDescription, SceneItem
+from robots.scenes.scene_file import load_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.gestures import LookJudge, PointJudge, WaveJudge
 from tools.evaluate.skills.handing_over import TakingJudge

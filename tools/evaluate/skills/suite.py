@@ -8,9 +8,9 @@ from typing import Protocol
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from robots.scene_description import SceneDescription
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from robots.scenes.scene_description import SceneDescription
 from tools.evaluate.records import SUCCESS_BAR
 from trees.tasks import Task
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.events import Said

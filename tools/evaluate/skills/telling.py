@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics import poses
-from kinematics.shapes import Box, Cylinder
-from robots.scene_description import Furniture, PerceptionModel, SceneItem
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box, Cylinder
+from robots.scenes.scene_description import Furniture, PerceptionModel, SceneItem
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.tasks import CountTask, DescribeTask, FindTask, ObjectDescription

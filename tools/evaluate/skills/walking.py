@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from executive.assembly import Assembly
-from executive.task_result import TaskResult
-from kinematics import poses
+from executive.session.assembly import Assembly
+from executive.session.task_result import TaskResult
+from kinematics.geometry import poses
 from robots.control.events import MotionStarted
-from robots.scene_description import PerceptionModel, RobotStart, SceneDescription
+from robots.scenes.scene_description import PerceptionModel, RobotStart, SceneDescription
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.tasks import MoveTask
 

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from kinematics.poses import Transform
-from robots.simulated.truth import SimulatorTruth
+from kinematics.geometry.poses import Transform
+from robots.simulated.truth.truth import SimulatorTruth
 
 # Falling and balance change slowly: looked at every 10 ms. Contacts are looked at each period.
 _EVERY = 5

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from executive.assembly import Assembly
-from kinematics.walking.planar import PlanarPose
+from executive.session.assembly import Assembly
+from kinematics.geometry.planar import PlanarPose
 
 _EVERY = 50
 

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from executive.assembly import Assembly, assemble
-from executive.command_parser import parse
-from executive.events import Event
 from executive.meaning import Command
-from kinematics import poses
-from robots.scene_description import SceneDescription
+from executive.session.assembly import Assembly, assemble
+from executive.session.events import Event
+from executive.understanding.command_parser import parse
+from kinematics.geometry import poses
+from robots.scenes.scene_description import SceneDescription
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.opening.scenes import opening_scene
 from tools.evaluate.phases import PhaseWatch

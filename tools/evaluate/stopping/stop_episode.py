@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from executive.command_parser import parse
+from executive.understanding.command_parser import parse
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.stopping.branch import Branches
 from tools.evaluate.stopping.courses import COURSES, COURSES_BY_NAME, CYCLE, CourseRun, next_after

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections import deque
 
 import numpy as np
-from numpy.typing import NDArray
 
-from executive.assembly import Assembly
+from executive.session.assembly import Assembly
+from kinematics.arrays import Array
 from robots.control.period import PERIOD_S
 
 REST_RAD_S = 0.02
@@ -28,8 +28,6 @@ _EVERY = 5
 _OURS = ("stop", "hold", "stop of a walk")
 _GRIP = "grip of "
 _JOIN = "+"
-
-Array = NDArray[np.float64]
 
 
 class StopJudge:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from executive.events import Event, TaskAccepted, TaskEnded
+from executive.session.events import Event, TaskAccepted, TaskEnded
 from tools.evaluate.stopping.courses import MOVING_PHASES, WALK, Course, CourseRun, phase_of
 from trees.events import NodeChanged
 

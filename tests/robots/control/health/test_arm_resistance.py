@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
 from robots.control.events import HealthChanged
 from robots.control.health.arm_resistance import ArmResistance
+from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
-from robots.interface import JointSetpoint, RobotState
-from robots.scene_description import SceneDescription
+from robots.interface.robot import JointSetpoint, RobotState
+from robots.scenes.scene_description import SceneDescription
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002

@@ -7,11 +7,11 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics.robot_model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Response
 from robots.control.health.health_monitor import HealthMonitor
-from robots.description import load_description
-from robots.interface import JointSetpoint, RobotState
+from robots.interface.robot import JointSetpoint, RobotState
+from robots.models.description import load_description
 
 PERIOD_S = 0.002
 LEFT_LEAN_RAD = -0.11

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
-from kinematics.walking.pattern_sample import Phase
+from kinematics.model.robot_model import RobotModel
+from kinematics.walking.pattern.pattern_sample import Phase
 from robots.control.motion_handle import MotionStatus
 from robots.control.walking.fitted_ankles import FittedAnkles
-from robots.description import load_description
+from robots.models.description import load_description
 from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.disturbed.rough import scattered_plates
 from tools.evaluate.scenes import episode_rng

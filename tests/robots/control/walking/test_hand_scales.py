@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
+from robots.control.loop.control_loop import ControlLoop
 from robots.control.walking.hand_scales import HandScales
-from robots.description import load_description
-from robots.scene_description import RobotStart, SceneDescription
+from robots.models.description import load_description
+from robots.scenes.scene_description import RobotStart, SceneDescription
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002

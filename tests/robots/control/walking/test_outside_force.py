@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from kinematics import poses
-from kinematics.walking.planar import PlanarPose
-from robots.control.refusal import Limit
+from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from robots.control.gate.refusal import Limit
 from robots.control.walking.outside_force import OutsideForce
 
 PERIOD_S = 0.002

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kinematics.walking.com_motion import ComSample
-from kinematics.walking.pattern_sample import PatternSample, Phase
-from kinematics.walking.planar import PlanarPose
+from kinematics.geometry.planar import PlanarPose
+from kinematics.walking.pattern.com_motion import ComSample
+from kinematics.walking.pattern.pattern_sample import PatternSample, Phase
 from robots.control.walking.push_watch import PushWatch
 
 PERIOD_S = 0.002

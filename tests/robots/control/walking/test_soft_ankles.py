@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.walking.soft_ankles import SoftAnkles
-from robots.description import load_description
+from robots.models.description import load_description
 from tools.evaluate.disturbed.rough import run_rough_episode
 from tools.evaluate.orders import EpisodeOrder
 

@@ -5,14 +5,14 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics.robot_model import RobotModel
-from kinematics.walking.steering import VelocitySteering
+from kinematics.model.robot_model import RobotModel
+from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock
-from robots.control.control_loop import ControlLoop
+from robots.control.gate.refusal import Limit, Refusal
+from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
-from robots.control.refusal import Limit, Refusal
-from robots.description import load_description
-from robots.scene_description import Furniture, PerceptionModel, Person, RobotStart, SceneDescription
+from robots.models.description import load_description
+from robots.scenes.scene_description import Furniture, PerceptionModel, Person, RobotStart, SceneDescription
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002

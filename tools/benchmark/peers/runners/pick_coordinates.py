@@ -44,8 +44,8 @@ class WholeBody:
     """
 
     def __init__(self, robot: Any, joints: Sequence[str], stance: Any) -> None:
-        from kinematics.free_coordinates import FreeCoordinates
-        from kinematics.leg_ik import LegIk
+        from kinematics.standing.free_coordinates import FreeCoordinates
+        from kinematics.standing.leg_ik import LegIk
 
         groups = robot.description.groups
         legs = [joint for name, members in groups.items() if name.endswith("_leg") for joint in members]

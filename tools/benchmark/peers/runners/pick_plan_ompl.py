@@ -34,8 +34,9 @@ class Body:
     def load(self, question: Document) -> Document:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
-        from kinematics.robot_model import RobotModel
-        from kinematics.stance import SupportPolygon, stance_at
+        from kinematics.model.robot_model import RobotModel
+        from kinematics.model.standing_at import stance_at
+        from kinematics.model.support_polygon import SupportPolygon
 
         ou.setLogLevel(ou.LogLevel.LOG_ERROR)
         ou.RNG.setSeed(1)

@@ -81,10 +81,11 @@ class Body:
     def load(self, question: Document) -> Document:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
-        from kinematics.free_coordinates import FreeCoordinates
-        from kinematics.leg_ik import LegIk
-        from kinematics.robot_model import RobotModel
-        from kinematics.stance import SupportPolygon, stance_at
+        from kinematics.model.robot_model import RobotModel
+        from kinematics.model.standing_at import stance_at
+        from kinematics.model.support_polygon import SupportPolygon
+        from kinematics.standing.free_coordinates import FreeCoordinates
+        from kinematics.standing.leg_ik import LegIk
 
         ou.setLogLevel(ou.LogLevel.LOG_ERROR)
         ou.RNG.setSeed(1 + int(question["seed"]))

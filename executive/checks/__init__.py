@@ -1,0 +1,1 @@
+"""What would happen, without moving: a sentence, a stored trajectory, a tree, this machine."""

@@ -1,0 +1,108 @@
+"""``executive list``: what there is to choose from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+
+class What(StrEnum):
+    """What can be listed."""
+
+    ROBOTS = "robots"
+    SCENES = "scenes"
+    SKILLS = "skills"
+    WORDS = "words"
+
+
+_EXAMPLES = {
+    "pick": "pick up the red cup on the table",
+    "place": "put the red cup next to the bottle",
+    "put_in": "put the can in the box",
+    "hand_over": "give the red cup to Ana",
+    "open": "open the fridge",
+    "close": "close the drawer",
+    "walk_to": "walk to the table",
+    "move": "move forward for 2 seconds",
+    "wave": "wave at Ana",
+    "point_at": "point at the blue box",
+    "look_at": "look at the red cup",
+    "find": "find the red cup",
+    "count": "how many cups are there",
+    "describe": "what is on the table",
+    "say": "say hello",
+    "wait": "wait 5 seconds",
+    "go_home": "go home",
+    "stop": "stop",
+}
+
+
+def list_(what: Annotated[What, typer.Argument(help="What to list.")]) -> None:
+    """List robots, scenes, skills or words."""
+    for line in _lines(what):
+        typer.echo(line)
+
+
+def _lines(what: What) -> Iterator[str]:
+    match what:
+        case What.ROBOTS:
+            from robots.models.description import known_robots
+
+            yield from known_robots()
+            yield from _left_out(_complaints_about("robots"))
+        case What.SCENES:
+            from robots.scenes.scene_file import known_scenes
+
+            yield from known_scenes()
+            yield from _left_out(_complaints_about("scenes"))
+        case What.SKILLS:
+            yield from _skills()
+        case What.WORDS:
+            yield from _words()
+
+
+def _skills() -> Iterator[str]:
+    from trees.btcpp.outside_leaves import outside_leaves
+    from trees.build import SKILLS
+    from trees.extensions import extensions
+
+    for action in [*(task.action for task in SKILLS), "stop"]:
+        yield f"{action:<10} {_EXAMPLES.get(action, '')}".rstrip()
+    for action, skill in sorted(extensions().skills.items()):
+        yield f"{action:<10} {skill.example}"
+    yield from _left_out(extensions().complaints)
+    yield from _left_out(outside_leaves().complaints)
+
+
+def _complaints_about(kind: str) -> Iterable[str]:
+    from robots.outside import outside_folders
+
+    return outside_folders(f"humanoid_executive.{kind}").complaints
+
+
+def _left_out(complaints: Iterable[str]) -> Iterator[str]:
+    """What other packages bring and nobody can use, with the reason."""
+    for complaint in complaints:
+        yield f"left out: {complaint}"
+
+
+def _words() -> Iterator[str]:
+    """Canonical words with their synonyms; verb forms and plurals follow from them and are left out."""
+    from executive.config import config_files
+    from executive.vocabulary import load_vocabulary
+    from executive.vocabulary.outside import outside_words
+
+    classes = load_vocabulary(config_files()).classes
+    usable = frozenset(name for name, word_class in classes.items() if not word_class.derived)
+    yield from _left_out(outside_words(usable).complaints)
+    for name, word_class in sorted(classes.items()):
+        if word_class.derived:
+            continue
+        note = " (understood, and refused)" if word_class.refusal else ""
+        yield f"{name.lower()}{note}"
+        for meaning, phrases in word_class.words.items():
+            if ":" not in meaning:
+                yield f"  {meaning}: {', '.join(phrases)}"

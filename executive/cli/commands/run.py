@@ -1,0 +1,134 @@
+"""``executive run``: carry out a sentence or a task script."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from executive.cli.commands.choices import (
+    ConfidenceOption,
+    ConfigOption,
+    OnQuestionChoice,
+    OnQuestionOption,
+    PaceChoice,
+    PolicyChoice,
+    PolicyOption,
+    not_empty,
+)
+from executive.cli.commands.numbers import whole_number_from
+from executive.cli.commands.print_result import tell_result
+from executive.config import runs_directory, use_config
+from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
+from executive.trust import THRESHOLD, Trust
+
+if TYPE_CHECKING:
+    from executive.dialogue.attendant import Attendant
+    from executive.screens.display import Display
+
+
+def run(
+    text: Annotated[str, typer.Argument(metavar="SENTENCE|JSON|SCRIPT.toml", help="What to do.")],
+    robot: Annotated[
+        str | None, typer.Option(help="Name of the robot.", show_default=DEFAULT_ROBOT, callback=not_empty)
+    ] = None,
+    scene: Annotated[
+        str | None,
+        typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE, callback=not_empty),
+    ] = None,
+    seed: Annotated[
+        int | None,
+        typer.Option(
+            parser=whole_number_from(0), metavar="N", help="Of everything random.", show_default="0"
+        ),
+    ] = None,
+    report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
+    snapshot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="A picture of the end.")] = None,
+    video: Annotated[Path | None, typer.Option(metavar="FILE.mp4", help="A film of the run.")] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories too.")
+    ] = None,
+    junit: Annotated[Path | None, typer.Option(metavar="FILE.xml", help="Write a JUnit report here.")] = None,
+    on_question: OnQuestionOption = OnQuestionChoice.ASK,
+    confidence: ConfidenceOption = THRESHOLD,
+    policy: PolicyOption = PolicyChoice.ASK,
+    pace: Annotated[
+        PaceChoice, typer.Option(help="As fast as the machine computes, or as time passes.")
+    ] = PaceChoice.FAST,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
+    config: ConfigOption = None,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="Lines instead of a drawing; automatic in a pipe.")
+    ] = False,
+) -> None:
+    """Carry out one sentence, or a task script."""
+    from executive.checks.machine import compile_kernel
+    from executive.runs.run import perform
+    from executive.runs.run_search import note_folder
+    from executive.scripts.task_script import is_script, script_for
+    from executive.session.cancellation import Cancellation
+
+    use_config(config)
+    trust = Trust(confidence, policy.value)
+    script = script_for(text, trust)
+    request = RunRequest(
+        input=text,
+        statements=script.statements,
+        robot=robot or script.robot or DEFAULT_ROBOT,
+        scene=scene or script.scene or DEFAULT_SCENE,
+        seed=next(value for value in (seed, script.seed, 0) if value is not None),
+        record=record or runs_directory(),
+        keep_trajectories=record is not None,
+        report=report,
+        snapshot=snapshot,
+        video=video,
+        on_question=on_question.value,
+        trust=trust,
+        in_real_time=pace is PaceChoice.REAL,
+        script=Path(text) if is_script(text) else None,
+        junit=junit,
+    )
+    cancellation = Cancellation()
+    compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
+    with ExitStack() as terminal:
+        display, attendant = _terminal(request, quiet, plain, terminal, lambda: cancellation.asked)
+        note_folder(request.record)
+        try:
+            performance = perform(request, display, attendant, cancellation=cancellation)
+        finally:
+            display.close()
+    for complaint in performance.complaints:
+        typer.echo(f"executive: {complaint}", err=True)
+    tell_result(performance.line)
+    raise typer.Exit(performance.exit_code)
+
+
+def _terminal(
+    request: RunRequest, quiet: bool, plain: bool, closing: ExitStack, interrupted: Callable[[], bool]
+) -> tuple[Display, Attendant]:
+    """Who shows the run and who attends to it: a drawing with keys, lines, or nothing but questions."""
+    from executive.screens.display import LiveDisplay, NoDisplay, PlainDisplay
+    from executive.screens.terminal_attendant import ANSWER_TIMEOUT_S, TerminalAttendant
+
+    def lines(show: Callable[[str], None]) -> Attendant:
+        return TerminalAttendant(sys.stdin, show, ANSWER_TIMEOUT_S, interrupted)
+
+    if quiet or plain or not sys.stdout.isatty() or not sys.stderr.isatty():
+        display = NoDisplay() if quiet else PlainDisplay(sys.stderr)
+        return display, lines(lambda line: typer.echo(line, err=True))
+    from rich.console import Console
+
+    place = f"{request.robot} in {request.scene}, seed {request.seed}"
+    keys = sys.stdin.isatty()
+    live = LiveDisplay(Console(stderr=True), place, keys)
+    if not keys:
+        return live, lines(live.note)
+    from executive.screens.keyboard import Keyboard
+    from executive.screens.keyboard_attendant import KeyboardAttendant
+
+    keyboard = closing.enter_context(Keyboard(sys.stdin))
+    return live, KeyboardAttendant(keyboard, live, ANSWER_TIMEOUT_S, interrupted)

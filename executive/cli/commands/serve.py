@@ -1,0 +1,118 @@
+"""``executive serve``: live mode, until interrupted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from executive.cli.commands.choices import (
+    ConfidenceOption,
+    ConfigOption,
+    PolicyChoice,
+    PolicyOption,
+    not_empty,
+)
+from executive.cli.commands.numbers import whole_number_from
+from executive.config import (
+    config_files,
+    leave_opengl_to_the_renderer,
+    runs_directory,
+    runtime_directory,
+    use_config,
+)
+from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.trust import THRESHOLD, Trust
+
+FolderOption = Annotated[
+    Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
+]
+
+_PACES = {"real": 1.0, "fast": 10.0}
+_SLOWEST, _FASTEST = 0.01, 10.0
+
+
+def _pace(text: str | float) -> float:
+    """A pace by name or number; the default comes as a number."""
+    try:
+        pace = _PACES.get(str(text)) or float(text)
+    except ValueError:
+        raise typer.BadParameter(f"{text!r} is no pace; say 'real', 'fast' or a number") from None
+    if not _SLOWEST <= pace <= _FASTEST:
+        raise typer.BadParameter(f"{text} is not in the range {_SLOWEST:g} to {_FASTEST:g}")
+    return pace
+
+
+def serve(
+    robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
+    scene: Annotated[
+        str, typer.Option(metavar="NAME|FILE.toml", help="Where.", callback=not_empty)
+    ] = DEFAULT_SCENE,
+    seed: Annotated[
+        int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
+    ] = 0,
+    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
+    pace: Annotated[
+        float,
+        typer.Option(
+            parser=_pace,
+            metavar="real|fast|NUMBER",
+            help="Simulated seconds in a second, 0.01 to 10.",
+            show_default="real",
+        ),
+    ] = _PACES["real"],
+    confidence: ConfidenceOption = THRESHOLD,
+    policy: PolicyOption = PolicyChoice.ASK,
+    ordinary: Annotated[
+        bool, typer.Option("--ordinary", help="Do not use real-time scheduling even if it is permitted.")
+    ] = False,
+    evaluation: Annotated[
+        bool, typer.Option("--evaluation", help="Let evaluations read the simulator's truth.")
+    ] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Say nothing unless something is wrong.")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="Lines, as always here.")] = False,
+    config: ConfigOption = None,
+    folder: FolderOption = None,
+) -> None:
+    """Serve a robot: its control in one process, the executive in another."""
+    from executive.checks.machine import compile_kernel
+    from executive.live.caller.service import Service, ServiceRequest
+    from executive.runs.run_log import require_recordable
+    from executive.runs.run_search import note_folder
+    from executive.understanding.command_parser import parser_with
+    from robots.models.description import load_description_for_tasks
+    from robots.scenes.scene_file import known_scenes, load_scene
+
+    del plain  # nothing is drawn here
+    use_config(config)
+
+    def say(line: str) -> None:
+        if not quiet:
+            typer.echo(line, err=True)
+
+    leave_opengl_to_the_renderer()
+    load_description_for_tasks(robot)
+    load_scene(scene)
+    if scene not in known_scenes():
+        scene = str(Path(scene).absolute())  # who sends a script may be in another folder
+    parser_with(config_files())  # a file of words with a mistake is said here, not by the executive
+    runs = record or runs_directory()
+    require_recordable(runs)
+    compile_kernel(say)
+    where = folder or runtime_directory()
+    request = ServiceRequest(
+        folder=where,
+        robot=robot,
+        scene=scene,
+        seed=seed,
+        record=runs,
+        pace=pace,
+        realtime=not ordinary,
+        evaluation=evaluation,
+        trust=Trust(confidence, policy.value),
+    )
+    note_folder(request.record)
+    with Service(request, say) as service:
+        say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
+        raise typer.Exit(service.watch())

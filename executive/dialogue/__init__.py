@@ -1,0 +1,1 @@
+"""Questions and their answers: who is asked, and what an answer settles."""

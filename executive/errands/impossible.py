@@ -1,0 +1,86 @@
+"""What no search would help with, told before anything moves: a room off the map, the floor, below things."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from executive.meaning import Command
+from executive.understanding.canonical_words import vocabulary
+from trees.beliefs.grounding.report_words import listed
+from trees.tasks import Bringing, ObjectDescription, PlaceTask
+
+
+def missing_room(commands: Sequence[Command], rooms: Collection[str]) -> tuple[Command, str] | None:
+    """The first command that speaks of a room which is not on the map, with that word; None without one.
+
+    Args:
+        commands: What was said.
+        rooms: Names of the rooms on the map.
+    """
+    for command in commands:
+        for slot in _SLOTS:
+            said = getattr(command, slot, None)
+            if isinstance(said, str) and said not in rooms and _is_room(said):
+                return command, said
+    return None
+
+
+def _is_room(word: str) -> bool:
+    """Whether it is the name of nothing but a room."""
+    words = word.lower().split()
+    length, readings = vocabulary().match(words)
+    return length == len(words) > 0 and bool(readings) and all(one.word_class == "ROOM" for one in readings)
+
+
+_FLOOR = "floor"
+_SLOTS = ("source", "on", "to")
+
+
+@dataclass(frozen=True, slots=True)
+class Impossible:
+    """A command that cannot be done, why, and the word that says so."""
+
+    command: Command
+    message: str
+    word: str
+
+
+def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossible | None:
+    """The first command that cannot be done here, whatever is seen; None without one.
+
+    Args:
+        commands: What was said.
+        rooms: Names of the rooms on the map.
+    """
+    missing = missing_room(commands, rooms)
+    if missing is not None:
+        command, room = missing
+        known = f"it has {listed([f'the {name}' for name in sorted(rooms)])}" if rooms else "it has no rooms"
+        return Impossible(command, f"there is no {room} on the map; {known}", room)
+    for command in commands:
+        if isinstance(command, Bringing) and any(map(_is_floor, _places(command))):
+            return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
+        if isinstance(command, PlaceTask) and (below := _below(command)) is not None:
+            return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")
+    return None
+
+
+def _places(command: Bringing) -> list[object]:
+    """Where its thing is said to be, and where it goes."""
+    own = command.object.relation if isinstance(command.object, ObjectDescription) else None
+    is_on = [own.to] if own is not None and own.kind == "on" else []
+    return [*(getattr(command, slot, None) for slot in _SLOTS), *is_on]
+
+
+def _below(place: PlaceTask) -> str | None:
+    """What it would have to be put below: "under the table"."""
+    relation = (
+        place.to.relation if isinstance(place.to, ObjectDescription) and place.to.kind is None else None
+    )
+    return str(relation) if relation is not None and relation.kind == "under" else None
+
+
+def _is_floor(place: object) -> bool:
+    kind = place.kind if isinstance(place, ObjectDescription) else place
+    return kind == _FLOOR

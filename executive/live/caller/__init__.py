@@ -1,0 +1,1 @@
+"""Whoever speaks to a served executive: the client commands and the service that starts it."""

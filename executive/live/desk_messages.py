@@ -1,0 +1,110 @@
+"""What is said to a served executive's desk: sentences, scripts, answers, cancels, pauses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+
+from robots.live.wire.messages import GetStatus, write_message
+
+MAX_STATEMENTS = 1000
+"""Of one script."""
+
+
+@dataclass(frozen=True, slots=True)
+class Say:
+    """A sentence; ``timeout_s`` of 0 is the usual one, velocities count when ``text`` is empty."""
+
+    text: str
+    timeout_s: float = 0.0
+    linear_m_s: float = 0.0
+    angular_rad_s: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptLine:
+    """A statement of a script, as the script's file says it; the script is begun when ``last`` has come."""
+
+    script: str
+    text: str
+    on_failure: str = "stop"
+    expect: str = "done"
+    timeout_s: float = 0.0
+    last: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """Statements that are one order: all are understood before the first one is carried out."""
+
+    lines: tuple[ScriptLine, ...]
+
+    @property
+    def text(self) -> str:
+        """What the order is called: the script's name."""
+        return self.lines[0].script
+
+
+@dataclass(frozen=True, slots=True)
+class Cancel:
+    """Halt what is under way, and hold."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to the question that is open."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class PauseTask:
+    """Hold what is under way where it is."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class ResumeTask:
+    """Go on with what was paused."""
+
+
+DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus
+
+
+_MESSAGES: Mapping[str, type] = {
+    "say": Say,
+    "statement": ScriptLine,
+    "cancel": Cancel,
+    "answer": Answer,
+    "pause": PauseTask,
+    "resume": ResumeTask,
+    "status": GetStatus,
+}
+
+
+def write_desk_message(message: DeskMessage) -> bytes:
+    """The payload of a message to the executive."""
+    match message:
+        case Say():
+            return write_message(
+                "say",
+                text=message.text,
+                timeout_s=message.timeout_s,
+                linear_m_s=message.linear_m_s,
+                angular_rad_s=message.angular_rad_s,
+            )
+        case ScriptLine():
+            return write_message("statement", **asdict(message))
+        case Cancel(reason):
+            return write_message("cancel", reason=reason)
+        case Answer(text):
+            return write_message("answer", text=text)
+        case PauseTask(reason):
+            return write_message("pause", reason=reason)
+        case ResumeTask():
+            return write_message("resume")
+        case GetStatus():
+            return write_message("status")

@@ -1,0 +1,1 @@
+"""The executive as a process that takes orders at its desk."""

@@ -1,0 +1,213 @@
+"""Where people reach a served executive: sentences, cancels and questions about how things stand."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any, Protocol, cast, get_args
+
+from executive.exit_codes import ExitCode
+from executive.live.desk_messages import (
+    _MESSAGES,
+    MAX_STATEMENTS,
+    Answer,
+    Cancel,
+    DeskMessage,
+    PauseTask,
+    ResumeTask,
+    Say,
+    Script,
+    ScriptLine,
+)
+from executive.meaning import Parsed
+from executive.trust import Trust
+from executive.understanding.conversation import Conversation
+from executive.understanding.statement import Expectation, OnFailure, Statement
+from executive.understanding.understanding import understand
+from robots.live.wire.connection import Connection
+from robots.live.wire.errors import ProtocolError
+from robots.live.wire.framing import Frame
+from robots.live.wire.messages import GetStatus, read_object, strictly, write_message
+from robots.live.wire.socket_server import SocketServer
+from trees.tasks import MoveTask
+
+
+def statements_of(said: Say | Script, before: Conversation, trust: Trust) -> Iterator[Statement]:
+    """Understand what was said, one statement after the other.
+
+    Args:
+        said: The order.
+        before: What was said before; remembers what is said now.
+        trust: How far a model's output is trusted.
+    """
+    if isinstance(said, Script):
+        for line in said.lines:
+            yield _of_script(line, before, trust)
+    elif said.text:
+        understood = before.understand(said.text, trust)
+        yield Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
+    else:
+        text = f"move at {said.linear_m_s:g} m/s and {said.angular_rad_s:g} rad/s"
+        yield Statement(Parsed(text, (MoveTask(text, said.linear_m_s, said.angular_rad_s),)))
+
+
+def _of_script(line: ScriptLine, before: Conversation, trust: Trust) -> Statement:
+    """A statement as ``load_script`` makes it; the desk has judged the words for failure and expectation."""
+    asks = line.expect == "question"
+    understood = understand(line.text, trust) if asks else before.understand(line.text, trust)
+    return Statement(
+        understood.parsed,
+        cast(OnFailure, line.on_failure),
+        cast(Expectation, line.expect),
+        line.timeout_s or None,
+    ).meaning(understood)
+
+
+MAX_WAITING = 1
+"""Sentences that wait; a second one at the same time is refused."""
+
+
+class Attended(Protocol):
+    """Who carries out what the desk takes in."""
+
+    def cancel(self, reason: str) -> None:
+        """Halt what is under way, and hold."""
+        ...
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        ...
+
+    def resume(self) -> None:
+        """Go on with it."""
+        ...
+
+    def status(self) -> Mapping[str, Any]:
+        """How things stand, as JSON values."""
+        ...
+
+
+class Order:
+    """A sentence or a script that somebody wants carried out, and the way back to them."""
+
+    def __init__(self, said: Say | Script, connection: Connection) -> None:
+        """Keep both."""
+        self.said = said
+        self.connection = connection
+
+    def tell(self, line: str) -> None:
+        """Send a line of feedback."""
+        self.connection.send(write_message("line", text=line))
+
+    def end(self, line: str, outcome: str, code: ExitCode) -> None:
+        """Send the result."""
+        self.connection.send(write_message("result", text=line, outcome=outcome, exit_code=int(code)))
+
+
+class Desk:
+    """The executive's socket.
+
+    Args:
+        path: Where to listen.
+        attended: Halts, holds and goes on with what is under way, and says how things stand.
+        is_stop: Whether a sentence is the spoken stop, which cancels what is under way.
+
+    Attributes:
+        current: The order that is being carried out.
+        asking: Whether a question is open.
+        given: Answers that have come, the oldest first.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        attended: Attended,
+        is_stop: Callable[[str], bool],
+    ) -> None:
+        self._attended, self._is_stop = attended, is_stop
+        self._server = SocketServer(path, self._take, self._ended)
+        self._waiting: deque[Order] = deque()
+        self._begun: dict[Connection, list[ScriptLine]] = {}
+        self.current: Order | None = None
+        self.asking = False
+        self.given: list[str] = []
+
+    def poll(self) -> None:
+        """Take in what has arrived."""
+        self._server.poll()
+
+    def next_order(self) -> Order | None:
+        """The next sentence; it is the current one until ``finish``."""
+        self.current = self._waiting.popleft() if self._waiting else None
+        return self.current
+
+    def finish(self) -> None:
+        """The current sentence has ended."""
+        self.current = None
+
+    def close(self) -> None:
+        """Stop listening; who waits for a turn is told that it does not come."""
+        while self._waiting:
+            self._waiting.popleft().end("failed: the executive has ended", "failed", ExitCode.FAILED)
+        self._server.close()
+
+    def _take(self, connection: Connection, frame: Frame) -> None:
+        message: DeskMessage = strictly(_MESSAGES, read_object(frame.payload))
+        match message:
+            case GetStatus():
+                connection.send(write_message("status", **self._attended.status()))
+            case Cancel(reason):
+                under_way = self.current is not None
+                if under_way:
+                    self._attended.cancel(reason or "cancelled")
+                connection.send(write_message("done", under_way=under_way))
+            case PauseTask(reason):
+                under_way = self.current is not None
+                if under_way:
+                    self._attended.pause(reason or "paused")
+                connection.send(write_message("done", under_way=under_way))
+            case ResumeTask():
+                paused = bool(self._attended.status()["paused"])
+                self._attended.resume()
+                connection.send(write_message("done", paused=paused))
+            case Answer(text):
+                if self.asking:
+                    self.given.append(text)
+                connection.send(write_message("done", asked=self.asking))
+            case Say():
+                self._queue(Order(message, connection))
+            case ScriptLine():
+                self._collect(message, connection)
+
+    def _collect(self, line: ScriptLine, connection: Connection) -> None:
+        """Take one more statement of a script, and queue the script with its last one."""
+        for value, known in ((line.on_failure, OnFailure), (line.expect, Expectation)):
+            if value not in get_args(known):
+                raise ProtocolError(f"statement: no {value[:40]!r}; there are {', '.join(get_args(known))}")
+        lines = self._begun.setdefault(connection, [])
+        if len(lines) >= MAX_STATEMENTS:
+            raise ProtocolError(f"a script has {MAX_STATEMENTS} statements at most")
+        lines.append(line)
+        if line.last:
+            self._queue(Order(Script(tuple(self._begun.pop(connection))), connection))
+
+    def _queue(self, order: Order) -> None:
+        if self.current is not None and self._says_stop(order.said):
+            self._attended.cancel("stop was said")
+            order.end("done: what was under way is halted", "done", ExitCode.DONE)
+        elif self.current is not None or len(self._waiting) >= MAX_WAITING:
+            busy = "the robot is busy; `executive cancel` halts what is under way"
+            order.end(f"refused: {busy}", "refused", ExitCode.INVALID)
+        else:
+            self._waiting.append(order)
+
+    def _says_stop(self, said: Say | Script) -> bool:
+        texts = [line.text for line in said.lines] if isinstance(said, Script) else [said.text]
+        return all(self._is_stop(text) for text in texts)
+
+    def _ended(self, connection: Connection) -> None:
+        self._begun.pop(connection, None)
+        self._waiting = deque(order for order in self._waiting if order.connection is not connection)
+        if self.current is not None and self.current.connection is connection:
+            self._attended.cancel("who gave the task has gone")

@@ -1,0 +1,296 @@
+"""A session on a served robot: attach, carry out what the desk takes in, heartbeat all the while."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import IO, Any, cast
+
+import numpy as np
+
+from executive.dialogue.settle_words import settled
+from executive.errors import NotWritableError
+from executive.exit_codes import ExitCode
+from executive.live.control_client.control_link import ControlLink, ControlLostError
+from executive.live.control_client.live_guard import LiveGuard
+from executive.live.control_client.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
+from executive.live.control_client.motion_client import GripperClient, MotionClient
+from executive.live.control_client.planning_client import LivePlanning, Worker
+from executive.live.control_client.walking_client import WalkingClient
+from executive.live.control_client.yielding_client import YieldingClient
+from executive.live.desk_messages import Say, Script
+from executive.live.served_executive.desk import Desk, Order, statements_of
+from executive.live.served_executive.live_attendant import LiveAttendant
+from executive.meaning import StopCommand
+from executive.reports.report import Report
+from executive.reports.safety_tally import SafetyTally
+from executive.runs.run_log import RunLog
+from executive.screens.display import PlainDisplay
+from executive.scripts.script_run import Said, not_begun, run_statements, unstarted, verdict
+from executive.session.events import Event
+from executive.session.session import Session
+from executive.session.supervisor import Supervisor
+from executive.trust import USUAL_TRUST, Trust
+from executive.understanding.command_parser import parse
+from executive.understanding.conversation import Conversation
+from executive.understanding.statement import Statement
+from kinematics.model.robot_model import RobotModel
+from robots.errors import SceneError
+from robots.live.wire.connection import Connection
+from robots.live.wire.runtime_folder import RuntimeFolder
+from robots.live.wire.unix_socket import UnixSocket
+from robots.perception.place_map import place_map
+from robots.scenes.scene_description import Region
+from robots.scenes.scene_file import load_scene
+from robots.seeded import seeded
+from trees.build import TaskTree
+from trees.events import Offered
+from trees.failures import Failure
+from trees.toolbox import Toolbox
+from trees.world_model import WorldModel
+
+_IDLE_S = 0.02
+
+
+class LiveExecutive:
+    """One attachment to a control process; ends with it.
+
+    Args:
+        folder: Where the robot is served.
+        model: Its model.
+        planning: The planning process.
+        world: What is believed of the world; outlives an attachment.
+        record: Folder of the recorded runs.
+        connection: Kind of the connection; a faulty one for evaluations.
+    """
+
+    def __init__(
+        self,
+        folder: RuntimeFolder,
+        model: RobotModel,
+        planning: Worker,
+        world: WorldModel,
+        record: Path,
+        connection: Callable[[UnixSocket], Connection] = Connection,
+        trust: Trust = USUAL_TRUST,
+    ) -> None:
+        """Attach.
+
+        Raises:
+            LiveError: The control process does not take this process as its commander.
+        """
+        self._link = link = ControlLink(folder, model, connection)
+        self._record, self._trust = record, trust
+        self._order: Order | None = None
+        self._conversation = Conversation()
+        self._log: RunLog | None = None
+        self._display: PlainDisplay | None = None
+        self._tally = SafetyTally()
+        link.listen(self._note)
+        motion = MotionClient(link)
+        detector = DetectorClient(link)
+        self._desk = Desk(folder.executive_socket, self, _is_stop)
+        ranging = RangingClient(link)
+        self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
+        self._planning = LivePlanning(planning, link, motion, world, self._note)
+        chance = seeded(int(link.about["seed"]))
+        toolbox = Toolbox(
+            clock=LiveClock(link),
+            model=model,
+            motion=motion,
+            sensing=self._steps.sensing,
+            grippers={hand: GripperClient(link, motion, hand) for hand in model.description.grippers},
+            detector=detector,
+            planning=self._planning,
+            world=world,
+            events=self._note,
+            rng=chance.trees,
+            walking=WalkingClient(link, motion),
+            ranging=ranging,
+            places=_places(str(link.about["scene"]), chance.places),
+            yielding=YieldingClient(link, motion, model, world),
+        )
+        self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
+        self._engaged = False
+        self._session = Session(
+            toolbox,
+            self._steps,
+            self._planning,
+            self._note,
+            on_tick=self._show,
+            supervisor=self._supervisor,
+            pausing=link,
+        )
+
+    def run(self) -> None:
+        """Carry out order after order.
+
+        Raises:
+            ControlLostError: The connection to the control process has ended; who gave the order was told.
+        """
+        while True:
+            order = self._desk.next_order()
+            if order is None:
+                self._session.hold(_IDLE_S)
+                self._meanwhile()
+                continue
+            try:
+                self._carry_out(order)
+            finally:
+                self._desk.finish()
+
+    def close(self) -> None:
+        """Let go: what moves is braked by the control process."""
+        self._desk.poll()
+        self._desk.close()
+        self._link.close()
+
+    def status(self) -> Mapping[str, Any]:
+        """How things stand, as JSON values."""
+        current = self._order.said.text if self._order is not None else None
+        state = self._supervisor.lifecycle.state.value
+        paused = self._session.paused
+        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state, "paused": paused}
+
+    # ---------------------------------------------------------------- an order
+
+    def _carry_out(self, order: Order) -> None:
+        self._order, self._tally = order, SafetyTally()
+        self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
+        said, checked_before = order.said, self._planning.checked
+        about = self._link.about
+        header = {key: about[key] for key in ("robot", "scene", "seed")}
+        text = _name_of(said)
+        try:
+            with RunLog(self._record, {"input": text[:200], "live": True, **header}) as log:
+                self._log = log
+                lost: ControlLostError | None = None
+                results: list[Said] = []
+                try:
+                    results = self._results(said)
+                    line, outcome, code = verdict([one for one, _ in results], results)
+                except ControlLostError as gone:
+                    lost, line, outcome, code = gone, f"failed: {gone}", "failed", ExitCode.FAILED
+                report = Report(
+                    input=text,
+                    seed=int(about["seed"]),
+                    robot=str(about["robot"]),
+                    scene=str(about["scene"]),
+                    outcome=outcome,
+                    exit_code=code,
+                    message=line,
+                    events_sha256=log.digest.hexdigest(),
+                    tasks=[result for _, results_of in results for result in results_of],
+                    safety=self._tally.counts(self._planning.checked - checked_before),
+                    left_out=tuple(step for statement, _ in results for step in statement.skipped),
+                )
+                log.finish(report.to_json())
+            order.end(line, outcome, code)
+            if lost is not None:
+                raise lost
+        except NotWritableError as wrong:  # the disk has filled up since the last order
+            order.end(f"refused: {wrong}", "refused", ExitCode.INVALID)
+        except ControlLostError:
+            raise
+        except BaseException as ended:  # a defect, or a signal to end: nobody is left without an answer
+            told = "the executive was ended" if isinstance(ended, SystemExit) else f"a defect: {ended!r}"
+            order.end(f"failed: {told}", "failed", ExitCode.FAILED)
+            raise
+        finally:
+            self._order = self._log = self._display = None
+            self._steps.busy = False
+
+    def _results(self, said: Say | Script) -> list[Said]:
+        """Understand all of it, then carry it out."""
+        session = self._session
+        attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
+        with session.request() as request:
+            statements: list[Statement] = []
+            for understood in statements_of(said, self._conversation, self._trust):
+                self._steps.busy = True
+                one = settled(understood, attendant, "ask", self._note, self._now_s, session.interruption)
+                if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
+                    session.hold(_IDLE_S)
+                    self._desk.poll()
+                if not isinstance(one, Failure):
+                    statements.append(one)
+                ended = one if isinstance(one, Failure) else request.taken(self._now_s(), self._note)
+                if ended is not None:
+                    return [(understood, [not_begun(understood, ended)])]
+            if results := unstarted(statements, self._note, self._now_s()):
+                return results
+            return run_statements(statements, session, attendant, "ask", self._note)
+
+    def _now_s(self) -> float:
+        return self._link.now_s
+
+    # ---------------------------------------------------------------- on the way
+
+    def _meanwhile(self) -> None:
+        self._desk.poll()
+        engaged = self._link.emergency is not None
+        if engaged and not self._engaged:
+            self._supervisor.stopped()
+        elif self._engaged and not engaged:
+            self._supervisor.reset("a person")
+        self._engaged = engaged
+
+    def cancel(self, reason: str) -> None:
+        """Halt what is under way, and hold."""
+        self._session.cancel(reason)
+
+    def pause(self, reason: str) -> None:
+        """Hold what is under way where it is."""
+        self._session.pause(reason)
+
+    def resume(self) -> None:
+        """Go on with it."""
+        self._session.resume()
+
+    def _note(self, event: Event) -> None:
+        if self._log is not None:
+            self._log.add(event)
+        if self._display is not None:
+            self._display.event(event)
+        if isinstance(event, Offered):
+            self._link.offer(event.to)
+        self._tally.add(event)
+
+    def _show(self, tree: TaskTree) -> None:
+        if self._display is not None:
+            self._display.tick(tree)
+
+
+class _LineStream:
+    """Where a display writes lines to: back to who gave the order."""
+
+    encoding = "utf-8"
+
+    def __init__(self, order: Order) -> None:
+        self._order = order
+
+    def write(self, text: str) -> int:
+        self._order.tell(text.rstrip("\n"))
+        return len(text)
+
+    def flush(self) -> None:
+        pass
+
+
+def _name_of(said: Say | Script) -> str:
+    if isinstance(said, Script) or said.text:
+        return said.text
+    return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
+
+
+def _is_stop(text: str) -> bool:
+    commands = parse(text).commands
+    return len(commands) == 1 and isinstance(commands[0], StopCommand)
+
+
+def _places(scene: str, rng: np.random.Generator) -> Mapping[str, Region]:
+    """The map of the rooms; empty where the scene's file is not there for this process."""
+    try:
+        return place_map(load_scene(scene), rng)
+    except SceneError:
+        return {}

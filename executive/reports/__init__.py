@@ -1,0 +1,1 @@
+"""What is told of a run: lines, explanations, the report and the safety tally."""

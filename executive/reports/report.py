@@ -1,0 +1,74 @@
+"""The report of a run: one JSON document, its schema in ``docs/report.schema.json``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from executive.meaning import shortened
+from executive.session.events import plain
+from executive.session.task_result import TaskResult
+
+if TYPE_CHECKING:
+    from executive.understanding.understanding import SkippedStep
+
+SCHEMA = 1
+
+
+@dataclass(frozen=True, slots=True)
+class SafetyCounts:
+    """What checker, gate and stop profile did in a run; ``stops`` are their reasons."""
+
+    checked_trajectories: int = 0
+    refused_setpoints: int = 0
+    stops: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """Everything that a run's report says; ``message`` is the line that people read."""
+
+    input: str
+    seed: int
+    robot: str
+    scene: str
+    outcome: str
+    exit_code: int
+    message: str
+    events_sha256: str
+    tasks: Sequence[TaskResult] = ()
+    safety: SafetyCounts = field(default_factory=SafetyCounts)
+    left_out: Sequence[SkippedStep] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """The document."""
+        document: dict[str, Any] = plain(
+            {
+                "schema": SCHEMA,
+                "input": shortened(self.input),
+                "seed": self.seed,
+                "robot": self.robot,
+                "scene": self.scene,
+                "outcome": self.outcome,
+                "exit_code": int(self.exit_code),
+                "message": self.message,
+                "tasks": [task.to_json() for task in self.tasks],
+                "safety": {
+                    "checked_trajectories": self.safety.checked_trajectories,
+                    "refused_setpoints": self.safety.refused_setpoints,
+                    "stops": list(self.safety.stops),
+                },
+                **self._left_out(),
+                "events_sha256": self.events_sha256,
+            }
+        )
+        return document
+
+    def _left_out(self) -> dict[str, Any]:
+        """Steps of a model's output that were left out; the key is absent when there are none."""
+        steps = [
+            {"text": step.text, "reason": step.reason, "provenance": step.provenance.to_json()}
+            for step in self.left_out
+        ]
+        return {"left_out": steps} if steps else {}

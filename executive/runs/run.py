@@ -1,0 +1,268 @@
+"""One run from its request to its report: refuse early, then move, then say what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from executive.config import chosen_config, leave_opengl_to_the_renderer
+from executive.dialogue.attendant import Attendant, Nobody
+from executive.dialogue.settle_words import settled
+from executive.ending_signals import EndedBySignal, taken_by, told
+from executive.errors import NotWritableError
+from executive.exit_codes import ExitCode
+from executive.meaning import shortened
+from executive.reports.report import Report
+from executive.reports.safety_tally import SafetyTally
+from executive.runs.frozen_heap import settled_heap
+from executive.runs.junit import write_junit
+from executive.runs.real_pace import RealPace
+from executive.runs.run_log import RunLog, require_writable, write_report
+from executive.runs.run_request import RunRequest
+from executive.scripts.script_run import Said, not_begun, run_statements, unstarted, verdict
+from executive.session.cancellation import Cancellation
+from executive.session.events import Event
+from executive.understanding.statement import Statement
+from kinematics.formats.trajectory_document import write_trajectory
+from kinematics.formats.trajectory_fit import stored_from
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from robots.clock import WallClock
+from robots.models.description import load_description_for_tasks
+from robots.scenes.scene_description import SceneDescription
+from robots.scenes.scene_file import known_scenes, load_scene
+from trees.failures import Failure
+
+if TYPE_CHECKING:
+    from executive.runs.pictures import Pictures
+    from executive.screens.display import Display
+
+FINAL_HOLD_S = 0.5
+"""Simulated time that a film goes on after the last task."""
+
+
+@dataclass(frozen=True, slots=True)
+class Performance:
+    """How a run ended.
+
+    Attributes:
+        line: For people.
+        exit_code: Of the report; a failure as well where all was done and something that was asked for, a
+            report or a picture, could not be written.
+        report: What it says.
+        run_name: Name of the recorded run.
+        complaints: What could not be written.
+    """
+
+    line: str
+    exit_code: ExitCode
+    report: Report
+    run_name: str
+    complaints: tuple[str, ...] = ()
+
+
+def perform(
+    request: RunRequest,
+    display: Display,
+    attendant: Attendant | None = None,
+    on_event: Callable[[Event], None] | None = None,
+    cancellation: Cancellation | None = None,
+    heeds_signals: bool = True,
+) -> Performance:
+    """Carry a request out.
+
+    A signal to end, Ctrl-C among them, cancels it: the robot brakes and holds, and all that was asked for is
+    written. The second one is the emergency stop, which the robot is brought to rest by as well. Only a third
+    one, for a program that does not get that far, ends the program at once.
+
+    Args:
+        request: What to do.
+        display: Shows what goes on.
+        attendant: Who answers questions and may cancel; nobody when left out.
+        on_event: Hears of every event as well.
+        cancellation: The run's cancel, where the attendant has to know of it at the questions that come
+            before there is a robot.
+        heeds_signals: Whether signals to end are this run's; where not, they end the program.
+
+    Everything that can be wrong with it, or with the machine, is found before anything moves.
+
+    Raises:
+        UserError: An option, the scene or the machine is not good for it.
+        RobotsError: The robot's or the scene's data are not.
+    """
+    ending = _Ending(cancellation or Cancellation())
+    with taken_by(ending.take) if heeds_signals else nullcontext():
+        return _performed(request, display, attendant or Nobody(), on_event, ending)
+
+
+def _performed(
+    request: RunRequest,
+    display: Display,
+    attendant: Attendant,
+    on_event: Callable[[Event], None] | None,
+    ending: _Ending,
+) -> Performance:
+    leave_opengl_to_the_renderer()
+    scene = _preflight(request)
+    pictures = _pictures(request)
+    scene_path = None if request.scene in known_scenes() else Path(request.scene)
+    tally = SafetyTally()
+    with RunLog(request.record, _header(request), scene_path, request.script, chosen_config()) as log:
+
+        def sink(event: Event) -> None:
+            log.add(event)
+            tally.add(event)
+            display.event(event)
+            if on_event is not None:
+                on_event(event)
+
+        keep = log if request.keep_trajectories else None
+        results, checked = _results(request, scene, attendant, sink, display, pictures, keep, ending)
+        line, outcome, code = verdict(request.statements, results)
+        report = Report(
+            input=request.input,
+            seed=request.seed,
+            robot=request.robot,
+            scene=request.scene,
+            outcome=outcome,
+            exit_code=code,
+            message=line,
+            events_sha256=log.digest.hexdigest(),
+            tasks=[result for _, results_of in results for result in results_of],
+            safety=tally.counts(checked),
+            left_out=tuple(step for statement, _ in results for step in statement.skipped),
+        )
+        log.finish(report.to_json())
+    lacking = [] if pictures is None else list(pictures.complaints)
+    lacking += _write_reports(request, report, results)
+    broken_off = [] if log.complaint is None else [log.complaint]
+    if code is ExitCode.DONE and (lacking or (request.keep_trajectories and broken_off)):
+        code = ExitCode.FAILED
+    return Performance(line, code, report, log.name, (*broken_off, *lacking))
+
+
+def _header(request: RunRequest) -> dict[str, Any]:
+    """What the record of a run tells of how it was asked for."""
+    return {
+        "input": shortened(request.input),
+        "text": request.input,
+        "robot": request.robot,
+        "scene": request.scene,
+        "seed": request.seed,
+        "on_question": request.on_question,
+        "confidence": request.trust.threshold,
+        "policy": request.trust.policy,
+        **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
+    }
+
+
+def _write_reports(request: RunRequest, report: Report, results: Sequence[Said]) -> list[str]:
+    """Write the reports that were asked for; complaints of those that cannot be: the result stands."""
+    complaints = []
+    if request.report is not None:
+        try:
+            write_report(request.report, report.to_json())
+        except NotWritableError as wrong:
+            complaints.append(str(wrong))
+    if request.junit is not None:
+        try:
+            write_junit(request.junit, request.input, results)
+        except NotWritableError as wrong:
+            complaints.append(str(wrong))
+    return complaints
+
+
+def _preflight(request: RunRequest) -> SceneDescription:
+    """Find what is wrong with the request before anything is built."""
+    load_description_for_tasks(request.robot)
+    scene = load_scene(request.scene)
+    for path in (request.report, request.snapshot, request.video, request.junit):
+        if path is not None:
+            require_writable(path)
+    return scene
+
+
+def _pictures(request: RunRequest) -> Pictures | None:
+    if request.snapshot is None and request.video is None:
+        return None
+    from executive.runs.pictures import Pictures
+
+    return Pictures(request.snapshot, request.video)
+
+
+def _results(
+    request: RunRequest,
+    scene: SceneDescription,
+    attendant: Attendant,
+    sink: Callable[[Event], None],
+    display: Display,
+    pictures: Pictures | None,
+    keep: RunLog | None,
+    ending: _Ending,
+) -> tuple[list[Said], int]:
+    """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
+
+    def cancelled() -> Failure | None:
+        return ending.cancellation.taken(0.0, sink)
+
+    statements: list[Statement] = []
+    for said in request.statements:
+        one = settled(said, attendant, request.on_question, sink, interruption=cancelled)
+        if isinstance(one, Failure):
+            return [(said, [not_begun(said, one)])], 0
+        statements.append(one)
+    if spoiled := unstarted(statements, sink):
+        return spoiled, 0
+    if (ended := cancelled()) is not None:
+        return [(statements[0], [not_begun(statements[0], ended)])], 0
+    from executive.session.assembly import assemble, plan_faults
+
+    def judged(asked: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
+        if keep is not None:
+            safe = "safe" if isinstance(answer, CheckedTrajectory) else "unsafe"
+            keep.add_motion(write_trajectory(stored_from(asked, assembly.model)), safe)
+
+    assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=judged)
+    plan_faults(assembly.world, request.faults)
+    attendant.begin(assembly.session)
+    if (ended := cancelled()) is not None:
+        return [(statements[0], [not_begun(statements[0], ended)])], 0
+    if pictures is not None:
+        pictures.begin(assembly.world)
+        assembly.session.watch_periods(pictures.tick)
+    if request.in_real_time:
+        assembly.session.watch_periods(RealPace(WallClock()))
+    ending.emergency_stop = assembly.session.emergency_stop
+    with settled_heap(), assembly.session.request(ending.cancellation):
+        results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
+    if pictures is not None:
+        assembly.session.hold(FINAL_HOLD_S)
+        pictures.finish(assembly.world)
+    return results, assembly.planning.checked
+
+
+class _Ending:
+    """What signals to end do to a run.
+
+    Attributes:
+        cancellation: The run's cancel: the first signal asks for it.
+        emergency_stop: What the second one calls, as soon as there is a robot.
+    """
+
+    def __init__(self, cancellation: Cancellation) -> None:
+        self.cancellation = cancellation
+        self.emergency_stop: Callable[[str], None] | None = None
+        self._count = 0
+
+    def take(self, number: int) -> None:
+        """Take one."""
+        self._count += 1
+        if self._count == 1:
+            self.cancellation.ask(told(number, "cancelled"))
+        elif self._count == 2 and self.emergency_stop is not None:
+            self.emergency_stop(told(number, "stopped"))
+        else:
+            raise EndedBySignal(told(number, "cancelled"))

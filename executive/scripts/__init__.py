@@ -1,0 +1,1 @@
+"""Task scripts: their file, their order, their run."""

@@ -1,0 +1,153 @@
+"""The one place where concrete parts are put together: a simulated robot in a scene, with a session."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from executive.session.event_hub import EventHub
+from executive.session.events import Event, EventSink
+from executive.session.planning_jobs import PlanningJobs
+from executive.session.session import Session, TreeBuilder
+from executive.session.supervisor import Supervisor
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.motion_planner import MotionPlanner
+from kinematics.requests.check import CheckRequest
+from robots.clock import ManualClock
+from robots.control.loop.control_loop import ControlLoop
+from robots.control.period import PERIOD_S
+from robots.models.description import load_description_for_tasks
+from robots.perception.place_map import place_map
+from robots.perception.stub import PerceptionStub
+from robots.scenes.planned_fault import PlannedFault
+from robots.scenes.scene_description import SceneDescription
+from robots.seeded import seeded
+from robots.simulated.fault_plan import plan_fault
+from robots.simulated.world import SimulatedWorld, build_world
+from trees.build import TaskTree
+from trees.events import Offered
+from trees.policy import TreePolicy
+from trees.toolbox import Toolbox
+from trees.world_model import WorldModel
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """A robot in a simulated world, ready for its first task.
+
+    Attributes:
+        world: The simulator: its truth is for tests, evaluations and pictures alone.
+        session: Runs tasks.
+        loop: The control loop, for its statistics.
+        perception: The simulated perception, for faults.
+        planning: The planning service, for its counts and times.
+        model: The robot's model.
+        clock: Simulated time.
+        supervisor: Emergency stop, reset and the state machine.
+    """
+
+    world: SimulatedWorld
+    session: Session
+    loop: ControlLoop
+    perception: PerceptionStub
+    planning: PlanningJobs
+    model: RobotModel
+    clock: ManualClock
+    supervisor: Supervisor
+
+
+def assemble(
+    robot: str,
+    scene: SceneDescription,
+    seed: int,
+    *,
+    sink: EventSink = lambda _event: None,
+    on_period: Callable[[], None] | None = None,
+    on_tick: Callable[[TaskTree], None] | None = None,
+    policy: TreePolicy | None = None,
+    build: TreeBuilder | None = None,
+    posture: Mapping[str, float] | None = None,
+    on_judged: Callable[[CheckRequest, CheckedTrajectory | Unsafe], None] = lambda _request, _answer: None,
+) -> Assembly:
+    """Put a robot into a scene.
+
+    Each consumer of randomness draws from a child of ``seed`` of its own, in a fixed order, so that one
+    that draws more or less does not change what the others see.
+
+    Args:
+        robot: Name of the robot.
+        scene: What is around it.
+        seed: Of everything random.
+        sink: Takes every event.
+        on_period: Called after each control period.
+        on_tick: Called after each tick of a tree.
+        policy: Numbers that behaviors go by.
+        build: Makes a task's tree; `build_tree` when left out.
+        posture: Positions of joints that are not where the home posture has them; it is home then.
+        on_judged: Called with every motion that the checker judged, and its answer.
+
+    Raises:
+        UnknownRobotError: There is no robot of that name.
+        DescriptionError: The robot's data are incomplete, or it lacks a part that tasks need.
+        SceneError: The scene cannot be a world.
+    """
+    sink = EventHub(sink)
+    chance = seeded(seed)
+    description = load_description_for_tasks(robot)
+    if posture:
+        description = replace(description, home={**description.home, **posture})
+    model = RobotModel(description)
+    clock = ManualClock()
+    world = build_world(description, scene, chance.world)
+
+    def watched(event: Event) -> None:
+        if isinstance(event, Offered):
+            world.people.see_offer(event.to)
+
+    sink.listen(watched)
+    loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
+    perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
+
+    planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=on_judged)
+    toolbox = Toolbox(
+        clock=clock,
+        model=model,
+        motion=loop.motion,
+        sensing=loop.sensing,
+        grippers=loop.grippers,
+        detector=perception,
+        planning=planning,
+        world=WorldModel(),
+        events=sink,
+        rng=chance.trees,
+        policy=policy or TreePolicy(),
+        walking=loop.walking,
+        ranging=world.ranging,
+        yielding=loop.yielding,
+        places=place_map(scene, chance.places),
+    )
+    supervisor = Supervisor(loop, clock, sink)
+    session = Session(
+        toolbox,
+        loop,
+        planning,
+        sink,
+        tick_sensors=perception.tick,
+        on_period=on_period,
+        on_tick=on_tick,
+        build=build,
+        supervisor=supervisor,
+        pausing=loop,
+    )
+    return Assembly(world, session, loop, perception, planning, model, clock, supervisor)
+
+
+def plan_faults(world: SimulatedWorld, faults: Iterable[PlannedFault]) -> None:
+    """Let things go wrong on purpose, each at its simulated time.
+
+    Raises:
+        ValueError: There is no such joint or object.
+    """
+    for fault in faults:
+        plan_fault(world, fault)

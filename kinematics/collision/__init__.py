@@ -1,0 +1,1 @@
+"""Whether configurations and edges are free, as the planner asks."""

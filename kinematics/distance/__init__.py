@@ -1,0 +1,1 @@
+"""Convex solids and how far apart they are: what the checker and the planner share."""

@@ -1,0 +1,71 @@
+"""A robot's link as a convex solid."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import coal
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.distance.solids import (
+    BOX,
+    CYLINDER,
+    HULL,
+    POINT,
+    REDUCTION_M,
+    ROUGH_M,
+    SEGMENT,
+    Solid,
+    _primitive,
+)
+from kinematics.errors import ModelError
+from kinematics.geometry.poses import Transform
+
+
+def link_solid(body: int, pose: Transform, geometry: Any) -> Solid:
+    """A solid of one of the robot's collision geometries.
+
+    Raises:
+        ModelError: It is of a kind that has no support function here.
+    """
+    if isinstance(geometry, coal.ConvexBase):
+        return _hull(body, np.array(geometry.points()) @ pose[:3, :3].T + pose[:3, 3])
+    if isinstance(geometry, coal.Box):
+        x, y, z = np.array(geometry.halfSide)
+        return _primitive(BOX, body, pose, (float(x), float(y), float(z)), 0.0)
+    if isinstance(geometry, coal.Cylinder):
+        return _primitive(
+            CYLINDER, body, pose, (float(geometry.radius), float(geometry.halfLength), 0.0), 0.0
+        )
+    if isinstance(geometry, coal.Sphere):
+        return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), float(geometry.radius))
+    if isinstance(geometry, coal.Capsule):
+        return _primitive(SEGMENT, body, pose, (0.0, float(geometry.halfLength), 0.0), float(geometry.radius))
+    raise ModelError(f"no support function for a {type(geometry).__name__}")
+
+
+def _hull(body: int, points: Array) -> Solid:
+    # imported here: it brings the compiler
+    from kinematics.distance.separation import reduced_hull
+
+    points = np.ascontiguousarray(points)
+    order = np.empty(len(points), np.int64)
+    # vertices are chosen in one order, whatever the tolerance
+    rough, rough_pad = reduced_hull(points, ROUGH_M, order)
+    count, pad = reduced_hull(points, REDUCTION_M, order)
+    few = points[order[:count]]
+    centre = _ball_centre(points)
+    radius = float(np.linalg.norm(points - centre, axis=1).max())
+    return Solid(
+        HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad
+    )
+
+
+def _ball_centre(points: Array) -> Array:
+    """Centre of a nearly smallest enclosing ball (Badoiu and Clarkson, 2003)."""
+    centre = points.mean(axis=0)
+    for i in range(1, 200):
+        off = points - centre
+        centre = centre + off[np.argmax(np.einsum("ni,ni->n", off, off))] / (i + 1)
+    return np.asarray(centre, dtype=np.float64)

@@ -1,0 +1,1 @@
+"""Loads of a standing robot: soles, zero-moment point, efforts."""

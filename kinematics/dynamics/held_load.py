@@ -1,0 +1,50 @@
+"""What hangs on a robot's hands, as part of its model."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+
+import numpy as np
+
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import HeldLoad
+from kinematics.scene.planning_scene import PlanningScene
+
+
+def loads_in(scene: PlanningScene) -> tuple[HeldLoad, ...]:
+    """The loads of a scene: each attached body whose mass is known, at its centre."""
+    if not scene.attached:
+        return ()
+    return tuple(
+        HeldLoad(
+            body.frame,
+            body.mass_kg,
+            (
+                float(body.frame_T_object[0, 3]),
+                float(body.frame_T_object[1, 3]),
+                float(body.frame_T_object[2, 3]),
+            ),
+        )
+        for body in scene.attached.values()
+        if body.mass_kg > 0.0
+    )
+
+
+def loaded(model: RobotModel, loads: Sequence[HeldLoad]) -> RobotModel:
+    """The same robot with loads: its CoM, its mass and its dynamics are those of both.
+
+    Args:
+        model: The robot with empty hands.
+        loads: What it carries; without any it is the model itself.
+
+    Raises:
+        UnknownNameError: A load hangs on a frame that the model does not have.
+    """
+    return _loaded(model, tuple(loads)) if loads else model
+
+
+@functools.lru_cache(maxsize=8)
+def _loaded(model: RobotModel, loads: tuple[HeldLoad, ...]) -> RobotModel:
+    """Remembered: planner and checker ask for the same one many times."""
+    return model.with_point_masses([(load.frame, load.mass_kg, np.array(load.point_m)) for load in loads])

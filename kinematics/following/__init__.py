@@ -1,0 +1,1 @@
+"""A hand that follows a path as it goes, one step at a time."""

@@ -1,0 +1,90 @@
+"""How a door or drawer is moved: speeds, forces, and the scene at each of its openings."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.scene.opening_path import DoorArc, OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.standing.reserves import BRAKING_RESERVE_M
+
+GRAVITY_M_S2 = 9.81
+
+
+BREAK_FREE_N, MOVING_N = 25.0, 6.0
+"""Pull for which the CoM is shifted before a door gives way, and while it moves."""
+
+
+DOOR_SPEED_RAD_S, DRAWER_SPEED_M_S = math.radians(15.0), 0.12
+
+
+FREE_SPIN, HELD_SPIN = 0.001, 0.3
+"""Weights of the hand's turn about the bar: left open on a door, nearly kept on a drawer."""
+
+
+SPIN_FADES = 0.93
+"""From one weight to the other, by this factor a tick: a jump of weights is a jump of speeds."""
+
+
+GATHERING = 2.0
+"""A hand gathers speed along its path by this share of it a second."""
+
+
+def com_shift_m(model: RobotModel, stance: Stance, outward: Array, at_z_m: float, force_n: float) -> Array:
+    """How far back the CoM has to be for a pull, m, shape (2,).
+
+    Args:
+        model: The robot.
+        stance: Where its feet stand; the pull tips it about the plane of the soles.
+        outward: Unit vector of the pull, shape (3,).
+        at_z_m: Height of the pull in the odometry frame.
+        force_n: How hard it pulls.
+    """
+    height_m = at_z_m - stance.height_m
+    return np.asarray(outward[:2] * force_n * height_m / (model.mass_kg * GRAVITY_M_S2))
+
+
+def speed_along(path: OpeningPath) -> float:
+    """How fast a path is followed, in its own unit a second."""
+    return DOOR_SPEED_RAD_S if isinstance(path, DoorArc) else DRAWER_SPEED_M_S
+
+
+def spin_along(path: OpeningPath) -> float:
+    """How much the hand's turn about the bar matters while the path is followed."""
+    return FREE_SPIN if isinstance(path, DoorArc) else HELD_SPIN
+
+
+def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) -> Array:
+    """A rotation, shape (3, 3), taken along by the handle from one opening to another."""
+    pose = poses.transform(rotation, (0.0, 0.0, 0.0))
+    return np.asarray(path.part_moved(pose, s_from, s_to)[:3, :3])
+
+
+def scene_at(
+    scene: PlanningScene, parts: tuple[str, ...], path: OpeningPath, s_from: float, s_to: float
+) -> PlanningScene:
+    """The scene with a door or drawer moved from one opening to another."""
+    for name in dict.fromkeys(parts):  # each once: a front may be its own handle
+        item = scene.objects[name]
+        moved = path.part_moved(item.world_T_object, s_from, s_to)
+        scene = scene.with_object(replace(item, world_T_object=moved))
+    return scene
+
+
+def guarded_scene(scene: PlanningScene) -> PlanningScene:
+    """The scene with the margins of motions that are made as they go.
+
+    They keep no more than a brake needs: what was perceived is known no better, but a held handle is.
+    """
+    near = [
+        replace(item, margin_m=min(item.margin_m, BRAKING_RESERVE_M)) if not item.movable else item
+        for item in scene.objects.values()
+    ]
+    return scene.with_objects(near)

@@ -1,0 +1,1 @@
+"""Trajectories, solids and their checks as documents."""

@@ -1,0 +1,1 @@
+"""Poses, shapes and curves of one variable."""

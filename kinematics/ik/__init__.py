@@ -1,0 +1,1 @@
+"""Inverse kinematics of the standing body, of the gaze and of pointing."""

@@ -1,0 +1,35 @@
+"""Which way the head turns to look at a point."""
+
+from __future__ import annotations
+
+import math
+
+from kinematics.arrays import Array
+from kinematics.model.robot_model import RobotModel
+
+ITERATIONS = 4
+
+
+def gaze_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
+    """Pan and tilt that bring a world point, shape (3,), to the middle of the camera's picture.
+
+    Inside the joints' limits; a point out of reach of the gaze gets the nearest direction.
+    """
+    camera = model.description.camera
+    pan, tilt = model.joint_index(camera.pan_joint), model.joint_index(camera.tilt_joint)
+    margin = model.description.planning_margin_rad
+    q = q.copy()
+    place = point.tolist()
+    bounds = [
+        (7 + index, float(model.lower_rad[index]) + margin, float(model.upper_rad[index]) - margin)
+        for index in (pan, tilt)
+    ]
+    for _ in range(ITERATIONS):
+        # plain numbers: calls on arrays of three would take as long as the kinematics
+        (a, b, c, p), (d, e, f, r), (g, h, i, s), _ = model.frame_pose(q, camera.frame).tolist()
+        u, v, w = place[0] - p, place[1] - r, place[2] - s
+        x, y, z = a * u + d * v + g * w, b * u + e * v + h * w, c * u + f * v + i * w
+        # the optical frame: x to the right, y down, z ahead; a positive pan turns left
+        for (column, low, high), turn in zip(bounds, (-math.atan2(x, z), math.atan2(y, z)), strict=True):
+            q[column] = min(max(float(q[column]) + turn, low), high)
+    return {camera.pan_joint: float(q[7 + pan]), camera.tilt_joint: float(q[7 + tilt])}

@@ -1,0 +1,119 @@
+"""Whole-body inverse kinematics: which solver a robot gets, and lines of the hand."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from typing import Protocol, cast, runtime_checkable
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.errors import ModelError
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult, IkTolerance
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.stance_table import StanceTable
+
+
+class InverseKinematics(Protocol):
+    """Inverse kinematics of one hand for one stance."""
+
+    def solve(
+        self,
+        world_T_tcp: Transform,
+        q_seed: Array,
+        tolerance: IkTolerance = DEFAULT_TOLERANCE,
+        iterations: int = 60,
+        q_preferred: Array | None = None,
+        upright: bool = False,
+    ) -> IkResult:
+        """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
+
+        Args:
+            world_T_tcp: Target, shape (4, 4).
+            q_seed: Start, shape (nq,).
+            tolerance: The search ends when the TCP is this near.
+            iterations: Most steps of the solver.
+            q_preferred: Posture to stay near where there is a choice; home when left out.
+            upright: Give up, and quickly, where the knees would have to bend.
+        """
+        ...
+
+
+@runtime_checkable
+class FollowingKinematics(Protocol):
+    """A solver that takes many poses at once."""
+
+    def follow(
+        self, world_T_tcp: Sequence[Transform], q_seed: Array, *, reserve_rad: float = 0.0
+    ) -> list[IkResult]:
+        """Bring the TCP to one pose after another; the answers as far as they are within the tolerance.
+
+        Args:
+            world_T_tcp: Targets, shape (4, 4) each.
+            q_seed: Where it begins, shape (nq,).
+            reserve_rad: Joints stay so much farther from their limits.
+        """
+        ...
+
+
+def _make_solver(model: RobotModel, stance: Stance, hand: Hand) -> InverseKinematics:
+    from kinematics.ik.placo_ik import PlacoIk
+    from kinematics.ik.reach_ik import ReachIk
+
+    try:
+        return ReachIk(model, stance, hand)
+    except ModelError:
+        return PlacoIk(model, stance, hand)
+
+
+@functools.cache
+def _follows(kind: type[InverseKinematics]) -> bool:
+    """Whether a solver takes many poses at once; to ask a protocol takes as long as a step of the solver."""
+    return issubclass(kind, FollowingKinematics)
+
+
+inverse_kinematics = StanceTable(_make_solver)
+"""The solver of a hand: compiled where the legs have a closed form, else PlaCo's."""
+
+
+LINE_RESERVE_RAD = 0.015
+"""Where joints are at their limits, a curve through a few solved points swings beyond them in between, by up
+to 13 mrad: what is no way then may be one with this in reserve."""
+
+
+def along_line(
+    ik: InverseKinematics,
+    q: Array,
+    start: Transform,
+    end: Transform,
+    points: int,
+    reserve_rad: float = 0.0,
+) -> Array | None:
+    """Configurations along a straight line of the TCP.
+
+    Args:
+        ik: Of the hand that moves.
+        q: Configuration at the start of the line, shape (nq,); the first of the answer.
+        start, end: Poses of the TCP, shape (4, 4).
+        points: How many configurations, both ends included.
+        reserve_rad: Joints stay so much farther from their limits, where the solver can do that.
+
+    Returns:
+        Shape (points, nq), or None when one of them is not reached within the tolerance.
+    """
+    targets = list(poses.line(start, end, points)[1:])
+    if _follows(type(ik)):
+        answers = cast(FollowingKinematics, ik).follow(targets, q, reserve_rad=reserve_rad)
+        return np.array([q, *(answer.q for answer in answers)]) if len(answers) == len(targets) else None
+    found = [q]
+    for target in targets:
+        result = ik.solve(target, found[-1], q_preferred=found[-1])
+        if not result.within(DEFAULT_TOLERANCE):
+            return None
+        found.append(result.q)
+    return np.array(found)

@@ -1,0 +1,1 @@
+"""The robot as geometry: description, model, stance, support polygon, forward kinematics."""

@@ -1,0 +1,288 @@
+"""What is known about a robot as data, before any library has seen it.
+
+``robots.models.description`` reads it from ``robots/models/<name>/description.toml``; everything
+that is true of one robot and not of robots in general belongs there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from kinematics.errors import MissingPartError
+from kinematics.model.walking_settings import WalkingSettings
+
+if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
+    from kinematics.model.reachability import ReachabilityMap
+
+Hand = Literal["left", "right"]
+HANDS: tuple[Hand, Hand] = ("left", "right")
+"""The names of hands; a robot's own are ``RobotDescription.hands``, perhaps only one of them."""
+
+Base = Literal["floating", "welded"]
+"""What holds a robot up: its feet, or bolts."""
+
+GROUPS = ("left_leg", "right_leg", "torso", "left_arm", "right_arm", "head")
+"""The groups of joints that every robot has, some of them empty."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointLimits:
+    """Limits of one joint, SI units; ``position`` in rad, (lower, upper)."""
+
+    position: tuple[float, float]
+    velocity: float
+    acceleration: float
+    jerk: float
+    effort: float
+
+
+@dataclass(frozen=True, slots=True)
+class JointGains:
+    """Stiffness (Nm/rad) and damping (Nm s/rad) of a joint's position servo, and its
+    reflected rotor inertia (kg m^2).
+    """
+
+    stiffness: float
+    damping: float
+    armature: float
+
+
+@dataclass(frozen=True, slots=True)
+class GripperDescription:
+    """One gripper.
+
+    Of a joint that slides, positions are metres and efforts newtons where the names say rad and nm.
+
+    Attributes:
+        hand: Which hand it is.
+        joint: The one driven joint; others mimic it.
+        tcp_frame: Frame with x along the approach, y along the opening, origin between the pads.
+        base_link: Link that the fingers hang on.
+        links: Every link of the gripper; they may touch each other.
+        touch_links: Links that may touch an object while it is grasped.
+        open_rad, closed_rad: Joint positions, fully open and fully closed.
+        opening_table: Pairs (joint rad, opening between the pads m), rising in joint position.
+        effort_nm: Closing effort used for a grasp; never above the joint's effort limit.
+        closing_speed_rad_s: Speed of a guarded closing.
+        empty_below_rad: A joint that closed further than this holds nothing.
+        held_effort_nm: At least this effort is felt when something is held.
+        payload_kg: The heaviest that arm and hand are made to carry; nothing held is taken for heavier.
+        pad_half_size_m: Half-sizes of each finger's pad (across, thickness, length), as ``pad_links``.
+        pad_position_m: Centre of each pad in its fingertip link.
+        pad_gap_m: Between neighbouring pads of one side, across the approach: what is round about the
+            approach sinks in between them.
+        palm_distance_m: From the TCP back to the palm, along the approach.
+        closing_advance_m: How much farther the fingertips reach along the approach when they close.
+    """
+
+    hand: Hand
+    joint: str
+    tcp_frame: str
+    base_link: str
+    links: tuple[str, ...]
+    touch_links: tuple[str, ...]
+    pad_links: tuple[str, ...]
+    open_rad: float
+    closed_rad: float
+    opening_table: tuple[tuple[float, float], ...]
+    effort_nm: float
+    closing_speed_rad_s: float
+    empty_below_rad: float
+    held_effort_nm: float
+    payload_kg: float
+    pad_half_size_m: tuple[tuple[float, float, float], ...]
+    pad_position_m: tuple[tuple[float, float, float], ...]
+    pad_gap_m: float
+    palm_distance_m: float
+    closing_advance_m: float
+
+    @property
+    def max_opening_m(self) -> float:
+        """Opening with the fingers fully apart."""
+        return max(opening for _, opening in self.opening_table)
+
+
+@dataclass(frozen=True, slots=True)
+class SoleDescription:
+    """A sole: its frame (z up when flat) and the rectangle that carries, in that frame."""
+
+    side: Hand
+    frame: str
+    link: str
+    x_m: tuple[float, float]
+    y_m: tuple[float, float]
+    thickness_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class CameraDescription:
+    """The head camera: optical frame (z forward, x right, y down), view and the joints that aim it.
+
+    ``lean_joint`` bends the trunk forward (positive), for looking at what is close to the body;
+    None when the robot has no such joint.
+    """
+
+    frame: str
+    horizontal_fov_rad: float
+    vertical_fov_rad: float
+    range_m: tuple[float, float]
+    pan_joint: str
+    tilt_joint: str
+    lean_joint: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SensorNoise:
+    """Standard deviations of the sensors' white noise, SI units, and the encoder resolution.
+
+    Those of an IMU or of feet that the robot does not have are 0.
+    """
+
+    joint_position_rad: float
+    joint_velocity_rad_s: float
+    joint_effort_fraction: float
+    gyro_rad_s: float = 0.0
+    accelerometer_m_s2: float = 0.0
+    foot_force_n: float = 0.0
+    foot_torque_nm: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class HealthLimits:
+    """From when on something counts as wrong with the body.
+
+    Attributes:
+        motor_effort_fraction: A motor that lacks this share of its effort limit, beside what its servo's
+            law asks for, is weak or offline.
+        stuck_rad: A joint whose setpoint has moved this far within half a second, and which has not
+            moved with it, is stuck.
+        stuck_effort_nm: A soft joint has to be asked for at least the way that this effort bends its
+            servo: so much may what a hand carries or touches hold it back.
+        tracking_rad: A joint this far from its setpoint does not follow.
+        encoder_offset_rad: A position that has left the sum of the speeds by this.
+        gyro_bias_rad_s: Between the gyro and the turning that the legs see.
+        foot_force_n: A sole that is meant to carry and feels less has lost the floor.
+        battery_low: Share of the charge below which no new task is begun.
+        late_share: Share of late control periods, over a second, that the loop may have.
+    """
+
+    motor_effort_fraction: float = 0.08
+    stuck_rad: float = 0.005
+    stuck_effort_nm: float = 0.0
+    tracking_rad: float = 0.05
+    encoder_offset_rad: float = 0.015
+    gyro_bias_rad_s: float = 0.01
+    foot_force_n: float = 20.0
+    battery_low: float = 0.15
+    late_share: float = 0.2
+
+
+@dataclass(frozen=True, slots=True)
+class RobotDescription:
+    """Everything that the product knows about one robot.
+
+    Attributes:
+        name: Folder name under ``robots/models``.
+        urdf: Cleaned URDF text with the TCP links added and mesh paths absolute, grippers moving.
+        planning_urdf: The same with the gripper joints fixed open.
+        disabled_collisions: Pairs of links that are never checked against each other.
+        joints: Actuated body joints, in Pinocchio's order of the planning model.
+        gripper_joints: Driven gripper joints, appended after ``joints`` in every setpoint.
+        limits: By joint name, grippers too.
+        gains: By joint name, grippers too.
+        home: Joint positions of the home posture, every joint.
+        groups: Joint names by group, every one of ``GROUPS``; empty where the robot has no such part.
+        grippers: Of the hands that can grasp.
+        soles: What it stands on; empty when the base is welded.
+        tcp_frames: TCP of each hand, grasping or not: x along the approach, y along the opening.
+        head_camera: The camera that joints aim, if there is one.
+        imu: Link of the IMU, if there is one.
+        base: What holds the robot up.
+        mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
+            roll, pitch, yaw about fixed axes.
+        cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
+        walking: How it walks; None for a robot that does not, or of which it is not known.
+        joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
+        health: From when on something counts as wrong with the body.
+        reachability: How well the hands reach what is around; None where nobody has made the map.
+        planning_margin_rad: Limits are shrunk by this for planning.
+        contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
+        com_margin_m: The CoM's projection stays at least this far inside the support polygon.
+    """
+
+    name: str
+    urdf: str
+    planning_urdf: str
+    mesh_dir: str
+    disabled_collisions: frozenset[tuple[str, str]]
+    joints: tuple[str, ...]
+    gripper_joints: tuple[str, ...]
+    limits: Mapping[str, JointLimits]
+    gains: Mapping[str, JointGains]
+    home: Mapping[str, float]
+    groups: Mapping[str, tuple[str, ...]]
+    grippers: Mapping[Hand, GripperDescription]
+    soles: tuple[SoleDescription, ...]
+    tcp_frames: Mapping[Hand, str]
+    head_camera: CameraDescription | None
+    base_link: str
+    imu: str | None
+    noise: SensorNoise
+    planning_margin_rad: float
+    com_margin_m: float
+    contact_effort_nm: Mapping[str, float] = field(default_factory=dict)
+    base: Base = "floating"
+    mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    cannot_grasp: str = ""
+    walking: WalkingSettings | None = None
+    reachability: ReachabilityMap | None = None
+    joint_viscosity_nms_rad: float = 0.0
+    health: HealthLimits = field(default_factory=HealthLimits)
+
+    @property
+    def actuated(self) -> tuple[str, ...]:
+        """Joint names of a setpoint: body joints, then gripper joints."""
+        return self.joints + self.gripper_joints
+
+    @property
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that the robot has, left before right."""
+        return tuple(hand for hand in HANDS if hand in self.tcp_frames)
+
+    @property
+    def welded(self) -> bool:
+        """Whether the base is bolted to something: no stance, nothing to balance."""
+        return self.base == "welded"
+
+    @property
+    def camera(self) -> CameraDescription:
+        """The head camera.
+
+        Raises:
+            MissingPartError: The robot has none.
+        """
+        if self.head_camera is None:
+            raise MissingPartError(self.name, "camera that its joints aim")
+        return self.head_camera
+
+    @property
+    def imu_link(self) -> str:
+        """Link of the IMU.
+
+        Raises:
+            MissingPartError: The robot has none.
+        """
+        if self.imu is None:
+            raise MissingPartError(self.name, "IMU")
+        return self.imu
+
+    @property
+    def missing_for_tasks(self) -> tuple[str, ...]:
+        """What the skills need and this robot does not have; empty for one that can do tasks."""
+        missing = [] if self.soles else ["feet"]
+        if self.head_camera is None:
+            missing.append("camera that its joints aim")
+        return (*missing, *(f"{hand} gripper" for hand in HANDS if hand not in self.grippers))

@@ -1,0 +1,1 @@
+"""Trajectories and the verdict on them: path, time, samples, findings."""

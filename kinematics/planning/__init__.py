@@ -1,0 +1,1 @@
+"""The planners, one for each kind of request."""

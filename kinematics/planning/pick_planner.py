@@ -1,0 +1,119 @@
+"""Plan a pick: choose hand and grasp, then reach, approach and lift as one chain of motions.
+
+It is the goals that fail, not the passages (field notes), so many grasps are tried, best first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.curves import Curve
+from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, least_width_m, widest_between_pads_m
+from kinematics.planning.pick_task import Goal, PickTask, Way
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.step import NoPlan
+from kinematics.standing.reserves import LEAST_RESERVE_M, PLANNING_RESERVE_M
+
+# So many grasps that a straight reach comes to are compared; without one, so many get a detour.
+CHOICES = 2
+# One whose cost can be undercut by no more than this is taken at once: half of what a hand without any
+# room and a CoM at its limit cost together.
+WORTH_WAITING = 0.5
+MOST_BLOCKED = 8
+
+
+class PickPlanner:
+    """Answers pick requests for one robot."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+
+    def plan(self, request: PickRequest) -> PickPlan | NoPlan:
+        """Plan reach, approach and lift, or say honestly why there is no plan.
+
+        Of the first few grasps that a straight reach comes to, the best one is taken: by reach,
+        clearance and balance; a good one is taken at once. Only when there is none are detours
+        searched, and only when there is no such grasp at all, those at other heights, with less room
+        and with bent knees.
+        """
+        usual = PickTask(self._model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True)
+        if (plan := self._best(usual)) is not None:
+            return plan
+        heights = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+        thorough = PickTask(self._model, request, heights, LEAST_RESERVE_M, upright=False)
+        if (plan := self._best(thorough)) is not None:
+            return plan
+        considered = usual.considered + thorough.considered
+        if considered == 0 and (too_wide := self._too_wide(request)) is not None:
+            return too_wide
+        hands = " or ".join(request.hands)
+        return NoPlan(
+            f"no way to grasp the {request.target} with the {hands} hand was found",
+            dict(thorough.reasons),
+            {"grasps_considered": float(considered)},
+        )
+
+    def _too_wide(self, request: PickRequest) -> NoPlan | None:
+        """That no hand opens so far; None for what is not too wide."""
+        width_m = least_width_m(request.scene.objects[request.target])
+        grippers = self._model.description.grippers
+        widest_m = max(widest_between_pads_m(grippers[hand]) for hand in request.hands)
+        if width_m <= widest_m:
+            return None
+        return NoPlan(
+            f"the {request.target} is too wide for the hand: {1000 * width_m:.0f} mm, "
+            f"and at most {1000 * widest_m:.0f} mm fit between the fingers",
+            {},
+            {"width_m": width_m, "widest_m": widest_m},
+        )
+
+    def _best(self, task: PickTask) -> PickPlan | None:
+        straight: list[tuple[Goal, Curve]] = []
+        blocked: list[Way] = []
+        liftable: list[Goal] = []
+        for candidate in task.candidates():
+            # what follows costs this at least: nothing to wait for
+            if straight and min(goal.cost for goal, _ in straight) <= candidate.cost + WORTH_WAITING:
+                if (plan := _cheapest(task, straight)) is not None:
+                    return plan
+                straight.clear()
+            way = task.solve(candidate)
+            if way is None:
+                continue
+            reach = task.straight_reach(way)
+            if reach is None:
+                blocked.append(way)
+            elif (goal := task.completed(way)) is not None:
+                straight.append((goal, reach))
+            if len(straight) >= CHOICES:
+                if (plan := _cheapest(task, straight)) is not None:
+                    return plan
+                straight.clear()
+            elif len(liftable) + len(blocked) >= MOST_BLOCKED and not straight:
+                liftable += _liftable(task, blocked)
+                blocked.clear()
+                if len(liftable) >= MOST_BLOCKED:
+                    break
+        if (plan := _cheapest(task, straight)) is not None:
+            return plan
+        for goal in sorted([*liftable, *_liftable(task, blocked)], key=lambda item: item.cost):
+            detour = task.detour(goal)
+            if detour is not None and (plan := task.timed(goal, detour)) is not None:
+                return plan
+        return None
+
+
+def _liftable(task: PickTask, ways: Sequence[Way]) -> list[Goal]:
+    """Those of some grasps from which hand and target come up free."""
+    goals = [goal for way in ways if (goal := task.completed(way)) is not None]
+    return [free for goal in goals if (free := task.liftable(goal)) is not None]
+
+
+def _cheapest(task: PickTask, ways: Sequence[tuple[Goal, Curve]]) -> PickPlan | None:
+    """The plan of the best goal that has one."""
+    for goal, reach in sorted(ways, key=lambda item: item[0].cost):
+        free = task.liftable(goal)
+        if free is not None and (plan := task.timed(free, reach)) is not None:
+            return plan
+    return None

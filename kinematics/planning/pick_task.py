@@ -1,0 +1,328 @@
+"""One planning problem of a pick: candidates, ways to them, and motions in time.
+
+Many grasps are filtered cheaply (does the open hand alone fit there?), then tried with whole-body
+inverse kinematics; which of them are tried and taken, ``pick_planner`` says.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.arrays import Array
+from kinematics.collision.relaxed_start import relaxed_at, start_concessions
+from kinematics.collision.validity import HandJudge, hand_judge, validity
+from kinematics.geometry import poses
+from kinematics.ik.gaze import gaze_joints
+from kinematics.ik.result import DEFAULT_TOLERANCE
+from kinematics.ik.solver import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.support_polygon import SupportPolygon
+from kinematics.motion.curves import Curve, PolynomialCurve
+from kinematics.motion.lead_in import lead_in
+from kinematics.planning.grasps import GraspCandidate, GraspTable, grasp_table, key_of
+from kinematics.planning.path_planner import PathPlanner
+from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.step import PlannedStep
+from kinematics.scene.concessions import Concession, ConcessionReason, touching
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.scene.support_of import under_foot_of
+from kinematics.standing.free_coordinates import free_coordinates
+from kinematics.timing.balanced_timing import time_in_balance
+from kinematics.timing.curve_timing import Pace
+
+# Straight approach: long enough that open fingers clear the object before it begins.
+APPROACH_M = 0.10
+# Grasps whose room is judged in one call.
+AT_A_TIME = 40
+# An arm reaches no farther than this from its shoulder to the TCP, trunk leaning included.
+FARTHEST_M = 1.15
+# What a hand without room, or a CoM at its limit, costs against 1 rad of an unnatural approach.
+CLEARANCE_COST = 0.5
+ENOUGH_CLEARANCE_M = 0.03
+BALANCE_COST = 0.5
+ENOUGH_BALANCE_M = 0.06
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A grasp that can be approached.
+
+    Attributes:
+        candidate: The grasp.
+        q: Configuration that holds it.
+        gaze: Head joints that look at the target.
+        approach: The straight way there.
+        x_pregrasp: Where that begins.
+    """
+
+    candidate: GraspCandidate
+    q: Array
+    gaze: Mapping[str, float]
+    approach: Curve
+    x_pregrasp: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """A grasp with the curves that carry it out; ``cost`` ranks it, smaller first, ``way`` comes to it."""
+
+    way: Way
+    grasp: Grasp
+    cost: float
+    lift: Curve
+
+
+class PickTask:
+    """The state of one planning problem.
+
+    Attributes:
+        reasons: How many grasps failed for which reason so far.
+        considered: How many grasps were looked at so far.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        request: PickRequest,
+        heights: Sequence[float],
+        reserve_m: float,
+        upright: bool,
+    ) -> None:
+        self._model, self._request, self._target = model, request, request.scene.objects[request.target]
+        self._heights, self._reserve_m, self._upright = heights, reserve_m, upright
+        self._space = free_coordinates(model, request.stance)
+        self._polygon = SupportPolygon(request.stance, model.description.soles)
+        self._rng = np.random.default_rng(request.seed)
+        self._hands: dict[Hand, HandJudge] = {}
+        self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
+        self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
+        self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
+        self._x_start = self._space.start(request.q_start)
+        # the search starts at home, which keeps elbows where they belong
+        self._seed = model.home_over(request.stance)
+        self.reasons: Counter[str] = Counter()
+        self.considered = 0
+        self._in_reach: dict[Hand, Array] = {}
+        for hand in request.hands:
+            offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
+            if np.linalg.norm(offset[:2]) <= FARTHEST_M:
+                self._in_reach[hand] = offset
+            else:
+                self.reasons["out of reach"] += 1
+
+    def candidates(self) -> Iterator[GraspCandidate]:
+        """Grasps of all allowed hands, most natural first; those without room for the hand are counted."""
+        tables: list[GraspTable] = []
+        rows_of: list[list[int]] = []
+        excluded = self._request.excluded
+        for hand, offset in self._in_reach.items():
+            table = grasp_table(
+                self._target,
+                self._model.description.grippers[hand],
+                float(np.arctan2(offset[1], offset[0])),
+                APPROACH_M,
+                self._heights,
+                2.0 * math.hypot(offset[0], offset[1]),
+            )
+            rows = list(range(len(table)))
+            if excluded:
+                rows = [k for k in rows if key_of(hand, table.name(k)) not in excluded]
+                if len(rows) < len(table):
+                    self.reasons["tried before"] += len(table) - len(rows)
+            rows_of.append(rows)
+            tables.append(table)
+        costs = [table.cost[rows] for table, rows in zip(tables, rows_of, strict=True)]
+        every = [(number, at) for number, rows in enumerate(rows_of) for at in range(len(rows))]
+        # room is judged for as many at a time as are worth a call, when their turn comes
+        fits: dict[tuple[int, int], list[bool]] = {}
+        for place in np.argsort(np.concatenate([np.empty(0), *costs]), kind="stable").tolist():
+            number, at = every[place]
+            table, rows = tables[number], rows_of[number]
+            block, row = divmod(at, AT_A_TIME)
+            if (number, block) not in fits:
+                some = rows[block * AT_A_TIME : (block + 1) * AT_A_TIME]
+                fits[number, block] = self._has_room(table.hand, table.world_T_tcp[some]).tolist()
+            if fits[number, block][row]:
+                yield table.candidate(rows[at])
+            else:
+                self.considered += 1
+                self.reasons["hand collides at the grasp"] += 1
+
+    def _has_room(self, hand: Hand, places: Array) -> NDArray[np.bool_]:
+        """Whether the hand alone has room, open and closed, and where the approach is solved.
+
+        Args:
+            hand: The hand.
+            places: Of the TCP at grasps, shape (n, 4, 4).
+        """
+        if hand not in self._hands:
+            scene, target = self._request.scene, self._target.name
+            self._hands[hand] = hand_judge(self._model, hand, scene, target, self._reserve_m)
+        advance_m = self._model.description.grippers[hand].closing_advance_m
+        # where the hand is farthest ahead it has the least room: most grasps are seen to fail at once
+        advances_m = [advance_m, *np.linspace(0.0, -APPROACH_M, CARTESIAN_POINTS).tolist()]
+        return self._hands[hand].fits_along(places, advances_m)
+
+    def solve(self, candidate: GraspCandidate) -> Way | None:
+        """Find the approach to a grasp; a failure is counted with its reason."""
+        self.considered += 1
+        way = self._solve(candidate)
+        if isinstance(way, str):
+            self.reasons[way] += 1
+            return None
+        return way
+
+    def straight_reach(self, way: Way) -> Curve | None:
+        """The straight way to the pre-grasp, if it is free."""
+        return self._reach_planner.straight(self._x_start, way.x_pregrasp)
+
+    def completed(self, way: Way) -> Goal | None:
+        """The same with its lift and what it costs; a failure is counted."""
+        grasp = way.candidate.grasp
+        lift = self._lift(way)
+        if lift is None:
+            self.reasons["no straight lift"] += 1
+            return None
+        clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
+        balance_m = self._polygon.com_margin_m(self._model.com(way.q))
+        cost = (
+            way.candidate.cost
+            + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
+            + BALANCE_COST * max(0.0, 1.0 - balance_m / ENOUGH_BALANCE_M)
+        )
+        return Goal(way, grasp, cost, lift)
+
+    def detour(self, goal: Goal) -> Curve | None:
+        """A way around what is between here and the pre-grasp."""
+        groups = self._model.description.groups
+        joints = (*groups[f"{goal.grasp.hand}_arm"], *groups["torso"])
+        moving = [self._space.index(joint) for joint in joints]
+        curve = self._reach_planner.plan(self._x_start, goal.way.x_pregrasp, moving, self._rng)
+        if curve is None:
+            self.reasons["no path to the pre-grasp"] += 1
+        return curve
+
+    def liftable(self, goal: Goal) -> Goal | None:
+        """The goal with a lift that is free, farther from joint limits if need be; a failure is counted."""
+        lift_scene = self._lift_scene(goal.grasp, self._grasp_planner(goal.grasp.hand)[0])
+        planner = self._planner(lift_scene, 0.0)
+        if planner.curve_is_free(goal.lift):
+            return goal
+        again = self._lift(goal.way, LINE_RESERVE_RAD)
+        if again is not None and planner.curve_is_free(again):
+            return dataclasses.replace(goal, lift=again)
+        self.reasons["lift collides"] += 1
+        return None
+
+    def timed(self, goal: Goal, reach: Curve) -> PickPlan | None:
+        """Give all three motions of a liftable goal their time."""
+        request, target, reason = self._request, self._target.name, ConcessionReason
+        links = self._model.description.grippers[goal.grasp.hand].touch_links
+        under = under_foot_of(self._target, request.scene)
+        near = start_concessions(self._model, request.scene, self._reach_scene, request.q_start, "reach")
+        held = self._held_scene(goal.grasp, request.scene)
+        grasped = touching(links, [target], reason.GRASPED_OBJECT, "approach")
+        carried = touching([target], under, reason.SUPPORT_OF_HELD_OBJECT, "lift")
+        steps = [
+            self._step("reach", reach, REACH_PACE, request.scene, near),
+            self._step("approach", goal.way.approach, CARTESIAN_PACE, request.scene, grasped),
+            self._step("lift", goal.lift, CARTESIAN_PACE, held, carried),
+        ]
+        if any(step is None for step in steps):
+            self.reasons["legs cannot follow"] += 1
+            return None
+        first, second, third = (step for step in steps if step is not None)
+        start = lead_in(first.trajectory, self._request.q_start, self._model.acceleration)
+        first = dataclasses.replace(first, trajectory=start)
+        return PickPlan(goal.grasp, first, second, third, self.considered)
+
+    def _lift(self, way: Way, reserve_rad: float = 0.0) -> Curve | None:
+        grasp = way.candidate.grasp
+        lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
+        ik = self._ik_of(grasp.hand)
+        up = along_line(ik, way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS, reserve_rad)
+        return None if up is None else PolynomialCurve(self._gazing(up, way.gaze))
+
+    def _solve(self, candidate: GraspCandidate) -> Way | str:
+        grasp = candidate.grasp
+        ik = self._ik_of(grasp.hand)
+        _, near = self._grasp_planner(grasp.hand)
+        first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
+        if not first.within(DEFAULT_TOLERANCE):
+            return "no inverse kinematics at the grasp"
+        if not near.is_free(self._space.from_q(first.q)):
+            return "collision at the grasp"
+        pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
+        back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
+        if back is None:
+            return "no straight approach"
+        gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
+        points = self._gazing(back[::-1], gaze)
+        if not self._reach_planner.is_free(points[0]):
+            return "collision before the approach"
+        approach = PolynomialCurve(points)
+        if not near.curve_is_free(approach):
+            return "approach collides"
+        return Way(candidate, first.q, gaze, approach, points[0])
+
+    def _gazing(self, configurations: Array, gaze: Mapping[str, float]) -> Array:
+        """Free coordinates of configurations, with the head turned to the target."""
+        x = self._space.from_many(configurations)
+        for joint, angle in gaze.items():
+            x[:, self._space.index(joint)] = angle
+        return x
+
+    def _planner(
+        self, scene: PlanningScene, reserve_m: float, like: PathPlanner | None = None
+    ) -> PathPlanner:
+        before = None if like is None else like.judge
+        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M, before)
+        return PathPlanner(self._model, self._space, judge)
+
+    def _step(
+        self,
+        name: str,
+        curve: Curve,
+        pace: Pace,
+        scene: PlanningScene,
+        concessions: tuple[Concession, ...],
+    ) -> PlannedStep | None:
+        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
+        return None if trajectory is None else PlannedStep(name, trajectory, scene, concessions)
+
+    def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
+        """Scene and planner in which this hand may touch the target."""
+        if hand not in self._grasp_planners:
+            links = self._model.description.grippers[hand].touch_links
+            scene = self._request.scene.allowing((link, self._target.name) for link in links)
+            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m, self._reach_planner)
+        return self._grasp_planners[hand]
+
+    def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
+        """The scene with the target in the hand; what it stands on may still touch it."""
+        held = self._held_scene(grasp, scene)
+        return held.allowing((self._target.name, name) for name in under_foot_of(self._target, scene))
+
+    def _held_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
+        """A scene with the target in the hand."""
+        gripper = self._model.description.grippers[grasp.hand]
+        tcp_T_object = poses.inverse(grasp.world_T_tcp) @ self._target.world_T_object
+        return scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
+
+    def _ik_of(self, hand: Hand) -> InverseKinematics:
+        return inverse_kinematics(self._model, self._request.stance, hand)
+
+    def _shoulder(self, hand: Hand) -> Array:
+        joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])
+        name = next(f.name for f in self._model.pin.frames if f.parentJoint == joint)
+        return self._model.frame_pose(self._request.q_start, name)[:3, 3]

@@ -1,0 +1,28 @@
+"""One way to grasp an object."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinematics.arrays import Sealed
+from kinematics.geometry.poses import Transform
+from kinematics.model.robot_description import Hand
+
+
+@dataclass(frozen=True, slots=True)
+class Grasp(Sealed):
+    """A way to take hold of an object.
+
+    Attributes:
+        hand: Which hand.
+        label: Short name, unique among the object's candidates: "side 30 deg", "top 45 deg".
+        world_T_tcp: Pose of the TCP when the fingers close, shape (4, 4).
+        approach_m: Length of the straight approach along the TCP's x axis.
+        diameter_m: Opening that is expected when the pads hold the object.
+    """
+
+    hand: Hand
+    label: str
+    world_T_tcp: Transform
+    approach_m: float
+    diameter_m: float

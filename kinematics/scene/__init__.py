@@ -1,0 +1,1 @@
+"""The planning scene, and where in it things may stand, move and be seen."""

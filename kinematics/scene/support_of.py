@@ -1,0 +1,84 @@
+"""What an object stands on, as far as a scene knows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.scene.free_spots import footprint_radius_m
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+
+# An object that is lifted may touch what its foot is this near to, above or below.
+TOUCHING_M = 0.03
+# Its middle may be this far beyond the edge of what carries it.
+BESIDE_M = 0.02
+
+
+def lowest_point_m(item: SceneObject) -> float:
+    """Height of an object's lowest point."""
+    return float(item.world_T_object[2, 3]) - half_height_m(item)
+
+
+def top_m(item: SceneObject) -> float:
+    """Height of an object's highest point."""
+    return float(item.world_T_object[2, 3]) + half_height_m(item)
+
+
+def half_height_m(item: SceneObject) -> float:
+    """Half the vertical extent of an object as it stands or lies."""
+    shape, up = item.shape, item.world_T_object[2, :3]
+    if isinstance(shape, Ball):
+        return shape.radius_m
+    if isinstance(shape, Box):
+        return 0.5 * float(np.abs(up) @ np.array(shape.size_m))
+    if isinstance(shape, Cylinder):
+        lean = float(np.sqrt(max(0.0, 1.0 - up[2] ** 2)))
+        return 0.5 * shape.height_m * abs(float(up[2])) + shape.radius_m * lean
+    raise TypeError(f"no shape {type(shape).__name__}")
+
+
+def supports_of(
+    item: SceneObject, scene: PlanningScene, gap_m: float = TOUCHING_M, beside_m: float = BESIDE_M
+) -> list[str]:
+    """Names of the furniture right under an object.
+
+    Args:
+        item: The object.
+        scene: What is around.
+        gap_m: Between its lowest point and the top of the furniture, at most.
+        beside_m: Its middle may be so far beyond the edge.
+    """
+    bottom = lowest_point_m(item)
+    names = []
+    for other in scene.objects.values():
+        if other.movable or other.name == item.name:
+            continue
+        if abs(bottom - top_m(other)) <= gap_m and _is_over(item, other, beside_m):
+            names.append(other.name)
+    return names
+
+
+def under_foot_of(item: SceneObject, scene: PlanningScene) -> list[str]:
+    """Names of the furniture under any part of an object's foot: a chest's top, and the wall that carries it.
+
+    Args:
+        item: The object.
+        scene: What is around.
+    """
+    return supports_of(item, scene, beside_m=BESIDE_M + footprint_radius_m(item.shape))
+
+
+def support_of(item: SceneObject, scene: PlanningScene, gap_m: float) -> SceneObject | None:
+    """The piece of furniture that an object stands on, both perceived ``gap_m`` wrong at most."""
+    names = supports_of(item, scene, gap_m, gap_m)
+    return scene.objects[names[0]] if names else None
+
+
+def _is_over(item: SceneObject, other: SceneObject, beside_m: float) -> bool:
+    """Whether the middle of an object is over the top of another."""
+    pose = other.world_T_object
+    x, y, _ = pose[:3, :3].T @ (item.world_T_object[:3, 3] - pose[:3, 3])
+    if isinstance(other.shape, Box):
+        half = 0.5 * np.array(other.shape.size_m[:2])
+        return bool(np.all(np.abs((x, y)) <= half + beside_m))
+    return bool(np.hypot(x, y) <= other.shape.radius_m + beside_m)

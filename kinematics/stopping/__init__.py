@@ -1,0 +1,1 @@
+"""Braking along a path, at once, and going on from there."""

@@ -1,0 +1,1 @@
+"""From a path to a trajectory, within limits of velocity, acceleration, jerk and balance."""

@@ -1,0 +1,193 @@
+"""From the pattern to the joints: legs in closed form, the CoM brought to where it belongs.
+
+The pelvis stays level and at one height, the upper body keeps its posture; where the pelvis is follows
+from where the CoM is to be. Positions are averaged over three periods, (1, 2, 1)/4, so that the central
+differences are exactly their velocities: a setpoint's position then leads from the one before along the
+mean of both velocities, which is what the gate expects.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+import pinocchio as pin
+
+from kinematics.arrays import Array
+from kinematics.errors import KinematicsError
+from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.sampler import MotionSample
+from kinematics.standing.leg_ik import LegIk
+from kinematics.walking.body.legs import fill_legs
+from kinematics.walking.pattern.pattern_sample import PatternSample
+
+_BASE = 4
+"""Base coordinates before the joints: x, y, z, heading."""
+
+
+class OutOfReachError(KinematicsError):
+    """A foot is farther from the hip than the leg is long."""
+
+
+class WholeBody:
+    """References of all joints, one control period after the other.
+
+    Attributes:
+        omega: Natural frequency of the pendulum that the robot is, 1/s.
+        rest_m: Where the CoM rests, seen from the middle between the feet, with this upper body.
+        sway_s2: How far a swinging foot moves the ZMP for each m/s^2 of its acceleration.
+    """
+
+    def __init__(
+        self, model: RobotModel, q: Array, feet: Mapping[Hand, PlanarPose], period_s: float, blend_s: float
+    ) -> None:
+        """Begin at rest.
+
+        Args:
+            model: The robot; its legs have a closed form.
+            q: Configuration at the start, in the plan's frame, shape (nq,).
+            feet: Where its soles are then.
+            period_s: The control period.
+            blend_s: Time in which the pelvis comes level and to the home posture's height.
+
+        Raises:
+            ModelError: The legs have no closed form.
+        """
+        self._model, self._pin, self._data = model, model.pin, model.pin.createData()
+        self._period_s, self._blend_s = period_s, blend_s
+        flat = tuple((sole.frame, np.eye(4)) for sole in model.description.soles)
+        self._sides = tuple(side for side in HANDS for sole in model.description.soles if sole.side == side)
+        geometry = LegIk(model, Stance(flat)).geometry
+        self._columns = np.array(
+            [[int(model.pin.joints[j].idx_q) for j in leg.joints] for leg in geometry], dtype=np.intp
+        )
+        self._leg_joints = [leg.joints for leg in geometry]
+        self._hip = np.array([leg.hip_m for leg in geometry])
+        self._bones = np.array([[leg.thigh_m, leg.shin_m] for leg in geometry])
+        self._sole_R_ankle = np.array([leg.foot_R for leg in geometry])
+        self._sole_p_ankle = np.array([leg.ankle_m for leg in geometry])
+        self._feet = np.zeros((len(geometry), 4))
+        self._t_s = 0.0
+        self._q = q.copy()
+        base_R = poses.rotation_from_quaternion(q[3:7])
+        heading = PlanarPose.between(feet["left"], feet["right"]).yaw_rad
+        self._tilt = poses.vector_from_rotation(poses.rotation_z(-heading) @ base_R)
+        self._start_z_m = float(q[2])
+        self._rest_z_m = float(model.q_home[2])
+        com = model.com(q)
+        self._offset = q[:2] - com[:2]
+        rest = self._at_rest(q)
+        self.omega = math.sqrt(9.81 / float(model.com(rest)[2]))
+        self.rest_m = (float(model.com(rest)[0]), float(model.com(rest)[1]))
+        self.sway_s2 = self._sway(rest)
+        first = np.concatenate([q[:3], [heading], q[7:]])
+        self._rows = [first, first.copy(), first.copy()]
+
+    def _at_rest(self, q: Array) -> Array:
+        """Home posture of the legs at the origin, with this upper body."""
+        rest = self._model.q_home.copy()
+        legs = set(self._columns.ravel().tolist())
+        others = [k for k in range(7, len(q)) if k not in legs]
+        rest[others] = q[others]
+        return rest
+
+    def _sway(self, rest: Array) -> float:
+        """Moment about the CoM that a foot's acceleration forwards takes, over the weight, s^2.
+
+        The foot is accelerated by 1 m/s^2 at rest, by the leg alone, while the CoM stays: what turns then is
+        the rate of the angular momentum.
+        """
+        model, data = self._pin, self._data
+        pin.computeJointJacobians(model, data, rest)
+        pin.updateFramePlacements(model, data)
+        A = pin.computeCentroidalMap(model, data, rest)
+        legs = []
+        for sole, joints in zip(self._model.description.soles, self._leg_joints, strict=True):
+            frame = self._model.frame_id(sole.frame)
+            J = pin.getFrameJacobian(model, data, frame, pin.LOCAL_WORLD_ALIGNED)
+            legs.append((np.array(J), np.array([int(model.joints[j].idx_v) for j in joints])))
+        v = np.zeros(model.nv)
+        for _ in range(30):  # the base yields so that the CoM stays, and the other foot does too
+            for k, (J, columns) in enumerate(legs):
+                wanted = np.array([1.0 if k == 0 else 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+                v[columns] = np.linalg.solve(J[:, columns], wanted - J[:, :3] @ v[:3])
+            v[:3] -= (A[:3] @ v) / self._model.mass_kg
+        return float(A[4] @ v) / (self._model.mass_kg * 9.81)
+
+    def follow(self, sample: PatternSample) -> MotionSample:
+        """Take the pattern's next instant in; gives the reference of the instant before it.
+
+        Raises:
+            OutOfReachError: A foot cannot be reached.
+        """
+        self._t_s += self._period_s
+        self._rows = [self._rows[1], self._rows[2], self._row(sample)]
+        before, now, after = self._rows
+        dt = self._period_s
+        smooth = 0.25 * (before + 2.0 * now + after)
+        velocity = (after - before) / (2.0 * dt)
+        return self._sample(smooth, velocity, (after - 2.0 * now + before) / (dt * dt))
+
+    def _row(self, sample: PatternSample) -> Array:
+        q = self._q
+        left, right = sample.feet["left"], sample.feet["right"]
+        heading = PlanarPose.between(left, right).yaw_rad
+        share = min(1.0, self._t_s / self._blend_s)
+        share = share * share * share * (10.0 - 15.0 * share + 6.0 * share * share)
+        base_R = _rotation(heading, (1.0 - share) * self._tilt)
+        q[0], q[1] = sample.com.com[0] + self._offset[0], sample.com.com[1] + self._offset[1]
+        q[2] = self._start_z_m + share * (self._rest_z_m - self._start_z_m)
+        q[3:7] = poses.quaternion_from_rotation(base_R) if share < 1.0 else _quaternion(heading)
+        for k, side in enumerate(self._sides):
+            foot = sample.feet[side]
+            self._feet[k] = (foot.x_m, foot.y_m, sample.lift_m[side], foot.yaw_rad)
+        if not fill_legs(
+            q,
+            base_R,
+            self._feet,
+            self._hip,
+            self._bones,
+            self._sole_R_ankle,
+            self._sole_p_ankle,
+            self._columns,
+        ):
+            raise OutOfReachError("a step is out of the legs' reach")
+        com = pin.centerOfMass(self._pin, self._data, q, False)
+        self._offset += np.array(sample.com.com) - com[:2]
+        row: Array = np.empty(_BASE + len(q) - 7)
+        row[:3], row[3], row[_BASE:] = q[:3], heading, q[7:]
+        return row
+
+    def _sample(self, row: Array, velocity: Array, acceleration: Array) -> MotionSample:
+        heading, rate = float(row[3]), float(velocity[3])
+        share = min(1.0, self._t_s / self._blend_s)
+        q = np.empty(self._model.nq)
+        q[:3], q[7:] = row[:3], row[_BASE:]
+        if share < 1.0:
+            share = share * share * share * (10.0 - 15.0 * share + 6.0 * share * share)
+            q[3:7] = poses.quaternion_from_rotation(_rotation(heading, (1.0 - share) * self._tilt))
+        else:
+            q[3:7] = _quaternion(heading)
+        v, a = np.zeros(self._model.nv), np.zeros(self._model.nv)
+        c, s = math.cos(heading), math.sin(heading)
+        vx, vy = c * velocity[0] + s * velocity[1], c * velocity[1] - s * velocity[0]
+        v[0], v[1], v[2], v[5], v[6:] = vx, vy, velocity[2], rate, velocity[_BASE:]
+        ax, ay = c * acceleration[0] + s * acceleration[1], c * acceleration[1] - s * acceleration[0]
+        # the free-flyer's acceleration is the derivative of its velocity in its own, turning, frame
+        a[0], a[1], a[2], a[5] = ax + rate * vy, ay - rate * vx, acceleration[2], acceleration[3]
+        a[6:] = acceleration[_BASE:]
+        return MotionSample(q, v, a)
+
+
+def _quaternion(heading: float) -> tuple[float, float, float, float]:
+    return 0.0, 0.0, math.sin(0.5 * heading), math.cos(0.5 * heading)
+
+
+def _rotation(heading: float, tilt: Array) -> Array:
+    turn = poses.rotation_z(heading)
+    return turn if not tilt.any() else np.asarray(turn @ poses.rotation_from_vector(tilt))

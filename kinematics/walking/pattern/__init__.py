@@ -1,0 +1,1 @@
+"""Footsteps and the motion of the centre of mass that goes with them."""

@@ -1,0 +1,1 @@
+"""Where to walk: the room that is free, the way through it, where it stops."""

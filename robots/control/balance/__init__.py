@@ -1,0 +1,1 @@
+"""Standing: feed-forward, sway damping, and the watch on the soles' contact."""

@@ -1,0 +1,1 @@
+"""Joints of a gripper as they are commanded and kept."""

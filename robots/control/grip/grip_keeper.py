@@ -1,0 +1,123 @@
+"""What a gripper does while no motion moves it: it stays, or it goes on pressing."""
+
+from __future__ import annotations
+
+import math
+
+from kinematics.model.robot_description import Hand, RobotDescription
+from robots.control.grip.joint_tracker import JointTracker
+from robots.interface.gripper_reading import GripperReading, read_gripper
+from robots.interface.robot import RobotState
+
+_POSITION_TIME_S = 0.03
+"""The fingers' position is averaged over this before the grip follows it."""
+_EFFORT_TIME_S = 0.02
+"""Efforts are averaged over this for a reading."""
+_DEADBAND_RAD = 0.004
+"""The grip follows the fingers only beyond this: 0.08 Nm at TALOS's stiffness, far above what
+encoder noise would stir and far below what a grasp feels."""
+_MET_RAD = 2e-4
+"""On its way it brakes once it will rest this near: 0.004 Nm, and ten times what noise stirs, which must not
+keep it moving."""
+
+
+class GripKeeper:
+    """Keeps one gripper's setpoint between motions, and averages what its sensors say.
+
+    Pressing is a force law made of positions: the servo's effort is its stiffness times the gap
+    between setpoint and fingers, so the setpoint is kept ``effort / stiffness`` further closed than
+    the fingers are. When the fingers give way (the object was taken, or slips) it follows them, and
+    so an emptied gripper closes.
+
+    Attributes:
+        joint: Name of the driven joint.
+        index: Where it is among the actuated joints.
+        pressing: Whether it presses; else it stays where it is.
+    """
+
+    def __init__(self, description: RobotDescription, hand: Hand, start_rad: float, period_s: float) -> None:
+        """Hold a gripper where it is.
+
+        Args:
+            description: The robot's data.
+            hand: Which gripper.
+            start_rad: Where its setpoint is now.
+            period_s: The control period.
+        """
+        gripper = description.grippers[hand]
+        limits = description.limits[gripper.joint]
+        self.joint = gripper.joint
+        self.index = description.actuated.index(gripper.joint)
+        self.pressing = False
+        self._gripper = gripper
+        self._inwards = math.copysign(1.0, gripper.closed_rad - gripper.open_rad)
+        self._squeeze_rad = gripper.effort_nm / description.gains[gripper.joint].stiffness
+        speed = min(gripper.closing_speed_rad_s, limits.velocity)
+        self._make_tracker = (speed, limits.acceleration, period_s, limits.jerk)
+        self._period_s = period_s
+        self._tracker = JointTracker(start_rad, *self._make_tracker)
+        self._committed = (start_rad, 0.0, 0.0)
+        self._load_code()
+        self._position_share = min(1.0, period_s / _POSITION_TIME_S)
+        self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
+        self._fingers_rad = start_rad
+        self._effort_nm = 0.0
+
+    def _load_code(self) -> None:
+        """Let compiled code be loaded before the first closing: a control period has no time for it."""
+        loading = self.tracker()
+        for _ in range(2):
+            loading.step_towards(self._gripper.closed_rad)
+            loading.step_to_rest()
+
+    @property
+    def setpoint(self) -> tuple[float, float]:
+        """Position, rad, and velocity, rad/s, that are commanded now."""
+        return self._tracker.q_rad, self._tracker.v_rad_s
+
+    def sense(self, state: RobotState) -> None:
+        """Take the newest readings in; once a control period."""
+        measured = float(state.q[self.index])
+        self._fingers_rad += self._position_share * (measured - self._fingers_rad)
+        self._effort_nm += self._effort_share * (float(state.effort[self.index]) - self._effort_nm)
+
+    def tracker(self) -> JointTracker:
+        """Return a fresh tracker that goes on from the present setpoint, for a motion to steer by."""
+        tracker = JointTracker(self._tracker.q_rad, *self._make_tracker)
+        tracker.v_rad_s, tracker.a_rad_s2 = self._tracker.v_rad_s, self._tracker.a_rad_s2
+        return tracker
+
+    def propose(self) -> tuple[float, float]:
+        """Advance one period; ``commit`` makes it so, ``revert`` takes it back."""
+        if self.pressing:
+            wanted = self._fingers_rad + self._inwards * self._squeeze_rad
+            most = self._gripper.closed_rad
+            target = max(wanted, most) if self._inwards < 0.0 else min(wanted, most)
+            near = _MET_RAD if self._tracker.moving else _DEADBAND_RAD
+            if abs(target - self._tracker.rest_rad) > near:
+                self._tracker.step_towards(target)
+                return self.setpoint
+        self._tracker.step_to_rest()
+        return self.setpoint
+
+    def follow(self, q_rad: float, v_rad_s: float) -> None:
+        """Propose what a motion commands on this joint."""
+        self._tracker.q_rad, self._tracker.v_rad_s = q_rad, v_rad_s
+        self._tracker.a_rad_s2 = (v_rad_s - self._committed[1]) / self._period_s
+
+    def commit(self) -> None:
+        """What was proposed is what the robot follows now."""
+        self._committed = (*self.setpoint, self._tracker.a_rad_s2)
+
+    def revert(self) -> None:
+        """Go back to what the robot follows: the rest was refused."""
+        self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed
+
+    def halt(self) -> None:
+        """Rest where the robot was told to stay: at the last position that it follows."""
+        self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed[0], 0.0, 0.0
+        self.commit()
+
+    def reading(self) -> GripperReading:
+        """What the gripper's sensors say now, efforts averaged over some control periods."""
+        return read_gripper(self._gripper, self._fingers_rad, self._effort_nm)

@@ -1,0 +1,1 @@
+"""Motions that are made as they go, each setpoint judged before the gate."""

@@ -1,0 +1,1 @@
+"""Grippers that open and close, hands that yield to what they hold."""

@@ -1,0 +1,133 @@
+"""Opening and closing one gripper."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.model.robot_description import GripperDescription, Hand, RobotDescription
+from robots.control.grip.grip_keeper import GripKeeper
+from robots.control.grip.joint_tracker import JointTracker
+from robots.control.guarded.guarded_motion import MotionBounds
+from robots.control.motion_handle import MotionHandle
+from robots.control.streaming.motion_streamer import MotionStreamer
+from robots.interface.gripper_reading import GripperReading
+from robots.interface.robot import RobotState
+
+_FELT = 0.8
+"""Share of the closing effort at which the fingers have met something: the rest comes by itself
+once the setpoint stands, and waiting for all of it would wait for the noise."""
+_ARRIVED_RAD = 0.03
+"""Fingers this near to where they were sent have arrived; friction and the pads' give leave less."""
+_SETTLE_S = 0.6
+"""Time beyond the stroke for the effort to build up and for the fingers to settle."""
+_OVERSHOOT = 1.25
+"""Measured effort may exceed the closing effort by this share: fingers that meet something at
+speed are braked by the servo's damping too."""
+
+
+class GripperControl:
+    """One hand's gripper: satisfies ``trees.toolbox.Gripper``."""
+
+    def __init__(self, description: RobotDescription, hand: Hand, streamer: MotionStreamer) -> None:
+        """Command the gripper of ``hand`` through the streamer."""
+        self._description = description
+        self._gripper = description.grippers[hand]
+        self._streamer = streamer
+        self._keeper = streamer.keeper(hand)
+
+    def open(self) -> MotionHandle:
+        """Open fully; a grip that was pressing lets go."""
+        return self._streamer.start(OpenGripper(self._description, self._gripper, self._keeper))
+
+    def close(self) -> MotionHandle:
+        """Close until something resists or the fingers meet, then keep pressing.
+
+        The handle is done when the grip stands; the pressing goes on until the next motion.
+        """
+        return self._streamer.start(CloseGripper(self._description, self._gripper, self._keeper))
+
+    def reading(self) -> GripperReading:
+        """What its sensors say now."""
+        return self._keeper.reading()
+
+
+class _GripperMotion:
+    """A guarded motion of one gripper joint, steered by a tracker from where the setpoint is."""
+
+    verb = ""
+
+    def __init__(
+        self, description: RobotDescription, gripper: GripperDescription, keeper: GripKeeper, effort_nm: float
+    ) -> None:
+        limits = description.limits[gripper.joint]
+        stroke_s = abs(gripper.closed_rad - gripper.open_rad) / gripper.closing_speed_rad_s
+        self.name = f"{self.verb} {gripper.hand} gripper"
+        self.bounds = MotionBounds(
+            joints=(gripper.joint,),
+            lower_rad=np.array([min(gripper.open_rad, gripper.closed_rad)]),
+            upper_rad=np.array([max(gripper.open_rad, gripper.closed_rad)]),
+            velocity=np.array([min(gripper.closing_speed_rad_s, limits.velocity)]),
+            effort=np.array([min(effort_nm, limits.effort)]),
+            duration_s=stroke_s + _SETTLE_S,
+        )
+        self._gripper = gripper
+        self._keeper = keeper
+        self._index = keeper.index
+        self._tracker: JointTracker | None = None
+
+    def _steer(self, target_rad: float) -> tuple[Array, Array]:
+        if self._tracker is None:
+            self._tracker = self._keeper.tracker()
+        self._tracker.step_towards(target_rad)
+        return np.array([self._tracker.q_rad]), np.array([self._tracker.v_rad_s])
+
+    def _stands_at(self, target_rad: float) -> bool:
+        tracker = self._tracker
+        return tracker is not None and tracker.v_rad_s == 0.0 and abs(tracker.q_rad - target_rad) < 1e-6
+
+
+class OpenGripper(_GripperMotion):
+    """Open one gripper fully."""
+
+    verb = "open"
+
+    def __init__(
+        self, description: RobotDescription, gripper: GripperDescription, keeper: GripKeeper
+    ) -> None:
+        """Prepare to open."""
+        super().__init__(description, gripper, keeper, description.limits[gripper.joint].effort)
+
+    def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
+        """Next setpoint, or None once the fingers are open."""
+        self._keeper.pressing = False
+        target = self._gripper.open_rad
+        arrived = abs(float(state.q[self._index]) - target) < _ARRIVED_RAD
+        if elapsed_s > 0.0 and arrived and self._stands_at(target):
+            return None
+        return self._steer(target)
+
+
+class CloseGripper(_GripperMotion):
+    """Close one gripper until something resists."""
+
+    verb = "close"
+
+    def __init__(
+        self, description: RobotDescription, gripper: GripperDescription, keeper: GripKeeper
+    ) -> None:
+        """Prepare to close."""
+        super().__init__(description, gripper, keeper, _OVERSHOOT * gripper.effort_nm)
+
+    def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
+        """Next setpoint, or None once the grip stands, empty or not."""
+        target = self._gripper.closed_rad
+        reading = self._keeper.reading()
+        felt = reading.effort_nm >= _FELT * self._gripper.effort_nm
+        # A thin thing meets the pads so late that the closed position never builds up the effort.
+        closed = self._stands_at(target) and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
+        arrived = self._stands_at(target) and abs(float(state.q[self._index]) - target) < _ARRIVED_RAD
+        if felt or closed or arrived:
+            self._keeper.pressing = True
+            return None
+        return self._steer(target)

@@ -1,0 +1,1 @@
+"""The control loop, its safeguards, its stop and its record."""

@@ -1,0 +1,1 @@
+"""Checked trajectories and what follows on them, played period by period."""

@@ -1,0 +1,86 @@
+"""What every body offers to the control loop: read the sensors, take a setpoint.
+
+Arrays are in the order of ``RobotDescription.actuated``: body joints, then gripper joints.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from kinematics.arrays import Array, InFloat64
+from kinematics.model.robot_description import RobotDescription
+
+
+@dataclass(frozen=True, slots=True)
+class RobotState(InFloat64):
+    """The sensors' readings of one control period. Nothing here is the simulator's truth.
+
+    Attributes:
+        stamp_s: Time at the end of the period.
+        q: Joint positions, rad, shape (n,).
+        v: Joint velocities, rad/s, shape (n,).
+        effort: Joint efforts averaged over the period, Nm, shape (n,).
+        gyro: Angular velocity of the IMU in its own frame, rad/s, shape (3,).
+        accelerometer: Specific force in the IMU's frame, m/s^2, shape (3,) (rest: gravity upwards).
+        foot_wrench: Force and torque of the ground on each sole in the sole's frame (N, Nm), shape
+            (feet, 6), in the order of ``RobotDescription.soles``.
+        battery: Share of the charge that is left, 0 to 1.
+
+    Raises:
+        InvalidArrayError: A reading holds no real numbers; numbers of another type are converted.
+    """
+
+    stamp_s: float
+    q: Array
+    v: Array
+    effort: Array
+    gyro: Array
+    accelerometer: Array
+    foot_wrench: Array
+    battery: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class JointSetpoint(InFloat64):
+    """What the joints shall do until the next setpoint.
+
+    Attributes:
+        stamp_s: When it was made.
+        sequence: Rises by one from setpoint to setpoint.
+        owner: Opaque id of who holds the joints ("hold", "stop", or a motion's id).
+        q: Positions, rad, shape (n,).
+        v: Velocities, rad/s, shape (n,).
+        tau: Feed-forward efforts, Nm, shape (n,).
+
+    Raises:
+        InvalidArrayError: One of them holds no real numbers; numbers of another type are converted.
+    """
+
+    stamp_s: float
+    sequence: int
+    owner: str
+    q: Array
+    v: Array
+    tau: Array
+
+
+class Robot(Protocol):
+    """A body. Only the control loop holds one, and only the gate calls ``command``."""
+
+    @property
+    def description(self) -> RobotDescription:
+        """The robot's data."""
+        ...
+
+    def read(self) -> RobotState:
+        """Return the readings of the last control period."""
+        ...
+
+    def command(self, setpoint: JointSetpoint) -> None:
+        """Take a setpoint; it holds until the next one."""
+        ...
+
+    def advance(self, period_s: float) -> None:
+        """Let one control period pass (lockstep: the physics; live: nothing)."""
+        ...

@@ -1,0 +1,1 @@
+"""Values of the robot as they cross a socket."""

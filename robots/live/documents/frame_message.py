@@ -1,0 +1,76 @@
+"""A perception frame as a message, and back; poses cross number by number, bit by bit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.live.wire.errors import ProtocolError
+from robots.live.wire.messages import write_message
+from robots.perception.detector import Detection, PerceptionFrame
+
+
+def write_frame(frame: PerceptionFrame) -> bytes:
+    """The payload of a frame."""
+    seen = [
+        {
+            "category": item.category,
+            "kind": item.kind,
+            "color": item.color,
+            "camera_T_object": item.camera_T_object.ravel().tolist(),
+            "shape": _shape_json(item.shape),
+            "confidence": item.confidence,
+            "name": item.name,
+        }
+        for item in frame.detections
+    ]
+    return write_message("frame", stamp_s=frame.stamp_s, sequence=frame.sequence, detections=seen)
+
+
+def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
+    """The frame of a message.
+
+    Raises:
+        ProtocolError: It is none.
+    """
+    try:
+        seen = tuple(
+            Detection(
+                category=item["category"],
+                kind=str(item["kind"]),
+                color=item["color"],
+                camera_T_object=np.array(item["camera_T_object"], dtype=np.float64).reshape(4, 4),
+                shape=_shape(item["shape"]),
+                confidence=float(item["confidence"]),
+                name=item["name"],
+            )
+            for item in document["detections"]
+        )
+        return PerceptionFrame(float(document["stamp_s"]), int(document["sequence"]), seen)
+    except (KeyError, TypeError, ValueError) as wrong:
+        raise ProtocolError(f"a frame that is none: {wrong!r}") from None
+
+
+def _shape_json(shape: Shape) -> list[Any]:
+    match shape:
+        case Box(size_m=size):
+            return ["box", *size]
+        case Cylinder(radius_m=radius, height_m=height):
+            return ["cylinder", radius, height]
+        case Ball(radius_m=radius):
+            return ["ball", radius]
+
+
+def _shape(values: list[Any]) -> Shape:
+    match values:
+        case ["box", x, y, z]:
+            return Box((float(x), float(y), float(z)))
+        case ["cylinder", radius, height]:
+            return Cylinder(float(radius), float(height))
+        case ["ball", radius]:
+            return Ball(float(radius))
+        case _:
+            raise ValueError(f"no shape {values!r}")

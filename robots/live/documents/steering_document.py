@@ -1,0 +1,81 @@
+"""Where a walk goes, as text, and back; the robot's own walking settings are the control side's."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from kinematics.formats.json_reader import Node, parse_document
+from kinematics.geometry.planar import PlanarPose
+from kinematics.model.walking_settings import WalkingSettings
+from kinematics.walking.pattern.steering import (
+    PathSteering,
+    Steering,
+    StretchSteering,
+    TurnSteering,
+    VelocitySteering,
+)
+
+_MOST_POSES = 2_000
+_MOST_M = 1e3
+_MOST_SPEED = 10.0
+_POSE = ("x", "y", "yaw")
+
+
+def write_steering(steering: Steering) -> str:
+    """The document of a steering.
+
+    Raises:
+        TypeError: It is of a kind that has no document.
+    """
+    values: dict[str, Any]
+    match steering:
+        case VelocitySteering(_, linear_m_s, angular_rad_s):
+            values = {"kind": "velocity", "linear_m_s": linear_m_s, "angular_rad_s": angular_rad_s}
+        case TurnSteering(_, angular_rad_s, heading_rad):
+            values = {"kind": "turn", "angular_rad_s": angular_rad_s, "heading_rad": heading_rad}
+        case StretchSteering(_, start, linear_m_s, distance_m):
+            values = {"kind": "stretch", "start": _pose_json(start), "linear_m_s": linear_m_s}
+            values["distance_m"] = distance_m
+        case PathSteering():
+            values = {"kind": "path", "path": [_pose_json(pose) for pose in steering.path]}
+        case _:
+            raise TypeError(f"no document for a steering of kind {type(steering).__name__}")
+    return json.dumps(values, allow_nan=False)
+
+
+def read_steering(text: str, settings: WalkingSettings) -> Steering:
+    """The steering of a document, for a robot with these settings.
+
+    Raises:
+        KinematicsError: It is none; with the place and the reason.
+    """
+    root = parse_document(text)
+    kind = root.key("kind").choice(("velocity", "turn", "stretch", "path"))
+    if kind == "velocity":
+        root.only(("kind", "linear_m_s", "angular_rad_s"))
+        linear_m_s = root.key("linear_m_s").number(_MOST_SPEED)
+        return VelocitySteering(settings, linear_m_s, root.key("angular_rad_s").number(_MOST_SPEED))
+    if kind == "turn":
+        root.only(("kind", "angular_rad_s", "heading_rad"))
+        angular_rad_s = root.key("angular_rad_s").number(_MOST_SPEED)
+        return TurnSteering(settings, angular_rad_s, root.key("heading_rad").number(_MOST_M))
+    if kind == "stretch":
+        root.only(("kind", "start", "linear_m_s", "distance_m"))
+        return StretchSteering(
+            settings,
+            _pose(root.key("start")),
+            root.key("linear_m_s").number(_MOST_SPEED),
+            root.key("distance_m").number(_MOST_M),
+        )
+    root.only(("kind", "path"))
+    return PathSteering(settings, [_pose(node) for node in root.key("path").items(1, _MOST_POSES)])
+
+
+def _pose_json(pose: PlanarPose) -> list[float]:
+    return [float(pose.x_m), float(pose.y_m), float(pose.yaw_rad)]
+
+
+def _pose(node: Node) -> PlanarPose:
+    x_m, y_m, yaw_rad = node.numbers(_POSE, _MOST_M).tolist()
+    return PlanarPose(x_m, y_m, yaw_rad)

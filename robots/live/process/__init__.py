@@ -1,0 +1,1 @@
+"""The control process: server, motion desk, admission, bulletin, pacing."""

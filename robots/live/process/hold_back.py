@@ -1,0 +1,60 @@
+"""Holds control time back while the commander is kept from running by a machine that is too busy.
+
+A heartbeat that does not come for 1.0 s of control time is a hang, whatever the reason. A simulated world
+can wait: while the kernel says that the silent commander wants to run and hardly could, control time
+stands still, for a bounded while. One that sleeps, was stopped, or runs without end is not waited for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from robots.clock import Clock
+from robots.live.process.processor_use import ProcessorUse
+
+BASE_AFTER_S = 0.1
+"""From so much silence on, of control time, the commander's processor time is counted."""
+HOLD_AFTER_S = 0.5
+"""From so much on, control time may be held back: half a second is left to the watchdog."""
+RAN_S = 0.2
+"""A tick takes some milliseconds; who ran for so long in one silence is in a loop of its own."""
+MOST_S = 5.0
+"""Wall time for which one silence is waited for."""
+
+
+class HoldBack:
+    """Decides, look after look."""
+
+    def __init__(self, wall: Clock, use: Callable[[int], ProcessorUse | None]) -> None:
+        """Begin.
+
+        Args:
+            wall: Wall time.
+            use: Tells what a process could run.
+        """
+        self._wall, self._use = wall, use
+        self._ran_s: float | None = None
+        self._began_s: float | None = None
+
+    def wanted(self, pid: int | None, silence_s: float) -> bool:
+        """Whether control time should stand still now.
+
+        Args:
+            pid: The commander's process, or None when nobody has to speak.
+            silence_s: Control time since it spoke.
+        """
+        if pid is None or silence_s < BASE_AFTER_S:
+            self._ran_s = self._began_s = None
+            return False
+        if self._ran_s is not None and silence_s < HOLD_AFTER_S:
+            return False
+        use = self._use(pid)
+        if use is None:
+            return False
+        if self._ran_s is None:
+            self._ran_s = use.ran_s
+        if silence_s < HOLD_AFTER_S or not use.wants_to_run or use.ran_s - self._ran_s > RAN_S:
+            return False
+        if self._began_s is None:
+            self._began_s = self._wall.now_s()
+        return self._wall.now_s() - self._began_s < MOST_S

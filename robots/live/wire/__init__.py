@@ -1,0 +1,1 @@
+"""Sockets, framing, messages and the state slot."""

@@ -1,0 +1,1 @@
+"""Scenes: their files, their furniture, and the rules that they keep."""

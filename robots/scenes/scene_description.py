@@ -1,0 +1,172 @@
+"""A scene as values: the world's truth, from which the simulator is built.
+
+Read from a TOML file by ``robots.scenes.scene_file``; evaluations make random ones directly. The robot is
+told nothing of it but what it perceives. World frame: z up, floor at z = 0, origin at the robot's
+nominal start, x ahead, y to its left. Lengths in m, angles in rad, masses in kg.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Literal
+
+from kinematics.arrays import Sealed
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class RobotStart:
+    """Where the robot really stands at the beginning; it does not know."""
+
+    x_m: float = 0.0
+    y_m: float = 0.0
+    yaw_rad: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PerceptionModel:
+    """Declared errors of the perception stub.
+
+    Attributes:
+        kind: "stub".
+        bias_m: Standard deviation, each axis, of an error drawn once for each solid and episode.
+        noise_m: The same, drawn anew for each frame.
+        orientation_noise_rad: Of the rotation vector, each axis, each frame.
+        size_noise: Relative standard deviation of estimated sizes, drawn once an episode.
+        dropout: Chance that a visible solid is missing from a frame.
+        latency_s: From picture to delivery.
+        rate_hz: Frames a second.
+        false_rate: Mean number of detections a frame of things that are not there.
+        merge_distance_m: Two objects whose surfaces are nearer than this may be seen as one.
+        merge_chance: Chance of it, drawn each frame.
+        min_visible: Share of an object's surface points that must be in sight.
+    """
+
+    kind: str = "stub"
+    bias_m: float = 0.005
+    noise_m: float = 0.002
+    orientation_noise_rad: float = 0.005
+    size_noise: float = 0.01
+    dropout: float = 0.02
+    latency_s: float = 0.05
+    rate_hz: float = 30.0
+    false_rate: float = 0.02
+    merge_distance_m: float = 0.004
+    merge_chance: float = 0.05
+    min_visible: float = 0.25
+
+
+@dataclass(frozen=True, slots=True)
+class MovingPart:
+    """The door of a fridge, or the top drawer of a chest of drawers.
+
+    Attributes:
+        hinge: On which side a door hangs, seen by who stands before it; None for a drawer.
+        mass_kg: Of the moving part.
+        friction: Of the hinge, Nm, or of the slide, N.
+        seal_n: Pull at the handle that a magnetic seal resists with while a door is nearly closed.
+        locked: It does not open.
+        opening: How far it is open when the scene begins, rad or m.
+        handle_height_m: Of the bar's middle: above the floor on a door, above the front's middle on a drawer.
+        handle_inset_m: From the free edge of a door to the bar.
+        handle_radius_m, handle_length_m: Of the bar.
+        handle_friction: Effective, with the finger pads.
+    """
+
+    hinge: Literal["left", "right"] | None
+    mass_kg: float
+    friction: float
+    seal_n: float = 0.0
+    locked: bool = False
+    opening: float = 0.0
+    handle_height_m: float = 1.0
+    handle_inset_m: float = 0.06
+    handle_radius_m: float = 0.0125
+    handle_length_m: float = 0.36
+    handle_friction: float = 0.9
+
+
+@dataclass(frozen=True, slots=True)
+class Furniture:
+    """A piece of furniture: a table, or something that opens (see ``robots.scenes.articulated``).
+
+    ``size_m`` is depth along its own x, width along y, and the height of the top above the floor;
+    ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one.
+    """
+
+    name: str
+    kind: str
+    size_m: tuple[float, float, float]
+    position_m: tuple[float, float]
+    yaw_rad: float = 0.0
+    friction: float = 0.7
+    opens: MovingPart | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SceneItem(Sealed):
+    """A movable object with its pose in the world.
+
+    A box or bowl with ``wall_m`` is hollow and open at the top, with walls and a bottom so thick.
+    """
+
+    name: str
+    kind: str
+    color: str | None
+    shape: Shape
+    mass_kg: float
+    friction: float
+    world_T_object: Transform
+    wall_m: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """A person who stands somewhere.
+
+    Attributes:
+        takes: Whether the person takes what the robot offers.
+    """
+
+    name: str
+    position_m: tuple[float, float]
+    yaw_rad: float
+    takes: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """A part of the floor that has a name: "kitchen".
+
+    Attributes:
+        name: What people call it.
+        position_m: Its middle.
+        size_m: Along its own x and y.
+        yaw_rad: Its x is where somebody faces who has come in.
+    """
+
+    name: str
+    position_m: tuple[float, float]
+    size_m: tuple[float, float]
+    yaw_rad: float = 0.0
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Whether a place on the floor is in it."""
+        c, s = math.cos(self.yaw_rad), math.sin(self.yaw_rad)
+        dx, dy = x_m - self.position_m[0], y_m - self.position_m[1]
+        return abs(c * dx + s * dy) <= 0.5 * self.size_m[0] and abs(c * dy - s * dx) <= 0.5 * self.size_m[1]
+
+
+@dataclass(frozen=True, slots=True)
+class SceneDescription:
+    """Everything in the world but the robot's body."""
+
+    name: str
+    robot_start: RobotStart = field(default_factory=RobotStart)
+    perception: PerceptionModel = field(default_factory=PerceptionModel)
+    furniture: tuple[Furniture, ...] = ()
+    objects: tuple[SceneItem, ...] = ()
+    people: tuple[Person, ...] = ()
+    places: tuple[Region, ...] = ()

@@ -1,0 +1,417 @@
+"""What a scene must be like to be a world: nothing impossible, nothing inside anything else."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.errors import SceneError
+from robots.scenes import articulated, furniture
+from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
+from robots.scenes.furniture_names import kind_that_name_contradicts
+from robots.scenes.hollow import hollow_parts
+from robots.scenes.scene_description import (
+    Furniture,
+    PerceptionModel,
+    Person,
+    Region,
+    SceneDescription,
+    SceneItem,
+)
+from robots.scenes.scene_words import COLORS, OBJECT_KINDS, nearest_word
+
+LARGEST_BAR_RADIUS_M = 0.03
+
+
+"""Thicker bars do not fit into a hand."""
+
+
+def part_defect(piece: Furniture) -> tuple[str, str] | None:
+    """The key and the reason of the first rule that the moving part breaks, or None."""
+    part = piece.opens
+    if piece.kind not in ARTICULATED_KINDS:
+        return None if part is None else ("kind", f"a {piece.kind} does not open")
+    if part is None:
+        return "kind", f"a {piece.kind} needs the part that opens"
+    door = piece.kind == "fridge"
+    if (part.hinge is None) == door:
+        return "hinge", "a door has a hinge, a drawer has none"
+    _, width, height = piece.size_m
+    least = {"fridge": (0.3, 0.3, 0.5), "drawers": (0.3, 0.25, DRAWER_FRONT_HEIGHT_M + 0.1)}[piece.kind]
+    for axis, value, smallest in zip(("depth", "width", "height"), piece.size_m, least, strict=True):
+        if value < smallest:
+            return "size_m", f"{axis} must be at least {smallest:g} m, not {value:g}"
+    middle = 0.5 * DRAWER_FRONT_HEIGHT_M
+    high = (0.1 + part.handle_radius_m, height) if door else (-middle, middle)
+    longest = height if door else width - 2.0 * WALL_M
+    ranges = (
+        ("mass_kg", part.mass_kg, 0.1, 100.0),
+        ("friction_nm" if door else "friction_n", part.friction, 0.0, 100.0),
+        ("seal_n", part.seal_n, 0.0, 500.0),
+        ("open_rad" if door else "open_m", part.opening, 0.0, opens_to(piece)),
+        ("handle_radius_m", part.handle_radius_m, 0.003, LARGEST_BAR_RADIUS_M),
+        ("handle_length_m", part.handle_length_m, 0.05, longest),
+        ("handle_height_m", part.handle_height_m, *high),
+        ("handle_inset_m", part.handle_inset_m, 0.0, 0.5 * width),
+        ("handle_friction", part.handle_friction, 0.01, 5.0),
+    )
+    for key, value, lowest, highest in ranges:
+        if not (math.isfinite(value) and lowest <= value <= highest):
+            return key, f"must be from {lowest:g} to {highest:g}, not {value:g}"
+    if part.locked and part.opening > 0.0:
+        return "locked", "what is open is not locked"
+    return None
+
+
+SMALLEST_SIZE_M = 0.001
+SMALLEST_MASS_KG = 0.001
+SMALLEST_WALL_M = 0.003
+"""Below these a contact simulation at 1 ms has no meaning."""
+TOUCH_TOLERANCE_M = 0.0005
+"""Deeper than this two things overlap; shallower they touch."""
+GAP_TOLERANCE_M = 0.002
+"""An object that would fall further than this hangs in the air."""
+START_HALF_WIDTH_M = 0.30
+START_REACH_M = (-0.15, 0.215)
+"""Floor that a standing humanoid covers around the middle of its feet: behind, ahead to the knees."""
+_SMALLEST_TABLE_M = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
+_SMALLEST_M = {"counter": (0.2, 0.2, 0.3), "shelf": (0.1, 0.2, 0.2), "wall": (0.02, 0.05, 0.2)}
+_SMALLEST_PLACE_M = 1.0
+"""A robot needs so much room to stand and turn."""
+PERSON_RADIUS_M = 0.22
+PERSON_HEIGHT_M = 1.75
+
+
+@dataclass(frozen=True, slots=True)
+class _Solid:
+    label: str
+    shape: Shape
+    world_T_solid: Transform
+
+
+def validate(scene: SceneDescription, source: str) -> None:
+    """Check that a scene can be a world.
+
+    Args:
+        scene: Any scene, read from a file or made by a program.
+        source: Where it comes from, for the message (a file name).
+
+    Raises:
+        SceneError: With the key (``object[0].mass_kg``, counted from 0) and the reason of the first
+            rule that it breaks.
+    """
+    _check_perception(scene.perception, source)
+    start = scene.robot_start
+    for key, value in (("x_m", start.x_m), ("y_m", start.y_m), ("yaw_rad", start.yaw_rad)):
+        _require(math.isfinite(value), source, f"robot_start.{key}", f"must be finite, not {value}")
+    for i, piece in enumerate(scene.furniture):
+        _check_furniture(piece, source, f"furniture[{i}]")
+    for i, item in enumerate(scene.objects):
+        _check_item(item, source, f"object[{i}]")
+    for i, person in enumerate(scene.people):
+        numbers = (*person.position_m, person.yaw_rad)
+        _require(all(map(math.isfinite, numbers)), source, f"person[{i}].position_m", "must be finite")
+    for i, region in enumerate(scene.places):
+        _check_region(region, source, f"place[{i}]")
+    _check_names(scene, source)
+    _check_places(scene, source)
+
+
+def _require(condition: bool, source: str, key: str, reason: str) -> None:
+    if not condition:
+        raise SceneError(source, key, reason)
+
+
+def _check_perception(model: PerceptionModel, source: str) -> None:
+    if model.kind != "stub":
+        reason = f"unknown kind {model.kind!r}; the nearest is {nearest_word(model.kind, ['stub'])!r}"
+        raise SceneError(source, "perception.kind", reason)
+    for key in (
+        "bias_m", "noise_m", "orientation_noise_rad", "size_noise", "latency_s", "false_rate",
+        "merge_distance_m", "rate_hz", "dropout", "merge_chance", "min_visible",
+    ):  # fmt: skip
+        value = getattr(model, key)
+        _require(
+            math.isfinite(value) and value >= 0.0,
+            source,
+            f"perception.{key}",
+            f"must be 0 or more, not {value}",
+        )
+    for key in ("dropout", "merge_chance", "min_visible"):
+        value = getattr(model, key)
+        _require(value <= 1.0, source, f"perception.{key}", f"must be at most 1, not {value}")
+    _require(model.rate_hz > 0.0, source, "perception.rate_hz", "must be above 0")
+
+
+def _check_furniture(piece: Furniture, source: str, key: str) -> None:
+    if piece.kind not in furniture.FURNITURE_KINDS:
+        near = nearest_word(piece.kind, furniture.FURNITURE_KINDS)
+        raise SceneError(source, f"{key}.kind", f"unknown kind {piece.kind!r}; the nearest is {near!r}")
+    told = kind_that_name_contradicts(piece.name, piece.kind)
+    reason = f"{piece.name!r} is a name for the kind {told!r}, but the kind is {piece.kind!r}"
+    _require(told is None, source, f"{key}.name", reason)
+    smallest = _SMALLEST_M.get(piece.kind, _SMALLEST_TABLE_M)
+    for axis, value, least in zip(("depth", "width", "height"), piece.size_m, smallest, strict=True):
+        ok = math.isfinite(value) and value >= least
+        reason = f"{piece.name!r}: {axis} must be at least {least:g} m, not {value:g}"
+        _require(ok, source, f"{key}.size_m", reason)
+    finite = all(map(math.isfinite, (*piece.position_m, piece.yaw_rad)))
+    _require(finite, source, f"{key}.position_m", f"{piece.name!r}: must be finite")
+    _check_friction(piece.friction, piece.name, source, key)
+    if (defect := part_defect(piece)) is not None:
+        raise SceneError(source, f"{key}.{defect[0]}", f"{piece.name!r}: {defect[1]}")
+
+
+def _check_friction(value: float, name: str, source: str, key: str) -> None:
+    ok = math.isfinite(value) and value > 0.0
+    _require(ok, source, f"{key}.friction", f"{name!r}: must be above 0, not {value:g}")
+
+
+def _check_item(item: SceneItem, source: str, key: str) -> None:
+    if item.kind not in OBJECT_KINDS:
+        near = nearest_word(item.kind, OBJECT_KINDS)
+        raise SceneError(source, f"{key}.kind", f"unknown kind {item.kind!r}; the nearest is {near!r}")
+    if item.color is not None and item.color not in COLORS:
+        near = nearest_word(item.color, COLORS)
+        raise SceneError(source, f"{key}.color", f"unknown colour {item.color!r}; the nearest is {near!r}")
+    for name, value in _sizes(item.shape):
+        ok = math.isfinite(value) and value >= SMALLEST_SIZE_M
+        reason = f"{item.name!r}: must be at least {SMALLEST_SIZE_M:g} m, not {value:g}"
+        _require(ok, source, f"{key}.{name}", reason)
+    if item.wall_m is not None:
+        thinnest = min(value for _, value in _sizes(item.shape))
+        ok = SMALLEST_WALL_M <= item.wall_m < 0.4 * thinnest
+        reason = f"{item.name!r}: must be from {SMALLEST_WALL_M:g} m to 0.4 of its size, not {item.wall_m:g}"
+        _require(ok, source, f"{key}.wall_m", reason)
+    ok = math.isfinite(item.mass_kg) and item.mass_kg >= SMALLEST_MASS_KG
+    reason = f"{item.name!r}: must be at least {SMALLEST_MASS_KG:g} kg, not {item.mass_kg:g}"
+    _require(ok, source, f"{key}.mass_kg", reason)
+    _check_friction(item.friction, item.name, source, key)
+    finite = bool(np.all(np.isfinite(item.world_T_object)))
+    _require(finite, source, f"{key}.position_m", f"{item.name!r}: must be finite")
+
+
+def _sizes(shape: Shape) -> Iterator[tuple[str, float]]:
+    match shape:
+        case Box(size_m=size):
+            for value in size:
+                yield "size_m", value
+        case Cylinder(radius_m=radius, height_m=height):
+            yield "radius_m", radius
+            yield "height_m", height
+        case Ball(radius_m=radius):
+            yield "radius_m", radius
+
+
+def _check_region(region: Region, source: str, key: str) -> None:
+    finite = all(map(math.isfinite, (*region.position_m, region.yaw_rad)))
+    _require(finite, source, f"{key}.position_m", f"{region.name!r}: must be finite")
+    for value in region.size_m:
+        ok = math.isfinite(value) and value >= _SMALLEST_PLACE_M
+        reason = f"{region.name!r}: must be at least {_SMALLEST_PLACE_M:g} m, not {value:g}"
+        _require(ok, source, f"{key}.size_m", reason)
+
+
+def _check_names(scene: SceneDescription, source: str) -> None:
+    seen: dict[str, str] = {}
+    groups: tuple[tuple[str, Sequence[Furniture | SceneItem | Person | Region]], ...] = (
+        ("furniture", scene.furniture),
+        ("object", scene.objects),
+        ("person", scene.people),
+        ("place", scene.places),
+    )
+    for group, named in groups:
+        for i, item in enumerate(named):
+            key = f"{group}[{i}].name"
+            _require(bool(item.name.strip()), source, key, "must not be empty")
+            _require("/" not in item.name, source, key, f"{item.name!r} must not contain '/'")
+            _require(item.name not in seen, source, key, f"{item.name!r} is also {seen.get(item.name)}")
+            seen[item.name] = key
+
+
+def _check_places(scene: SceneDescription, source: str) -> None:
+    pieces = [(f"furniture[{i}]", _outline(piece)) for i, piece in enumerate(scene.furniture)]
+    people = [(f"person[{i}]", _mannequin(person)) for i, person in enumerate(scene.people)]
+    items = [(f"object[{i}]", _whole(item)) for i, item in enumerate(scene.objects)]
+    start = scene.robot_start
+    world_T_start = poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
+    back, ahead = START_REACH_M
+    body = _Solid(
+        "the robot's start",
+        Box((ahead - back, 2.0 * START_HALF_WIDTH_M, PERSON_HEIGHT_M)),
+        world_T_start @ poses.translation(0.5 * (ahead + back), 0.0, 0.5 * PERSON_HEIGHT_M),
+    )
+    large = [*pieces, *people]
+    for key, solid in large:
+        _require(
+            not _overlap(body, solid), source, "robot_start",
+            f"stands inside {solid.label} ({key}.position_m)",
+        )  # fmt: skip
+    for i, (key, solid) in enumerate(large):
+        for _, other in large[:i]:
+            _require(not _overlap(solid, other), source, f"{key}.position_m", f"overlaps {other.label}")
+    parts = [
+        _Solid(f"furniture {piece.name!r}", part.shape, part.world_T_solid)
+        for piece in scene.furniture
+        for part in furniture.solids(piece)
+    ]
+    parts += [
+        _Solid(
+            f"furniture {piece.name!r}",
+            solid.shape,
+            articulated.world_T_solid(piece, furniture.floor_pose(piece), solid),
+        )
+        for piece in scene.furniture
+        if piece.opens is not None
+        for solid in articulated.moving_solids(piece)
+    ]
+    fixed = [*parts, *(solid for _, solid in people), body]
+    for i, (key, solid) in enumerate(items):
+        key = f"{key}.position_m"
+        low = _lowest(solid)
+        _require(low >= -TOUCH_TOLERANCE_M, source, key, f"{solid.label} is {-low:.4f} m deep in the floor")
+        for other in fixed:
+            _require(not _overlap(solid, other), source, key, f"{solid.label} overlaps {other.label}")
+        for former in scene.objects[:i]:
+            reason = f"{solid.label} overlaps object {former.name!r}"
+            _require(not _items_overlap(scene.objects[i], former), source, key, reason)
+        others = [other for item in scene.objects if item is not scene.objects[i]
+                  for other in _carriers(solid, item)]  # fmt: skip
+        gap = _fall(solid, [*parts, *others])
+        _require(gap <= GAP_TOLERANCE_M, source, key, f"{solid.label} hangs {gap:.4f} m in the air")
+
+
+def _outline(piece: Furniture) -> _Solid:
+    """The whole room that a piece of furniture takes, the space between its legs too."""
+    lift = poses.translation(0.0, 0.0, 0.5 * piece.size_m[2])
+    return _Solid(f"furniture {piece.name!r}", Box(piece.size_m), furniture.floor_pose(piece) @ lift)
+
+
+def _whole(item: SceneItem) -> _Solid:
+    """An object with the room inside it."""
+    return _Solid(f"object {item.name!r}", item.shape, item.world_T_object)
+
+
+def _walls(item: SceneItem) -> list[_Solid]:
+    """What an object is made of: bottom and walls of a hollow one."""
+    label = f"object {item.name!r}"
+    parts = [_Solid(label, shape, item.world_T_object @ pose) for _, shape, pose, _ in hollow_parts(item)]
+    return parts or [_whole(item)]
+
+
+def _items_overlap(a: SceneItem, b: SceneItem) -> bool:
+    """Tell whether two objects share room; what stands inside a hollow one, clear of its walls, does not."""
+    if not _overlap(_whole(a), _whole(b)):
+        return False
+    if a.wall_m is None and b.wall_m is None:
+        return True
+    return any(_overlap(one, other) for one in _walls(a) for other in _walls(b))
+
+
+def _carriers(solid: _Solid, item: SceneItem) -> list[_Solid]:
+    """What of an object something may stand on; on the rim of a hollow one only if it cannot sink into it."""
+    walls, whole = _walls(item), _whole(item)
+    above_m = _lowest(solid) - _top(whole)
+    if item.wall_m is None or abs(above_m) > GAP_TOLERANCE_M:
+        return walls
+    sunk = poses.translation(0.0, 0.0, -above_m - 2.0 * TOUCH_TOLERANCE_M) @ solid.world_T_solid
+    rests = any(_overlap(_Solid(solid.label, solid.shape, sunk), wall) for wall in walls)
+    return [*walls, whole] if rests else walls
+
+
+def _mannequin(person: Person) -> _Solid:
+    pose = poses.translation(*person.position_m, 0.5 * PERSON_HEIGHT_M)
+    return _Solid(f"person {person.name!r}", Cylinder(PERSON_RADIUS_M, PERSON_HEIGHT_M), pose)
+
+
+def _extents(solid: _Solid) -> NDArray[np.float64]:
+    """Half of what a solid takes along each axis of the world, shape (3,)."""
+    axes = solid.world_T_solid[:3, :3]
+    match solid.shape:
+        case Box(size_m=size):
+            return np.asarray(0.5 * np.abs(axes) @ np.asarray(size))
+        case Cylinder(radius_m=radius, height_m=height):
+            return np.asarray(0.5 * height * np.abs(axes[:, 2]) + radius * np.hypot(axes[:, 0], axes[:, 1]))
+        case Ball(radius_m=radius):
+            return np.full(3, radius)
+
+
+def _lowest(solid: _Solid) -> float:
+    return float(solid.world_T_solid[2, 3] - _extents(solid)[2])
+
+
+def _top(solid: _Solid) -> float:
+    return float(solid.world_T_solid[2, 3] + _extents(solid)[2])
+
+
+def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
+    """How far a solid is above what is under its centre: floor, furniture or another object."""
+    low = _lowest(solid)
+    gap = low
+    for other in others:
+        top = _top(other)
+        if top <= low + TOUCH_TOLERANCE_M and _above(solid.world_T_solid[:3, 3], other):
+            gap = min(gap, low - top)
+    return gap
+
+
+def _above(point: NDArray[np.float64], solid: _Solid) -> bool:
+    """Tell whether a point is straight above an (upright) solid."""
+    local = poses.inverse(solid.world_T_solid) @ np.array(
+        [point[0], point[1], solid.world_T_solid[2, 3], 1.0]
+    )
+    match solid.shape:
+        case Box(size_m=size):
+            return bool(abs(local[0]) <= 0.5 * size[0] and abs(local[1]) <= 0.5 * size[1])
+        case Cylinder(radius_m=radius) | Ball(radius_m=radius):
+            return math.hypot(local[0], local[1]) <= radius
+
+
+def _overlap(a: _Solid, b: _Solid) -> bool:
+    """Tell whether two solids share room deeper than the tolerance."""
+    apart = np.abs(a.world_T_solid[:3, 3] - b.world_T_solid[:3, 3])
+    if np.any(apart > _extents(a) + _extents(b)):
+        return False
+    return _some_point_inside(a, b) or _some_point_inside(b, a)
+
+
+def _some_point_inside(probe: _Solid, target: _Solid) -> bool:
+    points = _samples(probe.shape) @ probe.world_T_solid[:3, :3].T + probe.world_T_solid[:3, 3]
+    local = (points - target.world_T_solid[:3, 3]) @ target.world_T_solid[:3, :3]
+    match target.shape:
+        case Box(size_m=size):
+            depth = np.min(0.5 * np.asarray(size) - np.abs(local), axis=1)
+        case Cylinder(radius_m=radius, height_m=height):
+            depth = np.minimum(
+                radius - np.hypot(local[:, 0], local[:, 1]), 0.5 * height - np.abs(local[:, 2])
+            )
+        case Ball(radius_m=radius):
+            depth = radius - np.linalg.norm(local, axis=1)
+    return bool(np.max(depth) > TOUCH_TOLERANCE_M)
+
+
+def _samples(shape: Shape) -> NDArray[np.float64]:
+    """Points that fill a solid and its surface densely enough to meet anything that overlaps it."""
+    steps = np.linspace(-1.0, 1.0, 25)
+    match shape:
+        case Box(size_m=size):
+            grid = np.stack(np.meshgrid(steps, steps, steps, indexing="ij"), axis=-1).reshape(-1, 3)
+            return np.asarray(grid * (0.5 * np.asarray(size)), dtype=np.float64)
+        case Cylinder(radius_m=radius, height_m=height):
+            angles = np.linspace(0.0, 2.0 * math.pi, 180, endpoint=False)
+            rings = np.linspace(0.0, radius, 7)
+            r, angle, z = (axis.ravel() for axis in np.meshgrid(rings, angles, 0.5 * height * steps))
+            return np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1)
+        case Ball(radius_m=radius):
+            angles = np.linspace(0.0, 2.0 * math.pi, 90, endpoint=False)
+            polar = np.linspace(0.0, math.pi, 46)
+            shells = np.linspace(0.0, radius, 5)
+            r, a, p = (axis.ravel() for axis in np.meshgrid(shells, angles, polar))
+            return np.stack([r * np.sin(p) * np.cos(a), r * np.sin(p) * np.sin(a), r * np.cos(p)], axis=-1)

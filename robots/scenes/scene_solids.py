@@ -1,0 +1,52 @@
+"""A scene's truth as solids for the planning scene: for judging stored motions, never for the robot's."""
+
+from __future__ import annotations
+
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Cylinder
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.scenes import articulated, furniture
+from robots.scenes.scene_description import Person, SceneDescription
+from robots.scenes.scene_rules import PERSON_HEIGHT_M
+
+PERSON_REACH_M = 0.24
+"""Radius around a person's axis that holds the whole body, arms included."""
+
+
+def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningScene:
+    """Everything that a scene file describes, in the world frame.
+
+    Args:
+        scene: The scene; furniture becomes its boxes ("table/top", "table/leg_1", ...), a person an
+            upright cylinder.
+        margin_m: Distance that the robot keeps from each of them.
+    """
+    solids = [
+        SceneObject(solid.name, solid.shape, solid.world_T_solid, margin_m, movable=False)
+        for piece in scene.furniture
+        for solid in furniture.solids(piece)
+    ]
+    solids += [
+        SceneObject(
+            part.name,
+            part.shape,
+            articulated.world_T_solid(piece, furniture.floor_pose(piece), part),
+            margin_m,
+            movable=False,
+        )
+        for piece in scene.furniture
+        if piece.opens is not None
+        for part in articulated.moving_solids(piece)
+    ]
+    solids += [SceneObject(item.name, item.shape, item.world_T_object, margin_m) for item in scene.objects]
+    for person in scene.people:
+        body, place = person_solid(person)
+        solids.append(SceneObject(person.name, body, place, margin_m, movable=False))
+    return PlanningScene().with_objects(solids)
+
+
+def person_solid(person: Person) -> tuple[Cylinder, Transform]:
+    """An upright cylinder around a whole person, and its pose: x is where the person faces."""
+    place = poses.transform(poses.rotation_z(person.yaw_rad), (*person.position_m, 0.5 * PERSON_HEIGHT_M))
+    return Cylinder(PERSON_REACH_M, PERSON_HEIGHT_M), place

@@ -1,0 +1,72 @@
+"""Write scenes as TOML documents."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import fields
+from typing import Any
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.scenes.scene_description import SceneDescription
+from robots.scenes.scene_parts import part_values
+
+
+def dump(scene: SceneDescription) -> str:
+    """Write a scene as the TOML document that ``scene_file.read_scene`` reads back.
+
+    Raises:
+        ValueError: An object is tilted, which a file cannot say.
+    """
+    start, model = scene.robot_start, scene.perception
+    lines = [
+        f"robot_start = {{ x_m = {start.x_m!r}, y_m = {start.y_m!r}, yaw_rad = {start.yaw_rad!r} }}",
+        "",
+        "[perception]",
+        *(f"{item.name} = {_toml(getattr(model, item.name))}" for item in fields(model)),
+    ]
+    for piece in scene.furniture:
+        lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
+        lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
+        lines += _pairs(**part_values(piece))
+    for person in scene.people:
+        lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
+        lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)
+    for region in scene.places:
+        lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
+        lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
+    for item in scene.objects:
+        if item.world_T_object[2, 2] < 1.0 - 1e-12:
+            raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
+        color = {} if item.color is None else {"color": item.color}
+        lines += ["", "[[object]]", *_pairs(name=item.name, kind=item.kind, **color)]
+        lines += _pairs(**_shape_keys(item.shape), mass_kg=item.mass_kg, friction=item.friction)
+        if item.wall_m is not None:
+            lines += _pairs(wall_m=item.wall_m)
+        yaw = poses.yaw_of(item.world_T_object[:3, :3])
+        lines += _pairs(position_m=tuple(map(float, item.world_T_object[:3, 3])), yaw_rad=yaw)
+    return "\n".join(lines) + "\n"
+
+
+def _pairs(**values: Any) -> list[str]:
+    return [f"{key} = {_toml(value)}" for key, value in values.items()]
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, str):
+        return json.dumps(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, tuple):
+        return "[" + ", ".join(_toml(item) for item in value) + "]"
+    return repr(float(value))
+
+
+def _shape_keys(shape: Shape) -> dict[str, Any]:
+    match shape:
+        case Box(size_m=size):
+            return {"size_m": size}
+        case Cylinder(radius_m=radius, height_m=height):
+            return {"radius_m": radius, "height_m": height}
+        case Ball(radius_m=radius):
+            return {"radius_m": radius}

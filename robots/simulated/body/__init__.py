@@ -1,0 +1,1 @@
+"""The MuJoCo model of robot and scene, and its physics."""

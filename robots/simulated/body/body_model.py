@@ -1,0 +1,229 @@
+"""A robot's description as a MuJoCo body: URDF, soles, finger pads, actuators, sensors."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+
+import mujoco
+
+from kinematics.model.robot_description import GripperDescription, RobotDescription, SoleDescription
+from robots.errors import DescriptionError
+from robots.simulated.body.geom_roles import (
+    CONAFFINITY,
+    CONTYPE,
+    DRAWN_GROUP,
+    FINGER_DRAWN_GROUP,
+    HULL_GROUP,
+    UNSEEN_GROUP,
+    Role,
+)
+
+ROOT_JOINT = "root"
+JOINT_DAMPING = 1.0
+GRIPPER_DAMPING = 0.02
+"""Nm s/rad. The URDF's friction of the gripper equals its effort and would jam it; damping only."""
+HULL_FRICTION = 0.1
+"""Of the robot's shell with anything: painted plastic and aluminium, and too slippery to hold by."""
+SOLE_FRICTION = 0.9
+HULL_PRIORITY, SOLE_PRIORITY = 1, 2
+"""MuJoCo takes the friction of the geom with the higher priority."""
+PAD_SOLREF = (0.01, 1.0)
+PAD_SOLIMP = (0.9, 0.97, 0.002, 0.5, 2.0)
+"""Contact stiffness of rubber pads: measured to hold 0.1 to 1.0 kg with 0.1 mm of creep in 10 s."""
+PATCH_RADIUS_M = 0.02
+"""Torsional friction of a contact is its friction times this: the size of a soft pad's contact patch."""
+PAD_SOLREF_FRICTION = (0.002, 1.0)
+"""MuJoCo's constraints leave out that a turning hand turns their directions, so that what is held slides
+outwards at the centripetal acceleration times half this time: 5 mm/s for 1 m/s^2 with the 0.01 s of normal
+forces. Two physics steps are the least."""
+MIMIC_SOLREF = (0.005, 1.0)
+MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
+GYRO, ACCELEROMETER = "gyro", "accelerometer"
+
+
+def robot_spec(description: RobotDescription) -> mujoco.MjSpec:
+    """Build the robot alone: free to move, with position servos and sensors, in the air.
+
+    Raises:
+        DescriptionError: The URDF lacks a link or joint that the description names.
+    """
+    urdf = ElementTree.fromstring(description.urdf)
+    options = ElementTree.Element("mujoco")
+    ElementTree.SubElement(
+        options,
+        "compiler",
+        strippath="false",  # two meshes share a file name
+        meshdir=description.mesh_dir,
+        discardvisual="false",
+        fusestatic="false",  # keeps the frames of camera, soles and TCPs
+        balanceinertia="true",
+    )
+    urdf.insert(0, options)
+    spec = mujoco.MjSpec.from_string(ElementTree.tostring(urdf, encoding="unicode"))
+    body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
+    _assign_roles(spec, description)
+    _tune_joints(spec, description)
+    for sole in description.soles:
+        _add_sole(spec, sole)
+    for gripper in description.grippers.values():
+        _add_pads(spec, gripper)
+    _exclude_pairs(spec, description)
+    _add_actuators(spec, description)
+    _add_sensors(spec, description)
+    return spec
+
+
+def pad_name(link: str) -> str:
+    """Name of the pad geom of a fingertip link."""
+    return f"pad:{link}"
+
+
+def sole_name(sole: SoleDescription) -> str:
+    """Name of a sole's geom and site."""
+    return f"sole:{sole.side}"
+
+
+def body(spec: mujoco.MjSpec, name: str) -> mujoco.MjsBody:
+    """The body of a link.
+
+    Raises:
+        DescriptionError: There is none.
+    """
+    found = spec.body(name)
+    if found is None:
+        raise DescriptionError(f"the URDF has no link {name!r}")
+    return found
+
+
+def set_role(geom: mujoco.MjsGeom, role: Role) -> None:
+    """Make a geom collide as its role says."""
+    geom.contype, geom.conaffinity = CONTYPE[role], CONAFFINITY[role]
+
+
+def finger_links(gripper: GripperDescription) -> frozenset[str]:
+    """Links whose hulls must not touch objects: all but the palm."""
+    return frozenset(gripper.links) - {gripper.base_link}
+
+
+def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    fingers = frozenset[str]().union(*(finger_links(item) for item in description.grippers.values()))
+    grippers = frozenset(link for item in description.grippers.values() for link in item.links)
+    soles = {sole.link for sole in description.soles}
+    head = _rigidly_with(spec, description.camera.frame)
+    for geom in spec.geoms:
+        link = geom.parent.name
+        if not geom.contype:
+            geom.group = FINGER_DRAWN_GROUP if link in fingers else DRAWN_GROUP
+            geom.rgba = (0.30, 0.32, 0.36, 1.0) if link in grippers else (0.82, 0.82, 0.84, 1.0)
+            continue
+        role = Role.FINGER if link in fingers else Role.NONE if link in soles else Role.BODY
+        set_role(geom, role)
+        geom.group = UNSEEN_GROUP if link in fingers or link in head else HULL_GROUP
+        geom.priority = HULL_PRIORITY
+        geom.friction = (HULL_FRICTION, 0.005, 0.0001)
+
+
+def _rigidly_with(spec: mujoco.MjSpec, frame: str) -> frozenset[str]:
+    """Links that cannot move against a frame's link: up to the first joint, and all that hangs there."""
+    top = body(spec, frame)
+    while not top.joints:
+        top = top.parent
+    names, open_ends = set(), [top]
+    while open_ends:
+        link = open_ends.pop()
+        names.add(link.name)
+        open_ends += [child for child in link.bodies if not child.joints]
+    return frozenset(names)
+
+
+def _tune_joints(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    grippers = [item.joint for item in description.grippers.values()]
+    followers = {item.name1: item.name2 for item in spec.equalities}
+    for joint in spec.joints:
+        if joint.type == mujoco.mjtJoint.mjJNT_FREE:
+            continue
+        driver = followers.get(joint.name, joint.name)
+        if driver not in description.gains:
+            raise DescriptionError(f"joint {joint.name!r} has no gains")
+        joint.armature = description.gains[driver].armature
+        joint.damping = (GRIPPER_DAMPING if driver in grippers else JOINT_DAMPING, 0.0, 0.0)
+        joint.frictionloss = 0.0
+        joint.actfrclimited = False  # the actuators carry the limits
+    for equality in spec.equalities:
+        equality.solref, equality.solimp = MIMIC_SOLREF, MIMIC_SOLIMP
+
+
+def _add_sole(spec: mujoco.MjSpec, sole: SoleDescription) -> None:
+    """Give the sole's own link the box that stands: what its weld transmits is then the ground's wrench."""
+    link = body(spec, sole.frame)
+    (x0, x1), (y0, y1), z = sole.x_m, sole.y_m, sole.thickness_m
+    geom = link.add_geom(
+        name=sole_name(sole),
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=[0.5 * (x1 - x0), 0.5 * (y1 - y0), 0.5 * z],
+        pos=[0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.5 * z],
+        mass=0.0,
+        condim=4,
+        friction=[SOLE_FRICTION, 0.01, 0.0001],
+        solref=[0.01, 1.0],
+        priority=SOLE_PRIORITY,
+        group=HULL_GROUP,
+    )
+    set_role(geom, Role.BODY)
+    link.add_site(name=sole_name(sole))
+
+
+def _add_pads(spec: mujoco.MjSpec, gripper: GripperDescription) -> None:
+    pads = zip(gripper.pad_links, gripper.pad_half_size_m, gripper.pad_position_m, strict=True)
+    for name, half_size, position in pads:
+        geom = body(spec, name).add_geom(
+            name=pad_name(name),
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=list(half_size),
+            pos=list(position),
+            mass=0.0,
+            condim=4,
+            friction=[HULL_FRICTION, 0.005, 0.0001],  # with objects the pairs of the scene rule
+            solref=list(PAD_SOLREF),
+            solimp=list(PAD_SOLIMP),
+            priority=HULL_PRIORITY,
+            group=UNSEEN_GROUP,
+        )
+        set_role(geom, Role.PAD)
+
+
+def _exclude_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    names = {item.name for item in spec.bodies}
+    frames = {sole.link: sole.frame for sole in description.soles}
+    pairs = set(description.disabled_collisions)
+    # The soles stand in for the hulls of the links that they are part of.
+    pairs |= {(frames.get(first, first), frames.get(second, second)) for first, second in pairs}
+    for first, second in sorted(pairs):
+        if first in names and second in names and first != second:
+            spec.add_exclude(bodyname1=first, bodyname2=second)
+
+
+def _add_actuators(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    for name in description.actuated:
+        if spec.joint(name) is None:
+            raise DescriptionError(f"the URDF has no joint {name!r}")
+        gains, effort = description.gains[name], description.limits[name].effort
+        actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+        actuator.set_to_position(kp=gains.stiffness, kv=gains.damping)
+        actuator.forcelimited = True
+        actuator.forcerange = [-effort, effort]
+
+
+def _add_sensors(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    site = mujoco.mjtObj.mjOBJ_SITE
+    body(spec, description.imu_link).add_site(name=description.imu_link)
+    kinds = ((GYRO, mujoco.mjtSensor.mjSENS_GYRO), (ACCELEROMETER, mujoco.mjtSensor.mjSENS_ACCELEROMETER))
+    for name, kind in kinds:
+        spec.add_sensor(name=name, type=kind, objtype=site, objname=description.imu_link)
+    for sole in description.soles:
+        for label, kind in (
+            ("force", mujoco.mjtSensor.mjSENS_FORCE),
+            ("torque", mujoco.mjtSensor.mjSENS_TORQUE),
+        ):
+            name = sole_name(sole)
+            spec.add_sensor(name=f"{label}:{sole.side}", type=kind, objtype=site, objname=name)

@@ -1,0 +1,159 @@
+"""A person as a mannequin: legs, trunk, arms and head that stand still, and one hand that can take things.
+
+The hand is a body of its own that slides in the person's frame, turns about the forearm, and pinches
+with two pads; its weight is carried. Forces move it: see ``person_hand``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import mujoco
+import numpy as np
+
+from kinematics.geometry.poses import quaternion_from_rotation, rotation_z, transform
+from robots.scenes.scene_description import Person
+from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, set_role
+from robots.simulated.body.geom_roles import WORLD_GROUP, Role
+from robots.simulated.body.scene_names import in_simulator
+
+HAND_REST_M = (0.10, -0.28, 0.90)
+"""Of the hand in the person's frame: beside the thigh."""
+PINCH_M = (0.0, 0.16)
+"""Of a pad from the middle of the hand: closed, and open."""
+PAD_HALF_SIZE_M = (0.015, 0.010, 0.006)
+"""As large as a fingertip."""
+PAD_FRICTION = 1.0
+HAND_DAMPING = 25.0
+"""N s/m of the arm that carries the hand."""
+FINGER_DAMPING = 150.0
+"""N s/m: fingers that pinch with 22 N close at 0.15 m/s. Without it they clapped together at 5 m/s, and a
+can flew off with thousands of newtons."""
+_SKIN, _CLOTH = [0.85, 0.68, 0.55, 1.0], [0.30, 0.45, 0.60, 1.0]
+_CAPSULES = (
+    (0.08, (0.0, 0.10, 0.08), (0.0, 0.09, 0.85)),
+    (0.08, (0.0, -0.10, 0.08), (0.0, -0.09, 0.85)),
+    (0.13, (0.0, 0.0, 0.95), (0.0, 0.0, 1.35)),
+    (0.05, (0.0, 0.19, 1.40), (0.0, 0.17, 0.85)),
+    (0.05, (0.0, -0.19, 1.40), (0.0, -0.21, 1.08)),
+)
+_ELBOW_M = _CAPSULES[-1][2]
+_FOREARM_RADIUS_M = 0.04
+_PALM_BEHIND_M = 0.08
+
+
+def hand_body(person: str) -> str:
+    """Name of the body of a person's hand."""
+    return in_simulator(f"{person}/hand")
+
+
+def hand_joint(person: str, axis: str) -> str:
+    """Name of a joint of the hand: "x", "y", "z", "roll", "upper" or "lower"."""
+    return in_simulator(f"{person}/hand/{axis}")
+
+
+def pad_geom(person: str, side: str) -> str:
+    """Name of the geom of a pad: "upper" or "lower"."""
+    return in_simulator(f"{person}/{side}_pad")
+
+
+def add_person(spec: mujoco.MjSpec, person: Person) -> None:
+    """Put a person into the world."""
+    body = spec.worldbody.add_body(name=in_simulator(person.name))
+    pose = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0))
+    x, y, z, w = quaternion_from_rotation(pose[:3, :3])
+    body.pos, body.quat = pose[:3, 3], [w, x, y, z]
+    for i, (radius, start, end) in enumerate(_CAPSULES):
+        geom = body.add_geom(
+            name=in_simulator(f"{person.name}/{i}"),
+            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
+            size=[radius, 0.0, 0.0],
+            fromto=[*start, *end],
+            rgba=_CLOTH,
+            group=WORLD_GROUP,
+        )
+        set_role(geom, Role.PERSON)
+    head = body.add_geom(
+        name=in_simulator(f"{person.name}/head"),
+        type=mujoco.mjtGeom.mjGEOM_SPHERE,
+        size=[0.11, 0.0, 0.0],
+        pos=[0.0, 0.0, 1.62],
+        rgba=_SKIN,
+        group=WORLD_GROUP,
+    )
+    set_role(head, Role.PERSON)
+    _add_hand(spec, person)
+
+
+def draw_forearms(
+    scene: mujoco.MjvScene, model: mujoco.MjModel, data: mujoco.MjData, people: Iterable[Person]
+) -> None:
+    """Draw what joins each person's elbow and hand; it is in the picture alone."""
+    for person in people:
+        if scene.ngeom >= scene.maxgeom:
+            return
+        elbow = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0)) @ [*_ELBOW_M, 1.0]
+        body = model.body(hand_body(person.name)).id
+        palm = data.xpos[body] - _PALM_BEHIND_M * data.xmat[body].reshape(3, 3)[:, 0]
+        geom = scene.geoms[scene.ngeom]
+        capsule = mujoco.mjtGeom.mjGEOM_CAPSULE
+        mujoco.mjv_initGeom(
+            geom, capsule, np.zeros(3), np.zeros(3), np.zeros(9), np.array(_CLOTH, np.float32)
+        )
+        mujoco.mjv_connector(geom, capsule, _FOREARM_RADIUS_M, elbow[:3], palm)
+        scene.ngeom += 1
+
+
+def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
+    pose = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0))
+    x, y, z, w = quaternion_from_rotation(pose[:3, :3])
+    hand = spec.worldbody.add_body(name=hand_body(person.name), gravcomp=1.0)
+    hand.pos = (pose @ [*HAND_REST_M, 1.0])[:3]
+    hand.quat = [w, x, y, z]
+    for name, axis in (("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])):
+        hand.add_joint(
+            name=hand_joint(person.name, name),
+            type=mujoco.mjtJoint.mjJNT_SLIDE,
+            axis=axis,
+            damping=[HAND_DAMPING, 0.0, 0.0],
+        )
+    hand.add_joint(
+        name=hand_joint(person.name, "roll"),
+        type=mujoco.mjtJoint.mjJNT_HINGE,
+        axis=[1.0, 0.0, 0.0],
+        damping=[0.3, 0.0, 0.0],
+        armature=0.005,
+    )
+    palm = hand.add_geom(
+        name=in_simulator(f"{person.name}/palm"),
+        type=mujoco.mjtGeom.mjGEOM_SPHERE,
+        size=[0.035, 0.0, 0.0],
+        pos=[-_PALM_BEHIND_M, 0.0, 0.0],
+        mass=0.5,
+        rgba=_SKIN,
+        group=WORLD_GROUP,
+    )
+    set_role(palm, Role.NONE)
+    for name, side in (("upper", 1.0), ("lower", -1.0)):
+        finger = hand.add_body(name=in_simulator(f"{person.name}/{name}"), gravcomp=1.0)
+        finger.add_joint(
+            name=hand_joint(person.name, name),
+            type=mujoco.mjtJoint.mjJNT_SLIDE,
+            axis=[0.0, 0.0, side],
+            range=list(PINCH_M),
+            limited=True,
+            damping=[FINGER_DAMPING, 0.0, 0.0],
+        )
+        pad = finger.add_geom(
+            name=pad_geom(person.name, name),
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=list(PAD_HALF_SIZE_M),
+            mass=0.05,
+            rgba=_SKIN,
+            condim=4,
+            friction=[PAD_FRICTION, 0.02, 0.0001],
+            solref=list(PAD_SOLREF),
+            solimp=list(PAD_SOLIMP),
+            group=WORLD_GROUP,
+        )
+        set_role(pad, Role.PERSON)

@@ -1,0 +1,1 @@
+"""Faults that an evaluation plants in the world and in the body."""

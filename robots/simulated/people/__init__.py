@@ -1,0 +1,1 @@
+"""Simulated people: where they walk, what they hold and take."""

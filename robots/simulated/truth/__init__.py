@@ -1,0 +1,1 @@
+"""The simulator's truth, for tests, evaluation and the perception stub alone."""

@@ -1,0 +1,247 @@
+"""What really is the case in the simulated world; for the perception stub, evaluation and tests."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.model.robot_description import Hand
+from robots.perception.truth_view import TrueObject
+from robots.scenes import articulated, furniture, scene_solids
+from robots.scenes.scene_description import SceneItem
+from robots.simulated.body.furniture_model import part_body
+from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP
+from robots.simulated.body.physics import Physics
+from robots.simulated.truth.true_contacts import TrueContacts
+from robots.simulated.truth.true_support import SupportPolygon
+
+FALLEN_HEIGHT = 0.7
+"""A base below this share of its height at the start has fallen."""
+FALLEN_TILT_RAD = 0.7
+SOLE_LIFTED_M = 0.003
+"""A sole whose centre is higher than this does not carry."""
+RAY_SLACK_M = 0.002
+"""A ray that ends this near to the point has reached it."""
+
+
+class SimulatorTruth:
+    """The simulator's own knowledge; satisfies ``TruthView``.
+
+    Attributes:
+        contacts: What touches what.
+    """
+
+    def __init__(self, physics: Physics) -> None:
+        self._physics = physics
+        self.contacts = TrueContacts(physics)
+        self._removed: set[str] = set()
+        self._items: dict[str, SceneItem] = {item.name: item for item in physics.scene.objects}
+        self._fixed = tuple(
+            TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
+            for piece in physics.scene.furniture
+            for solid in furniture.solids(piece)
+        )
+        self._people = tuple(
+            TrueObject(person.name, "person", "person", None, *scene_solids.person_solid(person))
+            for person in physics.scene.people
+        )
+        self._parts = tuple(
+            (TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, solid.part_T_solid), body)
+            for piece in physics.scene.furniture
+            if piece.opens is not None
+            for body in (physics.body_id(part_body(piece)),)
+            for solid in articulated.moving_solids(piece)
+            if solid.kind
+        )
+        self._camera_body = physics.body_id(physics.description.camera.frame)
+        self._tcp_body = {
+            hand: physics.body_id(item.tcp_frame) for hand, item in physics.description.grippers.items()
+        }
+        self._ray_groups = np.zeros(6, dtype=np.uint8)
+        self._ray_groups[[WORLD_GROUP, HULL_GROUP, FINGER_DRAWN_GROUP]] = 1
+        self._support = SupportPolygon()
+        self._start_height_m = float(self.world_T_base()[2, 3])
+
+    # --- what a perception stub may look at -------------------------------------------------
+
+    def solids(self) -> tuple[TrueObject, ...]:
+        """Everything that could be seen: furniture, people, then objects, in the scene's order."""
+        objects = tuple(
+            TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
+            for item in self._items.values()
+            if item.name not in self._removed
+        )
+        return self._fixed + self._moving() + self._people + objects
+
+    def _moving(self) -> tuple[TrueObject, ...]:
+        """Doors, drawers and their handles where they are now."""
+        return tuple(
+            replace(solid, world_T_object=self._pose(body) @ solid.world_T_object)
+            for solid, body in self._parts
+        )
+
+    def opening(self, furniture_name: str) -> float:
+        """How far a door, rad, or a drawer, m, is open.
+
+        Raises:
+            KeyError: The scene has no such furniture, or it does not open.
+        """
+        return float(self._physics.data.qpos[self._physics.furniture.qpos[furniture_name]])
+
+    def world_T_camera(self) -> Transform:
+        """Pose of the camera's optical frame, shape (4, 4)."""
+        return self._pose(self._camera_body)
+
+    def visible(self, name: str, points: Array) -> NDArray[np.bool_]:
+        """Tell for each world point, shape (n, 3), on a solid whether a ray from the camera meets
+        that solid before it meets anything else (robot included), shape (n,).
+        """
+        physics = self._physics
+        physics.refresh()
+        start = physics.data.xpos[self._camera_body].copy()
+        geom = -2 if any(person.name == name for person in self._people) else physics.scene_geom_id(name)
+        rays = np.ascontiguousarray(np.atleast_2d(points) - start)
+        count = rays.shape[0]
+        hit = np.full(count, -1, dtype=np.int32)
+        share = np.zeros(count)  # of the ray's length: the rays are not normalised
+        mujoco.mj_multiRay(
+            physics.model, physics.data, start, rays.ravel(), self._ray_groups, True, -1, hit, share, None,
+            count, 10.0,
+        )  # fmt: skip
+        length = np.linalg.norm(rays, axis=1)
+        reached = (share < 0.0) | (share * length >= length - RAY_SLACK_M)
+        return np.asarray((hit == geom) | reached, dtype=np.bool_)
+
+    # --- where things are -------------------------------------------------------------------
+
+    @property
+    def time_s(self) -> float:
+        """Simulated time."""
+        return float(self._physics.data.time)
+
+    def objects(self) -> tuple[str, ...]:
+        """Names of the objects that are in the world, in the scene's order."""
+        return tuple(name for name in self._items if name not in self._removed)
+
+    def world_T_object(self, name: str) -> Transform:
+        """Pose of an object, shape (4, 4).
+
+        Raises:
+            KeyError: The scene has no such object.
+        """
+        return self._pose(self._physics.object_body[name])
+
+    def world_T_base(self) -> Transform:
+        """Pose of the robot's base, shape (4, 4)."""
+        return self._pose(self._physics.base_body)
+
+    def world_T_tcp(self, hand: Hand) -> Transform:
+        """Pose of a hand's TCP, shape (4, 4)."""
+        return self._pose(self._tcp_body[hand])
+
+    def world_T_link(self, link: str) -> Transform:
+        """Pose of any link or frame of the robot, shape (4, 4)."""
+        return self._pose(self._physics.body_id(link))
+
+    def tcp_T_object(self, hand: Hand, name: str) -> Transform:
+        """Pose of an object in a hand's TCP frame; its change while held is slip."""
+        return poses.inverse(self.world_T_tcp(hand)) @ self.world_T_object(name)
+
+    def world_T_odom(self) -> Transform:
+        """Where the odometry frame (between the soles at the start, x ahead) lies in the world."""
+        start = self._physics.scene.robot_start
+        return poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
+
+    def joint_positions(self) -> Array:
+        """Joint positions without noise, shape (n,), order of ``RobotDescription.actuated``."""
+        return np.array(self._physics.data.qpos[self._physics.joint_qpos])
+
+    def joint_velocities(self) -> Array:
+        """Joint velocities without noise, rad/s, shape (n,), same order."""
+        return np.array(self._physics.data.qvel[self._physics.joint_qvel])
+
+    def lowest_m(self, name: str) -> float:
+        """Height of an object's lowest point above the floor."""
+        world_T_object = self.world_T_object(name)
+        shape, z = self._items[name].shape, world_T_object[2, :3]
+        match shape:
+            case Box(size_m=size):
+                extent = float(0.5 * np.abs(z) @ np.asarray(size))
+            case Cylinder(radius_m=radius, height_m=height):
+                extent = float(0.5 * height * abs(z[2]) + radius * math.hypot(z[0], z[1]))
+            case Ball(radius_m=radius):
+                extent = radius
+        return float(world_T_object[2, 3]) - extent
+
+    def lift_m(self, name: str) -> float:
+        """Height of an object's lowest point above the furniture under it, or above the floor."""
+        return self.lowest_m(name) - self._ground_m(name)
+
+    def tilt_rad(self, name: str) -> float:
+        """Angle between an object's own z axis and the vertical."""
+        return math.acos(float(np.clip(self.world_T_object(name)[2, 2], -1.0, 1.0)))
+
+    def _ground_m(self, name: str) -> float:
+        x, y, z = self.world_T_object(name)[:3, 3]
+        height = 0.0
+        for piece in self._physics.scene.furniture:
+            for solid in furniture.solids(piece):
+                local = poses.inverse(solid.world_T_solid) @ np.array([x, y, 0.0, 1.0])
+                depth, width, thick = solid.shape.size_m
+                top = float(solid.world_T_solid[2, 3]) + 0.5 * thick
+                if abs(local[0]) <= 0.5 * depth and abs(local[1]) <= 0.5 * width and top <= z:
+                    height = max(height, top)
+        return height
+
+    # --- balance ----------------------------------------------------------------------------
+
+    def com(self) -> Array:
+        """Centre of mass of the robot in the world, shape (3,)."""
+        self._physics.refresh()
+        return np.array(self._physics.data.subtree_com[self._physics.base_body])
+
+    def com_margin_m(self) -> float:
+        """Distance of the CoM's projection to the edge of the true support polygon, positive inside;
+        ``-inf`` while no sole carries.
+        """
+        return self._support.margin_m(self.com()[:2], self._carrying_corners())
+
+    def _carrying_corners(self) -> Array:
+        physics = self._physics
+        physics.refresh()
+        corners = []
+        for body, sole in zip(physics.sole_body, physics.description.soles, strict=True):
+            rotation, origin = physics.data.xmat[body].reshape(3, 3), physics.data.xpos[body]
+            if origin[2] > SOLE_LIFTED_M:
+                continue
+            local = np.array([(x, y, 0.0) for x in sole.x_m for y in sole.y_m])
+            corners.append((local @ rotation.T + origin)[:, :2])
+        return np.concatenate(corners) if corners else np.zeros((0, 2))
+
+    def fallen(self) -> bool:
+        """Tell whether the robot lies or is falling: base low or tilted far."""
+        world_T_base = self.world_T_base()
+        low = world_T_base[2, 3] < FALLEN_HEIGHT * self._start_height_m
+        return bool(low or world_T_base[2, 2] < math.cos(FALLEN_TILT_RAD))
+
+    # --- for the fault injector ---------------------------------------------------------------
+
+    def forget(self, name: str) -> None:
+        """Treat an object as gone: it was taken out of the world."""
+        self._removed.add(name)
+
+    def remember(self, name: str) -> None:
+        """Treat an object as there again."""
+        self._removed.discard(name)
+
+    def _pose(self, body: int) -> Transform:
+        self._physics.refresh()
+        return self._physics.body_pose(body)

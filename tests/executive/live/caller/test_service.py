@@ -1,0 +1,185 @@
+"""``serve`` watches both processes, replaces executives at a rate, and heeds signals."""
+
+import os
+import signal
+import subprocess
+from types import SimpleNamespace
+
+import pytest
+
+from executive.live.caller import service as service_module
+from executive.live.caller.restarts import MOST, WITHIN_S
+from executive.live.caller.service import Service, ServiceRequest
+from robots.live.wire.errors import NotServedError
+from robots.live.wire.messages import read_object
+
+
+class Process:
+    """A process that runs until it is told otherwise."""
+
+    def __init__(self, command):
+        self.command, self.returncode, self.pid = command, None, id(self)
+
+    def poll(self):
+        return self.returncode
+
+    def terminate(self):
+        self.returncode = -15
+
+    def kill(self):
+        self.returncode = -9
+
+    def wait(self, timeout=None):
+        return self.returncode
+
+
+class World:
+    """Processes, sockets and a clock, and what happens as it goes on."""
+
+    def __init__(self):
+        self.now_s, self.heard, self.said, self.processes = 0.0, [], [], []
+        self.meanwhile, self.serves = (lambda: None), True
+
+    def popen(self, command, **_options):
+        self.processes.append(Process(command))
+        return self.processes[-1]
+
+    @property
+    def control(self):
+        return self.processes[0]
+
+    @property
+    def executives(self):
+        return [
+            one
+            for one in self.processes
+            if "executive.live.served_executive.executive_process" in one.command
+        ]
+
+    def sleep(self, seconds):
+        self.now_s += seconds
+        self.meanwhile()
+
+    def ask(self, message):
+        self.heard.append(read_object(message)["type"])
+        if self.heard[-1] == "shutdown":
+            self.control.returncode = 0
+
+    def caller(self, path):
+        if not self.processes or not self.serves:
+            raise NotServedError(path.parent)
+        return SimpleNamespace(ask=self.ask, close=lambda: None)
+
+
+@pytest.fixture
+def world(monkeypatch):
+    made = World()
+    monkeypatch.setattr(subprocess, "Popen", made.popen)
+    monkeypatch.setattr(service_module, "Caller", made.caller)
+    clock = SimpleNamespace(now_s=lambda: made.now_s, sleep=made.sleep)
+    monkeypatch.setattr(service_module, "WallClock", lambda: clock)
+    monkeypatch.setattr(service_module, "commander_of", lambda _folder: made.executives[-1].pid)
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
+    yield made
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+@pytest.fixture
+def begin(world, tmp_path):
+    request = ServiceRequest(tmp_path / "live", "talos", "tabletop", 0, tmp_path / "runs")
+    return lambda: Service(request, world.said.append)
+
+
+def ends_every(world, period_s, until_s):
+    """Have each executive end after a while, and the robot's control at last."""
+    ended_s = [0.0]
+
+    def meanwhile():
+        if world.now_s >= until_s:
+            world.control.returncode = 0
+        elif world.now_s - ended_s[0] >= period_s and world.executives[-1].returncode is None:
+            ended_s[0] = world.now_s
+            world.executives[-1].returncode = 1
+
+    return meanwhile
+
+
+@pytest.mark.requirement("S3")
+def test_executives_that_end_at_once_are_given_up_and_that_is_said_once(world, begin):
+    world.meanwhile = ends_every(world, 1.0, WITHIN_S / 2)
+
+    begin().watch()
+
+    assert len(world.executives) == 1 + MOST
+    assert [line for line in world.said if "no other one is started" in line] == world.said[MOST:]
+    assert len(world.said) == MOST + 1
+
+
+@pytest.mark.requirement("S3")
+def test_executives_that_end_now_and_then_are_replaced_for_as_long_as_the_robot_is_served(world, begin):
+    world.meanwhile = ends_every(world, WITHIN_S / 4, 10 * WITHIN_S)
+
+    begin().watch()
+
+    assert len(world.executives) > 3 * MOST
+    assert not any("no other one" in line for line in world.said)
+
+
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP], ids=lambda one: one.name)
+def test_a_signal_to_end_has_the_robot_brake_and_hold_then_ends_its_control(world, begin, number):
+    service, sent = begin(), iter([number])
+    world.meanwhile = lambda: [os.kill(os.getpid(), one) for one in sent]
+
+    assert service.watch() == 0
+    assert world.heard[-1] == "shutdown"
+    assert all(one.returncode is not None for one in world.processes)
+
+
+@pytest.mark.requirement("S4")
+def test_a_second_signal_to_end_is_the_emergency_stop(world, begin):
+    service, sent, ends = begin(), iter([signal.SIGTERM, signal.SIGTERM]), World.ask
+
+    def ask(message):
+        ends(world, message)
+        world.control.returncode = 0 if "stop" in world.heard else None
+
+    world.ask = ask
+    world.meanwhile = lambda: os.kill(os.getpid(), next(sent))
+
+    service.watch()
+
+    assert world.heard[-3:] == ["shutdown", "stop", "shutdown"]
+
+
+@pytest.mark.requirement("S3")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP], ids=lambda one: one.name)
+def test_a_signal_while_the_control_process_loads_leaves_nothing_that_nobody_watches(world, begin, number):
+    signal.signal(number, signal.default_int_handler)
+    world.serves = False
+    world.meanwhile = lambda: os.kill(os.getpid(), number)
+
+    with pytest.raises(KeyboardInterrupt):
+        begin()
+
+    assert [one.returncode for one in world.processes] == [-15]
+
+
+@pytest.mark.requirement("S3")
+def test_a_watch_that_breaks_off_leaves_nothing_that_nobody_watches(world, begin):
+    def breaks():
+        raise RuntimeError("a defect of the watch")
+
+    service = begin()
+    world.meanwhile = breaks
+    with pytest.raises(RuntimeError, match="of the watch"), service:
+        service.watch()
+
+    assert all(one.returncode is not None for one in world.processes)
+
+
+def test_the_control_process_is_told_who_supervises_it(world, begin):
+    begin()
+
+    assert world.control.command[world.control.command.index("--supervisor") + 1] == str(os.getpid())

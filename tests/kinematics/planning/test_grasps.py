@@ -1,0 +1,103 @@
+import dataclasses
+
+import numpy as np
+import pytest
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.planning.grasps import OPENING_RESERVE_M, grasp_table
+from kinematics.scene.planning_scene import SceneObject
+
+
+def grasp_candidates(item, gripper, natural_yaw_rad, approach_m):
+    """All rows of the table."""
+    table = grasp_table(item, gripper, natural_yaw_rad, approach_m)
+    return [table.candidate(row) for row in range(len(table))]
+
+
+def candidates(talos, shape, place=(0.5, -0.2, 0.9), turn=0.0, hand="right"):
+    pose = poses.transform(poses.rotation_z(turn), place)
+    gripper = talos.description.grippers[hand]
+    return [c.grasp for c in grasp_candidates(SceneObject("thing", shape, pose), gripper, 0.0, 0.1)]
+
+
+def tilt_of(grasp):
+    return -np.degrees(np.arcsin(np.clip(grasp.world_T_tcp[2, 0], -1.0, 1.0)))
+
+
+def test_a_cup_is_grasped_across_its_axis_from_side_to_top(talos):
+    grasps = candidates(talos, Cylinder(0.03, 0.12))
+
+    tilts = {round(tilt_of(grasp)) for grasp in grasps}
+    assert min(tilts) == 0
+    assert max(tilts) == 90
+    for grasp in grasps:
+        assert grasp.diameter_m == pytest.approx(0.06)
+        assert abs(grasp.world_T_tcp[2, 1]) < 1e-9  # the opening is horizontal
+        # the TCP is on the cup's axis, inside its height
+        assert grasp.world_T_tcp[:2, 3] == pytest.approx([0.5, -0.2])
+        assert abs(grasp.world_T_tcp[2, 3] - 0.9) <= 0.06
+
+
+def test_a_box_is_grasped_square_to_its_faces(talos):
+    grasps = candidates(talos, Box((0.05, 0.2, 0.1)), turn=0.6)
+
+    assert grasps
+    for grasp in grasps:
+        across = grasp.world_T_tcp[:3, 1]
+        assert abs(across @ poses.rotation_z(0.6)[:, 0]) == pytest.approx(1.0)
+        assert grasp.diameter_m == pytest.approx(0.05)
+
+
+def test_a_ball_has_grasps(talos):
+    assert candidates(talos, Ball(0.03))
+
+
+@pytest.mark.parametrize(
+    "shape", [Cylinder(0.045, 0.12), Box((0.1, 0.12, 0.05)), Ball(0.046)], ids=["wide cup", "box", "ball"]
+)
+def test_what_is_wider_than_the_hand_has_no_grasp(talos, shape):
+    assert candidates(talos, shape) == []
+
+
+@pytest.fixture
+def gap_toothed(talos):
+    """A gripper whose pads of one side leave a gap of 32 mm."""
+    return dataclasses.replace(talos.description.grippers["right"], pad_gap_m=0.032)
+
+
+def test_what_fits_between_neighbouring_pads_is_not_grasped_from_above(gap_toothed):
+    thin = SceneObject("thing", Cylinder(0.015, 0.12), poses.translation(0.5, -0.2, 0.9))
+    ball = SceneObject("thing", Ball(0.015), poses.translation(0.5, -0.2, 0.9))
+
+    grasps = [candidate.grasp for candidate in grasp_candidates(thin, gap_toothed, 0.0, 0.1)]
+
+    assert grasps
+    assert max(tilt_of(grasp) for grasp in grasps) < 61
+    assert grasp_candidates(ball, gap_toothed, 0.0, 0.1) == []
+
+
+def test_what_sinks_in_between_pads_opens_them_less_and_costs_more(gap_toothed):
+    cup = SceneObject("thing", Cylinder(0.03, 0.12), poses.translation(0.5, -0.2, 0.9))
+
+    ordered = grasp_candidates(cup, gap_toothed, 0.0, 0.1)
+
+    sunken = [c for c in ordered if tilt_of(c.grasp) > 61]
+    assert all(c.grasp.diameter_m == pytest.approx(0.03 + np.sqrt(0.03**2 - 0.016**2)) for c in sunken)
+    assert min(c.cost for c in sunken) > min(c.cost for c in ordered) + 0.5
+
+
+def test_the_reserve_for_perception_errors_is_kept(talos):
+    widest = talos.description.grippers["right"].max_opening_m / 2 - OPENING_RESERVE_M
+
+    assert candidates(talos, Cylinder(widest - 1e-4, 0.1))
+    assert not candidates(talos, Cylinder(widest + 1e-4, 0.1))
+
+
+def test_both_hands_mirror_each_other(talos):
+    left = candidates(talos, Cylinder(0.03, 0.12), place=(0.5, 0.2, 0.9), hand="left")
+    right = candidates(talos, Cylinder(0.03, 0.12), place=(0.5, -0.2, 0.9), hand="right")
+
+    for a, b in zip(left, right, strict=True):
+        assert a.world_T_tcp[:3, 3] * (1, -1, 1) == pytest.approx(b.world_T_tcp[:3, 3])
+        assert a.world_T_tcp[:3, 0] * (1, -1, 1) == pytest.approx(b.world_T_tcp[:3, 0])

@@ -1,0 +1,35 @@
+"""A frame of perception crosses the socket whole."""
+
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+import pytest
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from robots.live.documents.frame_message import read_frame, write_frame
+from robots.live.wire.messages import read_object
+from robots.perception.detector import Detection, PerceptionFrame
+
+POSE = poses.transform(poses.rotation_z(0.3), (0.1, -0.2, 1.5))
+SEEN = (
+    Detection("object", "cup", "red", POSE, Cylinder(0.03, 0.1), 0.9),
+    Detection("object", "ball", None, POSE, Ball(0.03), 0.8),
+    Detection("furniture", "table", None, POSE, Box((0.6, 1.2, 0.04)), 0.95, "side table"),
+    Detection("person", "person", None, POSE, Cylinder(0.25, 1.7), 0.7, "Ana"),
+)
+
+
+def told(detection: Detection) -> dict[str, Any]:
+    return {field.name: getattr(detection, field.name) for field in fields(detection)}
+
+
+@pytest.mark.parametrize("detection", SEEN, ids=lambda one: one.kind)
+def test_everything_that_was_seen_arrives(detection: Detection) -> None:
+    frame = PerceptionFrame(1.25, 7, (detection,))
+    arrived = read_frame(read_object(write_frame(frame)))
+    assert (arrived.stamp_s, arrived.sequence) == (1.25, 7)
+    before, after = told(detection), told(arrived.detections[0])
+    np.testing.assert_array_equal(before.pop("camera_T_object"), after.pop("camera_T_object"))
+    assert after == before

@@ -1,0 +1,137 @@
+"""A robot is a folder of data: what is read, and what is refused."""
+
+import dataclasses
+import math
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+
+from kinematics.errors import MissingPartError
+from kinematics.geometry import poses
+from kinematics.model.robot_description import GROUPS
+from kinematics.model.robot_model import RobotModel
+from robots.errors import DescriptionError, UnknownRobotError
+from robots.models import description as reader
+from robots.models.description import known_robots, load_description, load_description_for_tasks
+from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
+
+ARM = """
+<robot name="arm">
+  <link name="base"/><link name="upper"/><link name="hand"/><link name="finger"/><link name="thumb"/>
+  <joint name="b_turn" type="revolute"><parent link="base"/><child link="upper"/>
+    <origin xyz="0.1 0 0.2" rpy="0.3 -0.2 0.5"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" velocity="1" effort="1"/></joint>
+  <joint name="a_fixed" type="fixed"><parent link="upper"/><child link="hand"/></joint>
+  <joint name="finger" type="prismatic"><parent link="hand"/><child link="finger"/>
+    <origin xyz="0 0 0.05" rpy="0 0 1.5707963267948966"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.1" velocity="1" effort="1"/></joint>
+  <joint name="thumb" type="prismatic"><parent link="hand"/><child link="thumb"/>
+    <origin xyz="0 0 0.05"/><axis xyz="0 -1 0"/><mimic joint="finger" multiplier="0.5"/>
+    <limit lower="0" upper="0.1" velocity="1" effort="1"/></joint>
+</robot>"""
+
+
+def joint(urdf, name):
+    return next(item for item in urdf.findall("joint") if item.get("name") == name)
+
+
+def numbers(element, key):
+    return [float(item) for item in element.find("origin").attrib[key].split()]
+
+
+@pytest.mark.requirement("U4")
+@pytest.mark.parametrize("name", known_robots())
+def test_every_known_robot_becomes_a_model(name):
+    model = RobotModel(load_description(name))
+
+    assert set(GROUPS) <= set(model.description.groups)
+    assert np.all(model.lower_rad < model.upper_rad)
+    assert np.all((model.acceleration > 0.0) & (model.jerk > 0.0) & (model.effort > 0.0))
+    for hand in model.description.hands:
+        assert model.frame_id(model.description.tcp_frames[hand])
+
+
+def test_fingers_that_are_open_away_from_zero_are_open_in_the_planning_model():
+    model = RobotModel(load_description("panda"))
+    left, right, tcp = model.frame_poses(
+        model.q_home, ["panda_leftfinger", "panda_rightfinger", model.description.tcp_frames["right"]]
+    )
+
+    opening = tcp[:3, 1]  # the TCP's y axis
+
+    assert (left - right)[:3, 3] @ opening == pytest.approx(0.08, abs=1e-9)
+    assert (left + right)[:3, 3] @ opening == pytest.approx(2 * tcp[:3, 3] @ opening, abs=1e-9)
+
+
+def test_held_joints_stand_where_they_are_told_and_mimics_follow():
+    held = with_fixed_joints(ElementTree.fromstring(ARM), "finger|thumb", {"finger": 0.04})
+
+    assert moving_joints(held) == ("b_turn",)
+    assert numbers(joint(held, "finger"), "xyz") == pytest.approx([-0.04, 0.0, 0.05], abs=1e-12)
+    assert numbers(joint(held, "thumb"), "xyz") == pytest.approx([0.0, -0.02, 0.05], abs=1e-12)
+
+
+@pytest.mark.parametrize("turn", [0.7, -2.0, math.pi / 2])
+def test_a_held_hinge_is_turned_about_its_own_axis(turn):
+    loose = ElementTree.fromstring(ARM)
+    held = with_fixed_joints(loose, "b_turn", {"b_turn": turn})
+
+    before, after = (
+        poses.rotation_z(yaw) @ poses.rotation_y(pitch) @ poses.rotation_x(roll)
+        for roll, pitch, yaw in (numbers(joint(urdf, "b_turn"), "rpy") for urdf in (loose, held))
+    )
+
+    assert after == pytest.approx(before @ poses.rotation_y(turn), abs=1e-12)
+    assert numbers(joint(held, "b_turn"), "xyz") == pytest.approx([0.1, 0.0, 0.2])
+
+
+def test_joints_are_ordered_depth_first_by_name():
+    assert moving_joints(ElementTree.fromstring(ARM)) == ("b_turn", "finger", "thumb")
+
+
+def test_a_collision_box_on_a_link_that_is_not_there_is_refused():
+    with pytest.raises(DescriptionError, match="elbow"):
+        add_collision_box(ElementTree.fromstring(ARM), "elbow", {"size_m": [1, 1, 1]})
+
+
+def test_an_unknown_robot_is_refused_with_the_nearest_name():
+    with pytest.raises(UnknownRobotError, match="panda"):
+        load_description("pandas")
+
+
+def test_a_robot_without_a_camera_says_so_when_one_asks_for_it():
+    with pytest.raises(MissingPartError, match="panda has no camera"):
+        _ = load_description("panda").camera
+
+
+def test_a_robot_that_lacks_parts_is_not_given_tasks_and_they_are_named():
+    with pytest.raises(DescriptionError, match=r"panda.* no feet, .*no left gripper"):
+        load_description_for_tasks("panda")
+
+
+def test_a_whole_humanoid_is_given_tasks():
+    assert load_description_for_tasks("talos").missing_for_tasks == ()
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"base": "hanging"}, "floating or welded"),
+        ({"base": "floating"}, "no sole to stand on"),
+        ({"base_link": "panda_link"}, "panda_link"),
+        ({"grippers": {}}, "cannot_grasp"),
+        ({"home": {f"panda_joint{i}": 0.0 for i in range(1, 8)}}, "panda_joint4 at 0 is outside"),
+    ],
+)
+def test_data_that_contradict_themselves_are_refused(changes, says):
+    panda = load_description("panda")
+    links = [link.attrib["name"] for link in ElementTree.fromstring(panda.urdf).findall("link")]
+
+    with pytest.raises(DescriptionError, match=says):
+        reader._require_consistent(dataclasses.replace(panda, **changes), links)
+
+
+def test_hands_that_cannot_grasp_are_told_with_their_reason():
+    with pytest.raises(DescriptionError, match=r"g1.* no left gripper, no right gripper \(its hands are of"):
+        load_description_for_tasks("g1")

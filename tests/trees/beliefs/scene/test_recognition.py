@@ -1,0 +1,44 @@
+import numpy as np
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.scene.recognition import nearest_sighting
+from trees.port_values import Target
+
+CUP = Cylinder(0.03, 0.11)
+PLACE = (0.5, 0.0, 0.95)
+TARGET = Target("red cup", "cup", "red", CUP, poses.translation(*PLACE), 0.9)
+
+
+def sighting(*at, kind="cup", color="red"):
+    return ObjectEstimate("object", kind, color, poses.translation(*at), CUP, 0.9, 8, 0.003)
+
+
+def find(*estimates, scene=None):
+    return nearest_sighting(TARGET, np.array(PLACE), estimates, scene or PlanningScene(), 0.05)
+
+
+def test_the_nearest_of_its_kind_and_colour_is_it():
+    far, near = sighting(0.6, 0.0, 0.95), sighting(0.52, 0.0, 0.95)
+
+    found, distance = find(far, near)
+
+    assert found is near
+    assert abs(distance - 0.02) < 1e-9
+
+
+def test_another_kind_or_colour_is_not_it():
+    assert find(sighting(*PLACE, kind="can"), sighting(*PLACE, color="blue")) is None
+
+
+def test_a_colour_that_could_not_be_told_may_be_it():
+    assert find(sighting(*PLACE, color=None)) is not None
+
+
+def test_a_twin_that_is_known_to_stand_elsewhere_is_not_it():
+    twin = SceneObject("red cup 2", CUP, poses.translation(0.5, 0.3, 0.95))
+    scene = PlanningScene().with_object(twin)
+
+    assert find(sighting(0.5, 0.3, 0.95), scene=scene) is None

@@ -1,0 +1,151 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.scene.support_of import lowest_point_m, support_of
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.scene.scene_update import kind_of, updated_scene
+from trees.policy import TreePolicy
+
+POLICY = TreePolicy()
+
+
+def seen(kind="cup", color="red", at=(0.5, 0.0, 0.955), shape=None, category="object"):
+    shape = shape or Cylinder(0.03, 0.11)
+    return ObjectEstimate(category, kind, color, poses.translation(*at), shape, 0.9, 8, 0.003)
+
+
+def seen_table(at=(0.65, 0.0, 0.88), size=(0.6, 1.2, 0.04)):
+    return seen("table", None, at, Box(size), "furniture")
+
+
+def look(scene, *estimates, unseen=lambda point: False):
+    return updated_scene(scene, estimates, POLICY, unseen)
+
+
+def test_things_are_named_by_colour_and_kind_and_numbered():
+    scene = look(PlanningScene(), seen(at=(0.5, -0.2, 0.955)), seen(at=(0.5, 0.2, 0.955)), seen_table()).scene
+
+    assert set(scene.objects) == {"red cup", "red cup 2", "table"}
+
+
+def test_the_top_of_a_table_gets_its_name_and_not_a_leg():
+    leg = seen_table(at=(0.4, -0.5, 0.43), size=(0.05, 0.05, 0.86))
+
+    scene = look(PlanningScene(), leg, seen_table()).scene
+
+    assert scene.objects["table"].shape.size_m == (0.6, 1.2, 0.04)
+
+
+def test_margins_are_those_of_the_policy_and_furniture_is_not_movable():
+    scene = look(PlanningScene(), seen(), seen_table()).scene
+
+    assert scene.objects["table"].margin_m == POLICY.furniture_margin_m
+    assert not scene.objects["table"].movable
+    assert scene.objects["red cup"].margin_m == POLICY.object_margin_m
+    assert scene.objects["red cup"].movable
+
+
+def test_a_name_stays_with_its_object_from_look_to_look():
+    first = look(PlanningScene(), seen(at=(0.5, -0.2, 0.955)), seen(at=(0.5, 0.2, 0.955)))
+    second = look(first.scene, seen(at=(0.51, 0.2, 0.955)), seen(at=(0.49, -0.2, 0.955)))
+
+    for name in ("red cup", "red cup 2"):
+        before = first.scene.objects[name].world_T_object[1, 3]
+        assert second.scene.objects[name].world_T_object[1, 3] == pytest.approx(before)
+
+
+def test_furniture_is_remembered_when_it_is_not_seen_again():
+    first = look(PlanningScene(), seen_table())
+
+    assert "table" in look(first.scene, seen()).scene.objects
+
+
+def test_furniture_seen_again_is_not_doubled():
+    first = look(PlanningScene(), seen_table())
+
+    assert list(look(first.scene, seen_table(at=(0.66, 0.01, 0.88))).scene.objects) == ["table"]
+
+
+def test_an_object_that_should_have_been_seen_and_was_not_is_forgotten():
+    first = look(PlanningScene(), seen())
+
+    assert look(first.scene).scene.objects == {}
+
+
+def test_an_object_that_could_not_be_seen_is_remembered():
+    first = look(PlanningScene(), seen())
+
+    assert "red cup" in look(first.scene, unseen=lambda point: True).scene.objects
+
+
+def test_an_object_that_moved_far_leaves_no_double_behind():
+    first = look(PlanningScene(), seen(at=(0.5, -0.2, 0.955)))
+    second = look(first.scene, seen(at=(0.5, 0.1, 0.955)), unseen=lambda point: True)
+
+    assert list(second.scene.objects) == ["red cup"]
+    assert second.scene.objects["red cup"].world_T_object[1, 3] == 0.1
+
+
+def test_a_look_makes_the_scene_newer():
+    assert look(PlanningScene(version=7)).scene.version == 8
+
+
+def test_the_number_is_no_part_of_the_words():
+    assert (kind_of("red cup 12"), kind_of("table")) == ("red cup", "table")
+
+
+@given(
+    st.floats(-3.1, 3.1),
+    st.floats(-1.5, 1.5),
+    st.sampled_from([Box((0.1, 0.06, 0.2)), Cylinder(0.03, 0.11), Ball(0.04)]),
+)
+def test_the_lowest_point_is_that_of_the_solid_as_it_lies(roll, pitch, shape):
+    pose = poses.transform(poses.rotation_x(roll) @ poses.rotation_y(pitch), (0.1, 0.2, 1.0))
+    angles = np.linspace(0.0, 2.0 * np.pi, 721)
+    if isinstance(shape, Box):
+        points = 0.5 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * shape.size_m
+    elif isinstance(shape, Cylinder):
+        rim = shape.radius_m * np.column_stack([np.cos(angles), np.sin(angles)])
+        points = np.vstack([np.column_stack([rim, np.full(721, z * shape.height_m)]) for z in (-0.5, 0.5)])
+    else:
+        points = np.array([pose[:3, :3].T @ (0.0, 0.0, -shape.radius_m)])
+
+    lowest = float((points @ pose[:3, :3].T + pose[:3, 3])[:, 2].min())
+
+    assert lowest_point_m(SceneObject("it", shape, pose)) == pytest.approx(lowest, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("place", "stands"),
+    [
+        ((0.5, 0.0, 0.955), True),
+        ((0.5, 0.9, 0.955), False),
+        ((0.5, 0.0, 1.10), False),
+        ((0.5, 0.0, 0.70), False),
+    ],
+)
+def test_an_object_stands_on_the_furniture_right_below_it(place, stands):
+    scene = look(PlanningScene(), seen(at=place), seen_table()).scene
+
+    support = support_of(scene.objects["red cup"], scene, POLICY.support_gap_m)
+
+    assert (support is not None) == stands
+
+
+@pytest.mark.parametrize("name", ["floor", "arm_left_7_link"])
+def test_what_is_called_as_the_floor_or_a_link_is_numbered_from_two_on_and_keeps_its_name(name):
+    table = replace(seen_table(), name=name)
+    reserved = frozenset({"floor", "arm_left_7_link"})
+
+    first = updated_scene(PlanningScene(), [table], POLICY, lambda _: False, reserved=reserved).scene
+    again = updated_scene(first, [table], POLICY, lambda _: False, reserved=reserved).scene
+
+    assert list(first.objects) == list(again.objects) == [f"{name} 2"]
+    assert kind_of(f"{name} 2") == name

@@ -1,0 +1,49 @@
+"""How far a door is open, by what the hand felt where it is out of sight."""
+
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+from kinematics.scene.opening_path import DoorArc
+from trees.beliefs.openings.handles import HandleTarget
+from trees.failures import Failure
+from trees.skills.doors.open import seen_already
+from trees.skills.doors.verify_opening import VerifyOpening
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+
+FRIDGE = ObjectDescription("fridge")
+OPEN, CLOSE = OpenTask("open the fridge", FRIDGE), CloseTask("close the fridge", FRIDGE)
+
+
+@pytest.fixture
+def verify(stage):
+    arc = DoorArc(np.array([0.8, 0.75]), 0.0, 1.0, 0.5, 0.05, 1.0)
+    target = HandleTarget("door", "handle", "door", arc, 0.0, ("left",))
+
+    def run(task, opening, **inputs):
+        leaf = VerifyOpening("verify", stage.toolbox)
+        stage.run(leaf, task=task, handle=target, opening=opening, **inputs)
+        return leaf
+
+    return run
+
+
+def test_what_was_felt_counts_where_nothing_is_seen(verify):
+    assert verify(OPEN, 1.3).status is Status.SUCCESS
+    assert verify(CLOSE, 0.01).status is Status.SUCCESS
+
+
+def test_a_door_that_nobody_has_opened_is_not_open(verify):
+    assert verify(OPEN, 0.1).failure.message == "the door is not open"
+
+
+def test_a_door_that_a_hand_has_led_open_did_not_stay_open(verify):
+    assert verify(OPEN, 0.1, opened={"opening_deg": 80.0}).failure.message == "the door did not stay open"
+
+
+def test_what_was_seen_is_not_overruled_by_the_hand_from_where_it_is_out_of_sight(verify):
+    felt = verify(OPEN, 0.1).failure
+    seen = Failure.postcondition(felt.message, **{**felt.numbers, "seen": True})
+
+    assert seen_already(seen)
+    assert not seen_already(felt)

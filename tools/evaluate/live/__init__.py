@@ -1,0 +1,1 @@
+"""Suites over the served robot: kill, connection, fuzz, load."""

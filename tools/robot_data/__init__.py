@@ -1,0 +1,1 @@
+"""Data of a robot that are computed once: pairs, reach, standing places."""

@@ -1,0 +1,47 @@
+"""Which furniture is meant by what somebody calls it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robots.scenes.furniture_names import kind_called
+from trees.beliefs.grounding.articles import with_article
+
+_EVERYDAY = frozenset({"kitchen table", "dining table", "dinner table", "living room table"})
+"""What people call a table that nothing else is called by."""
+
+
+def called_so(said: str, known: Iterable[str]) -> frozenset[str]:
+    """The words, of those that furniture is called by, that somebody means.
+
+    The very words come first. "The table" may be the side table; but the side table is none of those that are
+    called nothing but table, for it may be one that nobody has seen yet, and nobody calls a desk a table.
+
+    Args:
+        said: "table", "side table", "desk"; without an article.
+        known: What the pieces that were seen are called, without their numbers.
+    """
+    wanted, words = said.lower(), frozenset(known)
+    if same := {one for one in words if one.lower() == wanted}:
+        return frozenset(same)
+    if alike := {one for one in words if is_said_of(wanted, one)}:
+        return frozenset(alike)
+    return words & {kind_called(wanted)} if wanted in _EVERYDAY else frozenset()
+
+
+def is_said_of(kind: str, words: str) -> bool:
+    """Whether people may leave all but the kind out of what furniture is called: "table" of "side table"."""
+    return kind in (words, words.rpartition(" ")[2])
+
+
+def others_like(said: str, known: Iterable[str]) -> str:
+    """What a failure adds about furniture of that kind that is called otherwise: "; a table is"."""
+    alike = sorted({one for one in known if kind_called(one) == kind_called(said.lower())})
+    return f"; {' and '.join(map(with_article, alike))} {'is' if len(alike) == 1 else 'are'}" if alike else ""
+
+
+def may_be_called(said: str, words: str) -> bool:
+    """Whether a piece of furniture that is called so may be what somebody says: "table" of a side table."""
+    wanted = said.lower()
+    everyday = wanted in _EVERYDAY and kind_called(wanted) == words.lower()
+    return wanted in (words.lower(), kind_called(words)) or everyday

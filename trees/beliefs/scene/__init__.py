@@ -1,0 +1,1 @@
+"""Believed things and furniture, and how a look changes them."""

@@ -1,0 +1,171 @@
+"""Things as the robot believes them to be, seen from where it stands."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from kinematics.arrays import Array, Sealed
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Box, Cylinder, Shape
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.scene.support_of import half_height_m, support_of
+from trees.beliefs.scene.scene_update import kind_of
+
+PERSON = "person"
+
+
+@dataclass(frozen=True, slots=True)
+class BelievedThing(Sealed):
+    """One thing of the world model.
+
+    Attributes:
+        name: Its name in the planning scene: "red cup 2".
+        kind: Its kind: "cup".
+        color: Its colour, or None when it could not be told.
+        shape: Its solid.
+        place_m: Of its centre, from the point on the floor below the base: x ahead, y to the left, z up,
+            shape (3,).
+        half_height_m: Half its vertical extent, as it stands or lies.
+        movable: Whether it is an object that could be picked up; furniture and people are not.
+        support: Name of the furniture it stands on, or None when none is known.
+    """
+
+    name: str
+    kind: str
+    color: str | None
+    shape: Shape
+    place_m: Array
+    half_height_m: float
+    movable: bool
+    support: str | None
+
+    @property
+    def is_person(self) -> bool:
+        """People are known by their names, which begin with a capital, or as "person"."""
+        return not self.movable and (self.kind == PERSON or self.name[:1].isupper())
+
+    @property
+    def words(self) -> str:
+        """Colour, if known, and kind."""
+        return self.kind if self.color is None else f"{self.color} {self.kind}"
+
+    @property
+    def top_m(self) -> float:
+        """Height of its highest point."""
+        return float(self.place_m[2]) + self.half_height_m
+
+    @property
+    def bottom_m(self) -> float:
+        """Height of its lowest point."""
+        return float(self.place_m[2]) - self.half_height_m
+
+    @property
+    def distance_m(self) -> float:
+        """From the robot, along the floor."""
+        return float(math.hypot(self.place_m[0], self.place_m[1]))
+
+    @property
+    def radius_m(self) -> float:
+        """Of the upright cylinder around it, when it stands."""
+        if isinstance(self.shape, Box):
+            return 0.5 * math.hypot(self.shape.size_m[0], self.shape.size_m[1])
+        return self.shape.radius_m
+
+    @property
+    def volume_m3(self) -> float:
+        """Of its solid."""
+        if isinstance(self.shape, Box):
+            return math.prod(self.shape.size_m)
+        if isinstance(self.shape, Cylinder):
+            return math.pi * self.shape.radius_m**2 * self.shape.height_m
+        return 4.0 / 3.0 * math.pi * self.shape.radius_m**3
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings(Sealed):
+    """What the robot believes to be around it.
+
+    Attributes:
+        things: Objects and furniture, in the order of their names.
+        held: Names of what is in its hands.
+        last_acted_on: Name of the object that the task before was about, or None.
+        here_T_asked: Where the robot stood when it was asked, from where it stands, shape (4, 4).
+        sent_to: Name of the furniture that it was told to walk to, and has; "the cup" is the one there.
+    """
+
+    things: tuple[BelievedThing, ...]
+    held: tuple[str, ...] = ()
+    last_acted_on: str | None = None
+    here_T_asked: Transform = field(default_factory=lambda: np.eye(4))
+    sent_to: str | None = None
+
+    @property
+    def objects(self) -> tuple[BelievedThing, ...]:
+        """What could be picked up."""
+        return tuple(thing for thing in self.things if thing.movable)
+
+    @property
+    def furniture_words(self) -> frozenset[str]:
+        """What the furniture is called, without numbers."""
+        return frozenset(thing.kind for thing in self.things if not thing.movable and not thing.is_person)
+
+    def only(self, names: tuple[str, ...]) -> Surroundings:
+        """The same with no other objects than those named."""
+        kept = tuple(thing for thing in self.things if not thing.movable or thing.name in names)
+        return replace(self, things=kept)
+
+    def without(self, names: tuple[str, ...]) -> Surroundings:
+        """The same without some things."""
+        kept = tuple(thing for thing in self.things if thing.name not in names)
+        return replace(self, things=kept)
+
+
+def surroundings(
+    scene: PlanningScene,
+    odom_T_base: Transform,
+    support_gap_m: float,
+    last_acted_on: str | None = None,
+    asked_at: Transform | None = None,
+    sent_to: str | None = None,
+) -> Surroundings:
+    """Look at a planning scene from where the robot stands.
+
+    Args:
+        scene: What is believed; in the odometry frame.
+        odom_T_base: Pose of the robot's base, shape (4, 4); only place and heading count.
+        support_gap_m: Between an object's lowest point and what it stands on, at most.
+        last_acted_on: Name of the object that the task before was about.
+        asked_at: Pose of the base when the robot was asked, shape (4, 4); None is the same place.
+        sent_to: As for ``Surroundings``.
+    """
+    floor_place = (float(odom_T_base[0, 3]), float(odom_T_base[1, 3]), 0.0)
+    standing = poses.transform(poses.rotation_z(poses.yaw_of(odom_T_base[:3, :3])), floor_place)
+    base_T_odom = poses.inverse(standing)
+    things = [_thing(item, scene, base_T_odom, support_gap_m) for _, item in sorted(scene.objects.items())]
+    asked = base_T_odom @ (odom_T_base if asked_at is None else asked_at)
+    return Surroundings(tuple(things), tuple(sorted(scene.attached)), last_acted_on, asked, sent_to)
+
+
+def split_words(words: str) -> tuple[str, str | None]:
+    """Kind and colour of "red cup 2"; the kind is the last word, furniture has no colour."""
+    *color, kind = kind_of(words).split() or [words]
+    return kind, " ".join(color) or None
+
+
+def _thing(item: SceneObject, scene: PlanningScene, base_T_odom: Transform, gap_m: float) -> BelievedThing:
+    kind, color = split_words(item.name) if item.movable else (kind_of(item.name), None)
+    support = support_of(item, scene, gap_m) if item.movable else None
+    return BelievedThing(
+        name=item.name,
+        kind=kind,
+        color=color,
+        shape=item.shape,
+        place_m=(base_T_odom @ item.world_T_object)[:3, 3],
+        half_height_m=half_height_m(item),
+        movable=item.movable,
+        support=None if support is None else support.name,
+    )

@@ -1,0 +1,133 @@
+"""Fold what a look saw into the planning scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.geometry.shapes import Box
+from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
+from robots.perception.object_estimate import ObjectEstimate
+from trees.policy import TreePolicy
+
+
+@dataclass(frozen=True, slots=True)
+class SceneUpdate:
+    """The new scene, and the estimates of this look by the names that they have in it."""
+
+    scene: PlanningScene
+    seen: Mapping[str, ObjectEstimate]
+
+
+def kind_of(name: str) -> str:
+    """The words of an object's name without its number: "red cup 2" is a "red cup"."""
+    return name.rstrip("0123456789").rstrip()
+
+
+def words_for(estimate: ObjectEstimate) -> str:
+    """How a thing is called: colour, if known, and kind; people and furniture by their names, or kinds."""
+    if estimate.category != "object":
+        return estimate.name or estimate.kind
+    if estimate.color is None:
+        return estimate.kind
+    return f"{estimate.color} {estimate.kind}"
+
+
+def updated_scene(
+    scene: PlanningScene,
+    estimates: Iterable[ObjectEstimate],
+    policy: TreePolicy,
+    could_be_unseen: Callable[[SceneObject], bool],
+    may_have_moved: bool = True,
+    reserved: Collection[str] = (FLOOR,),
+) -> SceneUpdate:
+    """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
+
+    Names are kept from look to look. Furniture is never dropped: it does not walk away, and a
+    robot that forgets a table runs into it. An object that was not seen is kept only where it may be
+    out of view or hidden, and only while no other of its kind and colour has appeared (then it moved).
+
+    Args:
+        scene: What was believed before.
+        estimates: What this look saw, in the odometry frame.
+        policy: Margins, and how far apart two sightings of one object may be.
+        could_be_unseen: Whether a thing could be where it is believed to be without being seen.
+        may_have_moved: Whether one that appears may be one that was elsewhere before; not while the head
+            merely looks around.
+        reserved: Names of the robot's parts and of the floor, by which the scene tells what may touch: what
+            is called so is numbered from 2 on ("floor 2").
+    """
+    groups: dict[str, list[ObjectEstimate]] = {}
+    for estimate in estimates:
+        groups.setdefault(words_for(estimate), []).append(estimate)
+    objects: dict[str, SceneObject] = {}
+    seen: dict[str, ObjectEstimate] = {}
+    known_words = [kind_of(name) for name in scene.objects]
+    for words in sorted({*groups, *known_words}):
+        known = {name: item for name, item in scene.objects.items() if kind_of(name) == words}
+        fresh = groups.get(words, [])
+        furniture = any(not item.movable for item in known.values())
+        matched = _match(known, fresh, policy.same_furniture_m if furniture else policy.same_object_m)
+        strangers = [estimate for estimate in fresh if not any(estimate is m for m in matched.values())]
+        for name, item in known.items():
+            if name in matched:
+                continue
+            moved = bool(strangers) and may_have_moved
+            stays = not item.movable or (not moved and could_be_unseen(item))
+            if stays:
+                objects[name] = item
+        taken = {*objects, *matched, *scene.attached, *reserved}
+        for estimate in sorted(strangers, key=_face_m2, reverse=True):  # "table" is its top, not a leg
+            name = _free_name(words, taken)
+            taken.add(name)
+            matched[name] = estimate
+        for name, estimate in matched.items():
+            objects[name] = scene_object(name, estimate, policy)
+            seen[name] = estimate
+    return SceneUpdate(scene.with_objects(objects.values()), seen)
+
+
+def _match(
+    known: Mapping[str, SceneObject], fresh: list[ObjectEstimate], within_m: float
+) -> dict[str, ObjectEstimate]:
+    """Pair names with estimates, nearest pairs first, each at most once."""
+    pairs = sorted(
+        (float(np.linalg.norm(item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3])), name, i)
+        for name, item in known.items()
+        for i, estimate in enumerate(fresh)
+    )
+    matched: dict[str, ObjectEstimate] = {}
+    used: set[int] = set()
+    for distance, name, i in pairs:
+        if distance <= within_m and name not in matched and i not in used:
+            matched[name] = fresh[i]
+            used.add(i)
+    return matched
+
+
+def _free_name(words: str, taken: set[str]) -> str:
+    number = 1
+    name = words
+    while name in taken:
+        number += 1
+        name = f"{words} {number}"
+    return name
+
+
+def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
+    """What was seen, as a planning scene has it."""
+    fixed = estimate.category != "object"
+    return SceneObject(
+        name=name,
+        shape=estimate.shape,
+        world_T_object=estimate.odom_T_object,
+        margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
+        movable=not fixed,
+    )
+
+
+def _face_m2(estimate: ObjectEstimate) -> float:
+    """Of a box from above; nothing for what is round. A fridge is its boards, not its back."""
+    return estimate.shape.size_m[0] * estimate.shape.size_m[1] if isinstance(estimate.shape, Box) else 0.0

@@ -1,0 +1,1 @@
+"""Nodes of trees: the leaf's life cycle, control nodes, judgements, wiring."""

@@ -1,0 +1,121 @@
+"""A leaf that plans one simple motion, has it checked, and makes it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.common import Status
+
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.gesture import GestureRequest
+from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
+from kinematics.requests.step import NoPlan
+from kinematics.requests.view import ViewRequest
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from trees.failures import Failure
+from trees.nodes.arrival import arrival
+from trees.nodes.leaf import DONE, RUNNING, Leaf
+from trees.nodes.motion_leaf import motion_failure
+from trees.nodes.plan_failures import no_plan_failure, unsafe_failure, why_stale
+from trees.toolbox import Job
+
+
+class PlannedMotionLeaf(Leaf):
+    """Plan, check, stream and measure the arrival of one motion, in one leaf.
+
+    For motions that are a means to something else: looking somewhere, backing out, going home.
+    """
+
+    _job: Job | None = None
+    _checked: CheckedTrajectory | None = None
+    _handle: MotionHandle | None = None
+    _arrived_by_s: float = 0.0
+    _world_version: int = 0
+    _refused: Failure | None = None
+    _planned_anew: bool = False
+
+    def goal(self) -> MoveRequest | RetreatRequest | GestureRequest | ViewRequest | Failure | None:
+        """What to plan; None when the robot is there already, or why there is nothing to plan."""
+        raise NotImplementedError
+
+    @property
+    def deadline_s(self) -> float:
+        """The contract's deadline, longer by the motion's own duration once that is known."""
+        extra = 0.0 if self._checked is None else self._checked.trajectory.duration_s
+        return self.CONTRACT.deadline_s + extra
+
+    def begin(self) -> None:
+        """Submit the planning job."""
+        self._job = self._checked = self._handle = None
+        self._world_version = self.toolbox.world.scene.version
+        self._refused, self._planned_anew = None, False
+        goal = self.goal()
+        if isinstance(goal, Failure):
+            self._refused = goal
+        elif goal is not None:
+            self._job = self.toolbox.planning.submit(goal)
+            self.feedback_message = "planning"
+
+    def step(self) -> Status | Failure:
+        """Plan, check, move; whichever is under way."""
+        if self._refused is not None:
+            return self._refused
+        if self._handle is not None:
+            return self._follow(self._handle)
+        if self._job is None:
+            self.feedback_message = "already there"
+            return DONE
+        if not self._job.done:
+            return RUNNING
+        answer: Any = self._job.result()
+        self._job = None
+        if isinstance(answer, NoPlan):
+            return no_plan_failure(answer)
+        if isinstance(answer, Unsafe):
+            return self._once_more(answer)
+        if isinstance(answer, MovePlan):
+            self._job = self.toolbox.planning.submit(answer.step.question)
+            self.feedback_message = "checking"
+            return RUNNING
+        if isinstance(answer, CheckedTrajectory):
+            return self._start(answer)
+        raise TypeError(f"the planner answered {type(answer).__name__} to {self.name}")
+
+    def release(self, reason: str) -> None:
+        """Forget the job; brake and hold."""
+        if self._job is not None:
+            self._job.cancel()
+        if self._handle is not None and not self._handle.finished:
+            self.toolbox.motion.cancel(self._handle, reason)
+
+    def _once_more(self, answer: Unsafe) -> Status | Failure:
+        """A plan found by chance may be too near to something by a hair; another one seldom is."""
+        goal = None if self._planned_anew else self.goal()
+        if not isinstance(goal, MoveRequest):
+            return unsafe_failure(self.name, answer)
+        self._planned_anew, self._world_version = True, self.toolbox.world.scene.version
+        self._job = self.toolbox.planning.submit(goal)
+        self.feedback_message = "planning anew"
+        return RUNNING
+
+    def _start(self, checked: CheckedTrajectory) -> Status | Failure:
+        stale = why_stale(self.name, self._world_version, self.toolbox.world.scene.version)
+        if stale is not None:
+            return stale
+        self._checked = checked
+        self._arrived_by_s = (
+            self.elapsed_s + checked.trajectory.duration_s + self.toolbox.policy.motion_slack_s
+        )
+        self._handle = self.toolbox.motion.start(checked)
+        return RUNNING
+
+    def _follow(self, handle: MotionHandle) -> Status | Failure:
+        if (ended := motion_failure(handle)) is not None:
+            return ended
+        if handle.status is MotionStatus.RUNNING:
+            self.feedback_message = f"moving {handle.progress:.0%}"
+            return RUNNING
+        if self._checked is None:
+            raise RuntimeError(f"{self.name} moves without a checked trajectory")
+        self.feedback_message = "arrived"
+        return arrival(self, self._checked, self._arrived_by_s)

@@ -1,0 +1,96 @@
+"""A decorator that skips its child where that is not needed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.decorators import Decorator
+from py_trees.ports import PortsMixin
+
+from trees.failures import Failure, FailureKind
+from trees.nodes.ports import ports
+
+
+class Skipping(PortsMixin, Decorator):
+    """Ticks its child while ``needed`` when it begins; otherwise succeeds at once.
+
+    A subclass declares ``INPUT_PORTS`` and ``OUTPUT_PORTS``, and fills in ``needed``.
+    """
+
+    transparent = True
+
+    def __init__(self, name: str, child: Behaviour) -> None:
+        super().__init__(name=name, child=child)
+        self.wiring: Mapping[str, str] = {}
+
+    def needed(self) -> bool:
+        """Whether the child is to be ticked; asked before each beginning."""
+        raise NotImplementedError
+
+    def wire(self, namespace: str) -> None:
+        """Connect the ports inside a tree's namespace."""
+        self.setup_ports({port: self.wiring.get(port, port) for port in self.INPUT_PORTS}, namespace)
+
+    def tick(self) -> Iterator[Behaviour]:
+        """Skip the child, or tick it."""
+        if self.status is Status.RUNNING or self.needed():
+            yield from super().tick()
+            return
+        self.stop(Status.INVALID)
+        self.feedback_message = "not needed"
+        self.stop(Status.SUCCESS)
+        yield self
+
+    def update(self) -> Status:
+        """The child's status."""
+        self.feedback_message = ""
+        return self.decorated.status
+
+
+class OnlyAfter(Skipping):
+    """Ticks its child when the failure at its port is of one of the kinds; otherwise succeeds at once.
+
+    Attributes:
+        kinds: The kinds.
+    """
+
+    INPUT_PORTS = ports(failure=Failure)
+    OUTPUT_PORTS = ports()
+
+    def __init__(self, child: Behaviour, kinds: frozenset[FailureKind]) -> None:
+        super().__init__(f"{child.name} if it helps", child)
+        self.kinds = kinds
+
+    def needed(self) -> bool:
+        """Whether the failure is of those kinds."""
+        return self.get_input("failure").kind in self.kinds
+
+
+class UnlessHeld(Skipping):
+    """Ticks its child when what is meant is in no hand; otherwise succeeds at once."""
+
+    INPUT_PORTS = ports(in_hand=bool)
+    OUTPUT_PORTS = ports()
+
+    def __init__(self, child: Behaviour) -> None:
+        super().__init__(f"{child.name} unless held", child)
+
+    def needed(self) -> bool:
+        """Whether it has to be picked up."""
+        return not self.get_input("in_hand")
+
+
+class IfShifted(Skipping):
+    """Ticks its child when what is carried has shifted; otherwise succeeds at once."""
+
+    INPUT_PORTS = ports(shifted=bool)
+    OUTPUT_PORTS = ports()
+
+    def __init__(self, child: Behaviour) -> None:
+        super().__init__(f"{child.name} if it has shifted", child)
+
+    def needed(self) -> bool:
+        """Whether what was planned is for another pose in the hand."""
+        return bool(self.get_input("shifted"))

@@ -1,0 +1,40 @@
+"""Values that are known before a tree begins."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.ports import PortsMixin
+
+from trees.nodes.ports import ports
+
+
+class Given(PortsMixin, Behaviour):
+    """Writes one value to the key "given", and succeeds; wire it to where the value is wanted."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports(given=object)
+
+    def __init__(self, name: str, key: str, value: Any) -> None:
+        """Make the node.
+
+        Args:
+            name: Its name.
+            key: Where the value goes.
+            value: What goes there.
+        """
+        super().__init__(name)
+        self.wiring: Mapping[str, str] = {"given": key}
+        self._value = value
+
+    def wire(self, namespace: str) -> None:
+        """Connect the port inside a tree's namespace."""
+        self.setup_ports({"given": self.wiring["given"]}, namespace)
+
+    def update(self) -> Status:
+        """Write it."""
+        self._set_output("given", self._value)
+        return Status.SUCCESS

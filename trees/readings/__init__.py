@@ -1,0 +1,1 @@
+"""What a leaf reads off the toolbox: odometry, hands, touch, what is around."""

@@ -1,0 +1,29 @@
+"""Where the body is, on the floor."""
+
+from __future__ import annotations
+
+import math
+
+from kinematics.geometry.planar import PlanarPose
+from trees.beliefs.grounding.destination import Place
+from trees.toolbox import Toolbox
+
+
+def body_pose(toolbox: Toolbox) -> PlanarPose:
+    """Where the base is believed to be in the odometry frame, and where it heads."""
+    x, y, _, qx, qy, qz, qw = toolbox.sensing.state().q[:7].tolist()
+    heading = math.atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
+    return PlanarPose(x, y, heading)
+
+
+def feet_pose(toolbox: Toolbox) -> PlanarPose:
+    """The middle between the feet that the robot stands on, and where they point."""
+    soles = [PlanarPose.of(pose) for _, pose in toolbox.motion.stance().soles]
+    return PlanarPose.between(soles[0], soles[-1])
+
+
+def bearing_rad(toolbox: Toolbox, place: Place) -> float:
+    """Where a place is from where the feet point, to the left, in (-pi, pi]."""
+    x_m, y_m = place.odom_T_place[:2, 3].tolist()
+    there = feet_pose(toolbox).to(PlanarPose(x_m, y_m))
+    return math.atan2(there.y_m, there.x_m)

@@ -1,0 +1,1 @@
+"""One folder a skill: its tree, its leaves, its geometry."""

@@ -1,0 +1,1 @@
+"""What pick, place, hand over and put in share: getting a thing into a hand, keeping it, letting go."""

@@ -1,0 +1,34 @@
+"""Get the object of a task into a hand."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.nodes.alternatives import Alternatives
+from trees.nodes.judgements import no_pick_helps
+from trees.nodes.leaf import Leaf
+from trees.nodes.wiring import rewired
+from trees.skills.carrying.ask_for_pick import AskForPick
+from trees.skills.carrying.take_held import IsHeld, TakeHeld
+from trees.skills.pick.tree import pick
+from trees.toolbox import Toolbox
+
+
+def have_it(toolbox: Toolbox, know_goal: Behaviour | None = None) -> Behaviour:
+    """It is in a hand already, or it is picked up. Reads "task", writes "held".
+
+    Args:
+        toolbox: What leaves may call.
+        know_goal: Finds out where it goes before it is picked up, or asks.
+    """
+    fetch = fetched("fetch it", AskForPick("say what", toolbox), toolbox)
+    if know_goal is not None:
+        fetch.insert_child(know_goal, 1)
+    return Alternatives("have it", [IsHeld("is it held", toolbox), fetch], hopeless=no_pick_helps)
+
+
+def fetched(name: str, ask: Leaf, toolbox: Toolbox) -> Sequence:
+    """A pick of what a leaf asks for; that leaf writes "pick_task". Writes "held"."""
+    picked = rewired(pick(toolbox), {"task": "pick_task"})
+    return Sequence(name, memory=True, children=[ask, picked, TakeHeld("take hold", toolbox)])

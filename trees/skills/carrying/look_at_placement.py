@@ -1,0 +1,26 @@
+"""Turn the head to where the object was put, leaning over where that is not enough."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from trees.nodes.ports import ports
+from trees.port_values import Placement
+from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.look_at import joints_that_show
+
+
+class LookAtPlacement(Aim):
+    """Bring the placement to the middle of the picture.
+
+    What stands at the near edge of a table is below the picture of who stands upright: trunk and head look
+    at it together then.
+    """
+
+    INPUT_PORTS = ports(placement=Placement)
+    OUTPUT_PORTS = ports()
+
+    def joints(self) -> Mapping[str, float]:
+        """The goal of the head's joints, and of the trunk's if need be, rad."""
+        place = self.get_input("placement").odom_T_object[:3, 3]
+        return joints_that_show(self.toolbox, place)

@@ -1,0 +1,1 @@
+"""Open and close hinged doors and drawers."""

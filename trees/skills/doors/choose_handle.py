@@ -1,0 +1,60 @@
+"""Choose the door or drawer that a task means, once those beside it were seen as well."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.common import Status
+
+from trees.beliefs.openings.handles import HandleTarget
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import ports
+from trees.readings.odometry import feet_pose
+from trees.skills.doors.known_parts import known_parts
+from trees.skills.doors.meant_part import kind_meant, meant_part
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.toolbox import Toolbox
+
+
+class ChooseHandle(Leaf):
+    """Among all that was seen: "the right fridge" may not be the one that a look showed first."""
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object, seen=HandleTarget)
+    OUTPUT_PORTS = ports(handle=HandleTarget)
+    CONTRACT = Contract(
+        precondition="a handle of the kind was seen, and what is beside it looked at",
+        postcondition="the handle is the one that the task means, of all that were seen",
+        deadline_s=1.0,
+    )
+
+    def __init__(
+        self, name: str, toolbox: Toolbox, *, pushed: bool, wiring: Mapping[str, str] | None = None
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            pushed: Whether a door's front is enough, without its handle.
+            wiring: Other names of its ports.
+        """
+        super().__init__(name, toolbox, {"seen": "handle", **(wiring or {})})
+        self._pushed = pushed
+
+    def step(self) -> Status | Failure:
+        """An answer has chosen already."""
+        task: OpenTask | CloseTask = self.get_input("task")
+        wanted, first = task.object, self.get_input("seen")
+        named = isinstance(wanted, ObjectDescription) and wanted.name is not None
+        _, kind = kind_meant(task)
+        known = known_parts(self.toolbox.world.scene, feet_pose(self.toolbox), self._pushed)
+        fitting = [item for item in known if kind in (None, item.kind)]
+        chosen = first if named or not fitting else meant_part(task, fitting, self.toolbox)
+        if isinstance(chosen, Failure):
+            return chosen
+        self._set_output("handle", chosen)
+        self.feedback_message = f"{chosen.part}, of {len(fitting)}"
+        return DONE

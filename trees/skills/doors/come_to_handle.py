@@ -1,0 +1,43 @@
+"""Stand where a handle can be led all its way."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.nodes.alternatives import Alternatives
+from trees.nodes.judgements import defect
+from trees.nodes.retry import Retry
+from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
+from trees.skills.doors.walk_to_handle import WalkToHandle
+from trees.skills.walk_to.tree import another_walk_is_useless
+from trees.skills.walking.ready_to_walk import ReadyToWalk
+from trees.skills.walking.walk_with_room import with_room
+from trees.toolbox import Toolbox
+
+_WALKS = 3
+
+
+def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
+    """Nothing where the robot stands well; else walk there, look again, and correct.
+
+    Args:
+        toolbox: What leaves may call.
+        look_again: Sees the handle anew; reads "task", writes "handle".
+    """
+    walk = WalkToHandle("walk", toolbox, if_hands_fit=True)
+    attempt = Sequence(
+        "walk there",
+        memory=True,
+        children=[
+            ReadyToWalk("stand upright", toolbox),
+            with_room(toolbox, walk, WalkToHandle("walk", toolbox)),
+            look_again,
+            StandsAtHandle("stand well", toolbox),
+        ],
+    )
+    again = ReadyToWalk("stand upright", toolbox)
+    walks = Retry("walks", attempt, again, _WALKS, another_walk_is_useless)
+    return Alternatives(
+        "come to it", [StandsThereAlready("stand well already", toolbox), walks], hopeless=defect
+    )

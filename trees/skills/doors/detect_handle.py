@@ -1,0 +1,90 @@
+"""See a door or drawer with its handle, and remember it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics.scene.planning_scene import SceneObject
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.articles import with_article
+from trees.beliefs.openings.handles import HandleTarget, handles_in, same_front
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.ports import optional, ports
+from trees.readings.odometry import feet_pose
+from trees.skills.doors.meant_part import kind_meant, meant_part, misnamed
+from trees.skills.looking.folded_look import folded_look
+from trees.skills.looking.look_leaf import LookLeaf, View
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.toolbox import Toolbox
+
+
+class DetectHandle(LookLeaf):
+    """Fuse a few frames into the world model, and find the handle of what the task names.
+
+    A search looks from gaze to gaze: that it is not seen from one of them is an answer. What was chosen
+    before is seen again, and no other one; the only one in a look is taken till ``ChooseHandle`` has seen
+    the rest.
+    """
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object, known=optional(HandleTarget))
+    OUTPUT_PORTS = ports(handle=HandleTarget)
+    CONTRACT = Contract(
+        precondition="the head is at rest",
+        postcondition="exactly one handle that fits was seen with what it opens; everything seen is in the "
+        "world model",
+        deadline_s=2.0,
+    )
+
+    def __init__(self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None) -> None:
+        """Make the leaf; what was chosen before is the "handle" where no wiring says otherwise."""
+        super().__init__(name, toolbox, {"known": "handle", **(wiring or {})})
+
+    def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+        """What of a look can be moved."""
+        return handles_in(seen, feet_pose(self.toolbox))
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """Update the world model, then choose."""
+        before = self.toolbox.world.scene
+        update = folded_look(self.toolbox, views)
+        self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
+        task: OpenTask | CloseTask = self.get_input("task")
+        wanted = task.object
+        noun, kind = kind_meant(task)
+        if noun is not None and kind is None:
+            return Failure.infeasible(f"{with_article(noun)} is nothing that I can open or close")
+        fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
+        if not fitting:
+            return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
+        named = wanted.name if isinstance(wanted, ObjectDescription) else None
+        chosen = before.objects.get(named) if named is not None else None
+        known: HandleTarget | None = self.optional("known")
+        if chosen is not None:  # an answer: names may have changed with this look, places have not
+            handle = min(fitting, key=lambda item: self._away_m(item, chosen))
+        elif known is not None:
+            same = same_front(known, fitting, update.scene)
+            if same is None:
+                return Failure.postcondition(f"the {known.kind} that is meant is not seen from here")
+            handle = same
+        elif (wrong := misnamed(task, fitting)) is not None:
+            return wrong
+        elif len(fitting) == 1:
+            (handle,) = fitting
+        elif isinstance(meant := meant_part(task, fitting, self.toolbox), Failure):
+            return meant
+        else:
+            handle = meant
+        self._set_output("handle", handle)
+        self.feedback_message = f"{handle.part}, open by {handle.shown(handle.opening):.2f} {handle.unit}"
+        return DONE
+
+    def _away_m(self, item: HandleTarget, known: SceneObject) -> float:
+        """How far a part is from where something was known to be."""
+        part = self.toolbox.world.scene.objects[item.part]
+        return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))

@@ -1,0 +1,36 @@
+"""Where to stand to open or close something: docs/doors.md tells how the numbers were found."""
+
+from __future__ import annotations
+
+from kinematics.geometry.planar import PlanarPose
+from kinematics.scene.opening_path import DoorArc, DrawerLine
+from trees.beliefs.openings.handles import HandleTarget
+
+HINGE_AHEAD_M, HINGE_ASIDE_M, DOOR_TURNED_RAD = 0.80, 0.75, 0.15
+"""The plane of a door's hinge ahead, the hinge to the side of the hand, and the door turned towards it."""
+BAR_AHEAD_M, BAR_ASIDE_M = 0.66, 0.34
+"""A drawer's bar, before the shoulder."""
+NEAR_M, NEAR_RAD = 0.22, 0.25
+"""A robot that stands so near to the place does not walk: the planner says whether the handle is in reach."""
+
+
+def handle_standing_place(target: HandleTarget, body: PlanarPose) -> PlanarPose:
+    """The pose of the body from which a handle's whole way is within reach.
+
+    Args:
+        target: The handle; its path is in the odometry frame.
+        body: Where the body is now: a drawer is taken by the hand that is nearer then.
+
+    Raises:
+        TypeError: The path is that of nothing known.
+    """
+    path = target.path
+    if isinstance(path, DoorArc):
+        hinge = PlanarPose(float(path.hinge_m[0]), float(path.hinge_m[1]), path.closed_yaw_rad)
+        seen = PlanarPose(HINGE_AHEAD_M, path.side * HINGE_ASIDE_M, path.side * DOOR_TURNED_RAD)
+        return hinge @ seen.inverse()
+    if isinstance(path, DrawerLine):
+        bar = PlanarPose(float(path.closed_m[0]), float(path.closed_m[1]), path.yaw_rad)
+        places = [bar @ PlanarPose(-BAR_AHEAD_M, side * BAR_ASIDE_M) for side in (-1.0, 1.0)]
+        return min(places, key=body.distance_m)
+    raise TypeError(f"nothing is known about {type(path).__name__}")

@@ -1,0 +1,54 @@
+"""What is known of a handle once a hand holds it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinematics.arrays import Array, Sealed
+from kinematics.requests.grasp import Grasp
+from kinematics.scene.concessions import Concession, ConcessionReason, touching, with_touching
+from kinematics.scene.opening_path import OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
+from trees.beliefs.openings.drawer_inside import without_drawn
+from trees.beliefs.openings.handles import HandleTarget
+from trees.toolbox import Toolbox
+
+
+@dataclass(frozen=True, slots=True)
+class HeldHandle(Sealed):
+    """A handle in a hand.
+
+    Attributes:
+        target: Which handle.
+        grasp: How it is held.
+        path: Of the TCP that holds it.
+        bias: Of the hand's force estimate, measured before anything was touched, shape (6,); None where it
+            is to be measured when the hand sets out.
+    """
+
+    target: HandleTarget
+    grasp: Grasp
+    path: OpeningPath
+    bias: Array | None
+
+
+def scene_of_hand(toolbox: Toolbox, target: HandleTarget, grasp: Grasp) -> PlanningScene:
+    """The present scene, in which the hand may touch the handle and what it opens."""
+    scene = without_drawn(toolbox.world.scene)
+    return with_touching(scene, hand_concessions(toolbox, target, grasp, "lead"))
+
+
+def hand_concessions(
+    toolbox: Toolbox, target: HandleTarget, grasp: Grasp, step: str
+) -> tuple[Concession, ...]:
+    """What the hand may touch at a handle, asked of whoever judges the step."""
+    links = toolbox.model.description.grippers[grasp.hand].touch_links
+    scene = without_drawn(toolbox.world.scene)
+    parts = [name for name in (target.part, target.handle) if name in scene.objects]
+    return touching(links, parts, ConcessionReason.HANDLE_IN_HAND, step)
+
+
+def tcp_m(toolbox: Toolbox, grasp: Grasp, q: Array) -> Array:
+    """Where the hand's TCP is at a configuration, shape (3,)."""
+    frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
+    return toolbox.model.frame_pose(q, frame)[:3, 3]

@@ -1,0 +1,114 @@
+"""Which door or drawer is meant, among several."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from robots.scenes.scene_description import Region
+from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
+from trees.beliefs.grounding.names_of_things import may_name_a
+from trees.beliefs.grounding.questions import which_is_meant
+from trees.beliefs.grounding.ranking import wrong_side
+from trees.beliefs.openings.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
+from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
+from trees.failures import Failure
+from trees.readings.around import what_is_around
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.toolbox import Toolbox
+
+_NOT_ALONE = frozenset({"bottom", "lowest", "lower", "middle", "central", "last"})
+"""What nobody calls the only one."""
+
+
+def meant_part(
+    task: OpenTask | CloseTask, fitting: Sequence[HandleTarget], toolbox: Toolbox
+) -> HandleTarget | Failure:
+    """The one that is described: "the top drawer", "the left door"; a question where several are.
+
+    Of several that nothing tells apart it is the only one that is not open, or shut, already.
+
+    Args:
+        task: What is to be done.
+        fitting: At least one; each is in the planning scene.
+        toolbox: Tells where the robot stands, and what is around it.
+    """
+    if (wrong := misnamed(task, fitting)) is not None:
+        return wrong
+    described = replace(_described(task), name=None)
+    around = what_is_around(toolbox)
+    parts = {item.part: item for item in fitting}
+    if described == ObjectDescription(described.kind):
+        undone = {item.part: item for item in fitting if not is_so(task, item)}
+        parts = undone or {item.part: item for item in fitting[:1]}
+    room = _room_of(described, toolbox)
+    if room is not None:
+        described = replace(described, relation=None)
+        parts = {name: item for name, item in parts.items() if _is_in(room, name, toolbox)}
+    among = [thing for thing in around.things if thing.name in parts]
+    match _told(described, around, among):
+        case Ambiguous() as unclear:
+            return which_is_meant(unclear)
+        case Missing(message):
+            return Failure.postcondition(message)
+        case Found(names):
+            return parts[names[0]]
+
+
+def misnamed(task: OpenTask | CloseTask, fitting: Sequence[HandleTarget]) -> Failure | None:
+    """Why none of them is meant: a name that contradicts the kind is another thing's."""
+    wanted = _described(task)
+    if wanted.name is None or any(item.part == wanted.name for item in fitting):
+        return None
+    kinds = MEANT_BY if wanted.kind is None else (wanted.kind,)
+    if any(may_name_a(kind, wanted.name) for kind in kinds):
+        return None
+    return Failure.postcondition(f"no {wanted.name} seen")
+
+
+def _described(task: OpenTask | CloseTask) -> ObjectDescription:
+    return task.object if isinstance(task.object, ObjectDescription) else ObjectDescription()
+
+
+def kind_meant(task: OpenTask | CloseTask) -> tuple[str | None, str | None]:
+    """The noun that was said, and "door" or "drawer" where it means one; None for what was left open."""
+    noun = task.object.kind if isinstance(task.object, ObjectDescription) else None
+    return noun, None if noun is None else MEANT_BY.get(noun)
+
+
+def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:
+    """Whether a door or drawer is as the task wants it."""
+    if isinstance(task, OpenTask):
+        return item.opening >= OPEN_ENOUGH[item.kind]
+    return item.opening <= SHUT[item.kind]
+
+
+def _told(
+    described: ObjectDescription, around: Surroundings, among: list[BelievedThing]
+) -> Found | Missing | Ambiguous:
+    """As for objects; but colours of furniture are not seen, and the only one is not called the last."""
+    if not among:
+        return Missing(f"no {described} seen")
+    if described.color is not None:
+        question = f"which one is {described.color}? that is not seen of what opens"
+        return Ambiguous(question, choices_among(among))
+    if len(among) == 1 and described.ordinal is not None:
+        aside = wrong_side(described.ordinal, among[0])
+        if aside is not None:
+            return Missing(f"only one {among[0].kind} seen, and it is on the {aside}")
+        if described.ordinal in _NOT_ALONE:
+            return Missing(f"only one {among[0].kind} seen")
+    return ground(described, around, among=among)
+
+
+def _room_of(described: ObjectDescription, toolbox: Toolbox) -> Region | None:
+    """The room of the map that it is said to be in."""
+    relation = described.relation
+    if relation is None or not isinstance(relation.to, str):
+        return None
+    return toolbox.places.get(relation.to)
+
+
+def _is_in(room: Region, part: str, toolbox: Toolbox) -> bool:
+    x_m, y_m = toolbox.world.scene.objects[part].world_T_object[:2, 3].tolist()
+    return room.contains(x_m, y_m)

@@ -1,0 +1,76 @@
+"""Plan to take hold of a handle."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.ports import PortInformation
+
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.handle import HandlePlan, HandleRequest
+from kinematics.requests.step import NoPlan
+from trees.beliefs.openings.drawer_inside import without_drawn
+from trees.beliefs.openings.handles import CLOSE_TO, OPEN_TO, HandleTarget
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.job_leaf import JobLeaf
+from trees.nodes.plan_failures import no_plan_failure
+from trees.nodes.ports import ports
+from trees.port_values import Step
+from trees.skills.doors.pushed_front import PUSH_TO_RAD
+from trees.tasks import OpenTask
+
+
+class PlanHandle(JobLeaf):
+    """Have the planner choose a grasp of the handle from which its whole way is within reach."""
+
+    INPUT_PORTS = ports(
+        task=object,
+        handle=HandleTarget,
+        tried=PortInformation(frozenset, default_value=frozenset()),
+    )
+    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step, lead_to=float)
+    CONTRACT = Contract(
+        precondition="the handle is in the world model; the robot is at rest",
+        postcondition="reach starts at the reference, approach follows on; from there the hand was found to "
+        "reach every point of the handle's way",
+        deadline_s=20.0,
+    )
+
+    def request(self) -> HandleRequest:
+        """The hands of the target, unless one is named."""
+        toolbox, task = self.toolbox, self.get_input("task")
+        target: HandleTarget = self.get_input("handle")
+        self._world_version = toolbox.world.scene.version
+        if target.pushed:
+            self._lead_to = PUSH_TO_RAD
+        else:
+            self._lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
+        return HandleRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=without_drawn(toolbox.world.scene),
+            handle=target.handle,
+            parts=tuple(dict.fromkeys((target.part, target.handle))),
+            path=target.path,
+            s_from=target.opening,
+            s_to=self._lead_to,
+            hands=target.hands if task.hand is None else (task.hand,),
+            excluded=self.get_input("tried"),
+            seed=int(toolbox.rng.integers(2**31)),
+            pushed=target.part if target.pushed else "",
+        )
+
+    def accept(self, answer: Any) -> Failure | None:
+        """Write grasp and steps."""
+        if isinstance(answer, NoPlan):
+            return no_plan_failure(answer)
+        if not isinstance(answer, HandlePlan):
+            raise TypeError(f"the planner answered {type(answer).__name__} for a handle")
+        self._set_output("grasp", answer.grasp)
+        self._set_output("lead_to", self._lead_to)
+        for port, step in (("reach", answer.reach), ("approach", answer.approach)):
+            self._set_output(port, Step.of(step, self._world_version))
+        self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
+        self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
+        return None

@@ -1,0 +1,1 @@
+"""Wave, point at, look at."""

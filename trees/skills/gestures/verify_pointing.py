@@ -1,0 +1,39 @@
+"""Measure where the arms point."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from kinematics.ik.pointing import pointing_error_m
+from kinematics.model.robot_description import HANDS
+from trees.beliefs.grounding.destination import Place
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import ports
+
+
+class VerifyPointing(Leaf):
+    """See by the encoders that an arm points at what is meant."""
+
+    INPUT_PORTS = ports(place=Place)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="an arm was stretched towards what is meant",
+        postcondition="the line through a forearm and its hand, as the encoders have it, passes what is "
+        "meant nearer than the policy's tolerance",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """The arm that points better counts."""
+        toolbox, aim = self.toolbox, self.get_input("place").aim_m
+        q = toolbox.sensing.state().q
+        errors_m = {hand: pointing_error_m(toolbox.model, q, hand, aim) for hand in HANDS}
+        hand = min(HANDS, key=lambda one: errors_m[one])
+        off_m, tolerance_m = errors_m[hand], toolbox.policy.pointing_tolerance_m
+        self.measured(hand=hand, off_m=off_m)
+        if off_m > tolerance_m:
+            return Failure.postcondition("the arm points beside it", off_m=off_m, tolerance_m=tolerance_m)
+        self._set_output("evidence", {"hand": hand, "off_m": off_m})
+        return DONE

@@ -1,0 +1,75 @@
+"""Wait until the person takes hold and pulls."""
+
+from __future__ import annotations
+
+import numpy as np
+from py_trees.common import Status
+
+from trees.beliefs.grounding.destination import Place
+from trees.beliefs.scene.held_object import HeldObject
+from trees.events import Offered
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, RUNNING, Leaf
+from trees.nodes.ports import ports
+from trees.readings.held import lost
+from trees.readings.touch_watch import TouchWatch
+
+
+class AwaitPull(Leaf):
+    """Feel the hand: a force that has changed by the policy's pull, and stays so for its time, is a pull.
+
+    An object that has left the hand was taken if such a force was felt before, however short; without one
+    it slipped.
+    """
+
+    INPUT_PORTS = ports(held=HeldObject, place=Place)
+    OUTPUT_PORTS = ports(pull_n=float)
+    CONTRACT = Contract(
+        precondition="the hand offers the object, at rest",
+        postcondition="the hand felt a steady pull, or a short one with which the object went",
+        deadline_s=1.0,
+        on_success="the hand goes on holding",
+        on_failure="the hand goes on holding",
+        on_cancel="the hand goes on holding",
+    )
+
+    def begin(self) -> None:
+        """Feel anew; people see to whom it is held out."""
+        held, person = self.get_input("held"), self.get_input("place")
+        self.toolbox.events(Offered(self.toolbox.clock.now_s(), held.name, person.name))
+        self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
+        self._since_s: float | None = None
+        self._strongest_n = 0.0
+
+    def step(self) -> Status | Failure:
+        """One more reading."""
+        policy, held = self.toolbox.policy, self.get_input("held")
+        if self.elapsed_s < policy.offer_rest_s:
+            self._watch.feel_rest()
+            return RUNNING
+        if not self.toolbox.grippers[held.hand].reading().holding:
+            self.measured(pull_n=self._strongest_n)
+            if self._strongest_n < policy.pull_n:
+                return lost(self.toolbox, held)
+            self._set_output("pull_n", self._strongest_n)
+            return DONE
+        pull_n = float(np.linalg.norm(self._watch.feel()))
+        self._strongest_n = max(self._strongest_n, pull_n)
+        self.feedback_message = f"{pull_n:.1f} N"
+        if pull_n < policy.pull_n:
+            self._since_s = None
+        elif self._since_s is None:
+            self._since_s = self.elapsed_s
+        elif self.elapsed_s - self._since_s >= policy.pull_s:
+            self.measured(pull_n=pull_n)
+            self._set_output("pull_n", pull_n)
+            return DONE
+        if self.elapsed_s > policy.take_within_s:
+            return Failure.postcondition(f"nobody took the {held.name}", waited_s=self.elapsed_s)
+        return RUNNING
+
+    @property
+    def deadline_s(self) -> float:
+        """The policy's patience, and the contract's allowance."""
+        return self.toolbox.policy.take_within_s + self.CONTRACT.deadline_s

@@ -1,0 +1,83 @@
+"""See that the person has it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics.geometry.shapes import Ball
+from kinematics.scene.support_of import support_of
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.destination import Place
+from trees.beliefs.scene.held_object import HeldObject
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.ports import ports
+from trees.port_values import Placement
+from trees.skills.hand_over.who_took_it import another_took_it
+from trees.skills.looking.look_around import LookAround
+
+# Lower than this above the floor, and nobody holds it.
+_DROPPED_BELOW_M = 0.4
+# Nearer than this to the empty hand, it lies on the fingers.
+_ON_THE_HAND_M = 0.10
+# What stands upright so far beside where it was let go did not fall there.
+_CARRIED_M = 0.25
+
+
+class VerifyTaken(LookAround):
+    """What was given is seen in the air, away from the hand, or stands far from where it was let go.
+
+    It went towards the person whom it was meant for: another one may have taken it.
+
+    Nothing hangs in the air by itself: the person has it, however far the person's arm reaches. A person who
+    holds it just above a table, or has put it there, has taken it as well.
+    """
+
+    INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place, placement=Placement)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the hand was opened while the person pulled, and drawn back since",
+        postcondition="the object was seen where only that person carries it, or has; the gripper is empty",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Where is it?"""
+        held, model = self.get_input("held"), self.toolbox.model
+        policy, scene, stood = self.toolbox.policy, self.toolbox.world.scene, self.get_input("stood")
+        if self.toolbox.grippers[held.hand].reading().holding:
+            return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
+        person = self.get_input("place").name
+        q = self.toolbox.sensing.state().q
+        tcp = model.frame_pose(q, model.description.tcp_frames[held.hand])[:3, 3]
+        for name, item in seen.items():
+            if item.category != "object" or (item.kind, item.color) != (held.kind, held.color):
+                continue
+            if name in stood:
+                continue  # another one, that was there all the time
+            from_hand_m = float(np.linalg.norm(item.odom_T_object[:3, 3] - tcp))
+            height_m = float(item.odom_T_object[2, 3])
+            self.measured(height_m=height_m, from_hand_m=from_hand_m)
+            if from_hand_m < _ON_THE_HAND_M:
+                return Failure.postcondition(f"the {held.name} is still at the {held.hand} hand")
+            stands_on = support_of(scene.objects[name], scene, policy.support_gap_m)
+            if (stands_on is not None and not self._carried(item)) or height_m < _DROPPED_BELOW_M:
+                where = "" if stands_on is None else f" onto the {stands_on.name}"
+                return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
+            let_go = self.get_input("placement").odom_T_object
+            if (other := another_took_it(person, let_go, item.odom_T_object, scene)) is not None:
+                message = f"the {held.name} was taken by {other}, not by {person}"
+                return Failure.postcondition(message, height_m=height_m)
+            self.feedback_message = f"seen {height_m:.2f} m above the floor"
+            return DONE
+        return Failure.postcondition(f"the {held.name} was let go, and is not seen with {person}")
+
+    def _carried(self, item: ObjectEstimate) -> bool:
+        """Whether it stands where it cannot have fallen."""
+        let_go = self.get_input("placement").odom_T_object[:2, 3]
+        far = float(np.hypot(*(item.odom_T_object[:2, 3] - let_go))) >= _CARRIED_M
+        return far and not item.lying and not isinstance(item.shape, Ball)

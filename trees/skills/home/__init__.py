@@ -1,0 +1,1 @@
+"""Back to the home posture, with whatever is in the hands."""

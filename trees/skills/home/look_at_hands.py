@@ -1,0 +1,24 @@
+"""Look at where the hands are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from kinematics.ik.gaze import gaze_joints
+from trees.nodes.ports import ports
+from trees.skills.looking.aim_leaf import Aim
+
+
+class LookAtHands(Aim):
+    """Turn the head, and nothing else, to between the hands: the trunk stays among what is not known."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+
+    def joints(self) -> Mapping[str, float]:
+        """The head joints' goal, rad."""
+        model, q = self.toolbox.model, self.toolbox.motion.reference()
+        places = [model.frame_pose(q, frame)[:3, 3] for frame in model.description.tcp_frames.values()]
+        return gaze_joints(model, q, np.mean(places, axis=0))

@@ -1,0 +1,1 @@
+"""Look, detect, locate, and search from where the robot stands."""

@@ -1,0 +1,170 @@
+"""See what is there, remember it, and find the object that is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from py_trees.common import Status
+
+from kinematics.scene.support_of import support_of
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, compares, ground
+from trees.beliefs.grounding.questions import which_is_meant
+from trees.beliefs.scene.believed_thing import Surroundings
+from trees.beliefs.scene.scene_update import kind_of, words_for
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.ports import optional, ports
+from trees.port_values import Target
+from trees.readings.around import what_is_around
+from trees.skills.looking.folded_look import folded_look
+from trees.skills.looking.look_leaf import LookLeaf, View
+from trees.skills.looking.whole_top import seen_wholly
+from trees.tasks import ObjectDescription, ObjectOf
+from trees.toolbox import Toolbox
+
+Part = Literal["alone", "first", "side", "last", "again"]
+"""What a look is for: by itself; one of several, during which nothing is moved; of those, one to the sides
+that was asked for, the last of these, and the one ahead after they have lost what had been seen."""
+
+
+class Detect(LookLeaf):
+    """Fuse a few frames into the world model, and choose the object that the task means.
+
+    Everything believed counts, also what is out of view now. Of a task that means several objects the
+    nearest becomes the target; the names of the others are put out as well. Fails when it is not seen,
+    when several fit (the failure's ``choices`` list them), and when the furniture that it stands on
+    is not known: a motion past a table that was not seen would hit it. A search looks from gaze to gaze:
+    that it is not seen from one of them is an answer.
+    """
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object, besides=optional(object))
+    OUTPUT_PORTS = ports(target=Target, others=tuple)
+    CONTRACT = Contract(
+        precondition="the head is at rest",
+        postcondition="as many objects as are meant fit, and no more; the target was seen, in half of the "
+        "frames at least, on known furniture; everything seen is in the world model",
+        deadline_s=2.0,
+    )
+
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        wiring: Mapping[str, str] | None = None,
+        *,
+        part: Part = "alone",
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            wiring: As for every leaf.
+            part: What the look is for. The first ones of a search, and all but the last to the sides, ask for
+                more looks (``wants_survey``) when several things are to be compared, or another one may stand
+                where nobody has looked. Among looks to the sides, one that shows nothing says little.
+        """
+        super().__init__(name, toolbox, wiring)
+        self.part = part
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """Update the world model, then choose."""
+        update = folded_look(self.toolbox, views, may_have_moved=self.part == "alone")
+        self.toolbox.world.note_sightings(update.seen)
+        self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
+        chosen = self._choose(update.seen)
+        if isinstance(chosen, Failure):
+            return chosen
+        self._set_output("target", chosen)
+        x, y, z = chosen.odom_T_object[:3, 3]
+        self.feedback_message = f"{chosen.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
+        return DONE
+
+    def _choose(self, seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
+        task, world = self.get_input("task"), self.toolbox.world
+        if isinstance(task.object, ObjectOf):
+            raise TypeError("the object of an earlier task was not filled in")
+        around = what_is_around(self.toolbox)
+        source, count = getattr(task, "source", None), getattr(task, "count", 1)
+        if count != 1:
+            around = around.without(self._besides(around))
+        grounding = ground(task.object, around, source, count)
+        more_to_come = self.part in ("first", "side")
+        if more_to_come and self._unsure(grounding, compares(task.object, count), seen):
+            return Failure.postcondition(
+                f"looking whether there is more than this {task.object}", survey=True
+            )
+        match grounding:
+            case Missing(message) if self.part == "last":
+                return Failure.postcondition(message, seen=_words(seen), lost=True)
+            case Missing(message):
+                return Failure.postcondition(message, seen=_words(seen))
+            case Ambiguous(_, choices) as unclear:
+                unseen = sum(choice.name not in world.sightings for choice in choices)
+                return which_is_meant(unclear, unseen=unseen)
+            case Found(names):
+                return self._target(names, seen)
+
+    def _besides(self, around: Surroundings) -> tuple[str, ...]:
+        """What is not one of several, for they go into it or next to it."""
+        besides: object = self.optional("besides")
+        if isinstance(besides, str):
+            besides = ObjectDescription(besides)
+        found = ground(besides, around) if isinstance(besides, ObjectDescription) else None
+        return found.names if isinstance(found, Found) else ()
+
+    def _unsure(
+        self, grounding: Found | Ambiguous | Missing, comparing: bool, seen: Mapping[str, ObjectEstimate]
+    ) -> bool:
+        """Whether it takes more looks to say which one is meant."""
+        match grounding:
+            case Missing():
+                return self.part == "side"
+            case Found(names) if not comparing and self.part == "first":
+                looks = self.toolbox.policy.looks_for_twins and names[0] in seen
+                return looks and not seen_wholly(self.toolbox, names[0])
+            case _:
+                return True
+
+    def _target(self, names: tuple[str, ...], seen: Mapping[str, ObjectEstimate]) -> Target | Failure:
+        """The first of those that are meant; the others are left for later."""
+        name, world = names[0], self.toolbox.world
+        scene = world.scene
+        words = kind_of(name)
+        # What an earlier look showed counts only among looks between which nothing was moved.
+        several = self.part in ("last", "again")
+        estimate = world.sightings.get(name) if several else seen.get(name)
+        if estimate is None:
+            return Failure.postcondition(
+                f"the {words} was seen before, but is not in view now", seen=_words(seen)
+            )
+        if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
+            return Failure.postcondition(f"what the {words} stands on is not seen", seen=_words(seen))
+        self._set_output("others", names[1:])
+        return Target(
+            name, estimate.kind, estimate.color, estimate.shape, estimate.odom_T_object, estimate.confidence
+        )
+
+
+def wants_survey(failure: Failure) -> bool:
+    """Tell whether a look failed only because others are needed to compare."""
+    return bool(failure.root.numbers.get("survey"))
+
+
+def is_sure(failure: Failure) -> bool:
+    """Tell whether this task has seen everything that it asks about: the rest may be gone by now."""
+    return not failure.root.numbers.get("unseen")
+
+
+def lost(failure: Failure) -> bool:
+    """Tell whether looks to the sides showed nothing any more of what they were to be compared with."""
+    return bool(failure.root.numbers.get("lost"))
+
+
+def _words(seen: Mapping[str, ObjectEstimate]) -> str:
+    """What was seen, each thing once."""
+    return ", ".join(sorted({words_for(estimate) for estimate in seen.values()})) or "nothing"

@@ -1,0 +1,109 @@
+"""Fold a look into the world model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from kinematics.ik.pointing import elbow_frame
+from kinematics.model.robot_description import HANDS
+from kinematics.scene.namespace import reserved_names
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.scene.support_of import support_of
+from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.standing import standing_on_tops
+from trees.beliefs.openings.moved_parts import without_moved_parts
+from trees.beliefs.scene.scene_update import SceneUpdate, kind_of, scene_object, updated_scene, words_for
+from trees.beliefs.sight.in_plain_sight import in_plain_sight
+from trees.beliefs.sight.sight import Glimpse
+from trees.policy import TreePolicy
+from trees.skills.looking.look_leaf import View, estimates_of
+from trees.toolbox import Toolbox
+
+
+def glimpse_of(toolbox: Toolbox, view: View) -> Glimpse:
+    """What a picture shows, with hands, forearms and held things in the way where they were then."""
+    model = toolbox.model
+    q = toolbox.sensing.state_at(view.frame.stamp_s).q
+    parts = []
+    for hand in HANDS:
+        elbow, tcp = model.frame_poses(q, [elbow_frame(model, hand), model.description.tcp_frames[hand]])
+        parts += [tcp[:3, 3], 0.5 * (elbow[:3, 3] + tcp[:3, 3])]
+    held = toolbox.world.scene.attached.values()
+    parts += [(model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3] for body in held]
+    return Glimpse(view.odom_T_camera, tuple(parts))
+
+
+def not_in_hand(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
+    """Those estimates that are of nothing that a hand holds.
+
+    What is nearer than ``same_object_m`` to what is held is that. So is what looks like it, hangs in the air
+    and is nearer than ``slid_m``: it has slid in the hand, or was seen while an encoder was off. Believed as
+    a second one it would bar every way of that hand.
+    """
+    scene, policy = toolbox.world.scene, toolbox.policy
+    if not scene.attached:
+        return list(estimates)
+    q = toolbox.sensing.state().q
+    held = {
+        name: (toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
+        for name, body in scene.attached.items()
+    }
+    around = _with_furniture(scene, estimates, policy)
+    return [
+        estimate
+        for estimate in estimates
+        if all(
+            float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place))
+            > (policy.slid_m if _hangs_like(name, estimate, around, policy) else policy.same_object_m)
+            for name, place in held.items()
+        )
+    ]
+
+
+def _hangs_like(held: str, estimate: ObjectEstimate, around: PlanningScene, policy: TreePolicy) -> bool:
+    """Whether something looks like what is held and stands on nothing."""
+    if words_for(estimate) != kind_of(held):
+        return False
+    return support_of(scene_object(held, estimate, policy), around, policy.support_gap_m) is None
+
+
+def _with_furniture(
+    scene: PlanningScene, estimates: Iterable[ObjectEstimate], policy: TreePolicy
+) -> PlanningScene:
+    """What is believed, and the furniture of this look, as it is seen now."""
+    seen = (estimate for estimate in estimates if estimate.category == "furniture")
+    tops = [scene_object(f"seen {number}", estimate, policy) for number, estimate in enumerate(seen)]
+    return scene.with_objects([*scene.objects.values(), *tops])
+
+
+def folded_look(
+    toolbox: Toolbox, views: list[View], *, may_have_moved: bool = True, keeping: bool = False
+) -> SceneUpdate:
+    """Replace the world model's scene by what a look tells, and remember the look.
+
+    What is in a hand is left out: it is attached, and must not become an obstacle as well. What was out of
+    sight, cut off by the picture's edge or hidden stays.
+
+    Args:
+        toolbox: Knows the world model.
+        views: The look's pictures.
+        may_have_moved: As for ``updated_scene``.
+        keeping: Whether what an earlier look showed stays in any case.
+    """
+    world, policy = toolbox.world, toolbox.policy
+    estimates = standing_on_tops(not_in_hand(toolbox, estimates_of(views)))
+    glimpse, camera = glimpse_of(toolbox, views[-1]), toolbox.model.description.camera
+    others = tuple(world.scene.objects.values())
+    update = updated_scene(
+        without_moved_parts(world.scene, estimates),
+        estimates,
+        policy,
+        lambda item: keeping or not in_plain_sight(item, glimpse, camera, others, policy.hidden_by_hand_m),
+        may_have_moved=may_have_moved,
+        reserved=reserved_names(toolbox.model),
+    )
+    world.update(update.scene)
+    world.note_glimpse(glimpse)
+    return update

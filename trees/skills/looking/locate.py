@@ -1,0 +1,110 @@
+"""See where what a task is aimed at is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from py_trees.common import Status
+
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.destination import SLOTS, Place, aim_of, aims_at_person, resolve, slot_of
+from trees.beliefs.grounding.grounding import Found, Missing, exactly, ground
+from trees.beliefs.grounding.people import compares_people
+from trees.beliefs.grounding.report_words import kinds_in
+from trees.beliefs.openings.handles import MEANT_BY
+from trees.beliefs.scene.believed_thing import Surroundings
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.ports import ports
+from trees.skills.looking.look_around import LookAround
+from trees.tasks import Destination, FindTask, ObjectDescription
+from trees.toolbox import Toolbox
+
+_CONFIDENCE = 0.5
+"""Of a person who was seen, and is not in view now."""
+
+
+class Locate(LookAround):
+    """Look once, and find the object, piece of furniture or person that the task is aimed at.
+
+    A search looks from many sides: that it is not seen from one of them is an answer.
+    """
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports(place=Place)
+    CONTRACT = Contract(
+        precondition="the head is at rest",
+        postcondition="exactly one thing that fits was seen; everything seen is in the world model",
+        deadline_s=2.0,
+    )
+
+    def __init__(
+        self, name: str, toolbox: Toolbox, slots: Sequence[str] = SLOTS, settles: bool = True
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            slots: Of the task, that say what is looked for, the one that counts first.
+            settles: Whether enough was seen to say which of several is meant: the leftmost of those in the
+                first picture may not be the leftmost of all.
+        """
+        super().__init__(name, toolbox)
+        self._slots, self._settles = slots, settles
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Choose what is meant."""
+        task = self.get_input("task")
+        slot, aim = slot_of(task, self._slots), aim_of(task, self._slots)
+        somebody = aims_at_person(task, slot)
+        if not self._settles and _compares(aim, somebody):
+            return Failure.postcondition(f"looking whether there is more than this {aim}", survey=True)
+        around = self.around()
+        if isinstance(task, FindTask) and slot == "object":
+            there = self._where_it_is_said_to_be(task, around)
+            if isinstance(there, Failure):
+                return there
+            aim = there
+        place = resolve(aim, seen, around, slot or "object", somebody, self._people(around))
+        if isinstance(place, Failure):
+            return place
+        self._set_output("place", place)
+        x, y, z = place.odom_T_place[:3, 3]
+        self.feedback_message = f"{place.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
+        return DONE
+
+    def _where_it_is_said_to_be(self, task: FindTask, around: Surroundings) -> Destination | Failure | None:
+        """What is looked for, as the one that is there: "the cup on the side table" is on no other table.
+
+        A room, and what is behind a door, is left to those who go and look there.
+        """
+        aim, source = task.object, task.source
+        if not isinstance(aim, ObjectDescription) or aim.name is not None:
+            return aim
+        if source is None or source in self.toolbox.places or str(source) in MEANT_BY:
+            return aim
+        match ground(aim, around, source):
+            case Missing(message, had) if had:
+                return Failure.postcondition(message, seen=kinds_in(thing.name for thing in around.things))
+            case Found(names):
+                return exactly(names[0])
+            case _:
+                return aim
+
+    def _people(self, around: Surroundings) -> dict[str, Place]:
+        """Everybody, where they were seen last."""
+        scene = self.toolbox.world.scene
+        people = (scene.objects[thing.name] for thing in around.things if thing.is_person)
+        return {
+            item.name: Place(item.name, "person", item.shape, item.world_T_object, _CONFIDENCE)
+            for item in people
+        }
+
+
+def _compares(aim: Destination | None, somebody: bool) -> bool:
+    if not isinstance(aim, ObjectDescription) or aim.name:
+        return False
+    return aim.ordinal not in (None, "other") or aim.size is not None or compares_people(aim, somebody)

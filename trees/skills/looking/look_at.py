@@ -1,0 +1,124 @@
+"""Turn the head."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kinematics.arrays import Array
+from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset
+from kinematics.ik.gaze import gaze_joints
+from kinematics.model.robot_description import RobotDescription
+from kinematics.requests.move import MoveRequest
+from trees.beliefs.sight.sight import middle_of_most
+from trees.failures import Failure
+from trees.nodes.ports import ports
+from trees.policy import Gaze
+from trees.port_values import Target
+from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.hand_ways import UnseenPlaces
+from trees.toolbox import Toolbox
+
+_WELL_IN_VIEW = 0.6
+"""Nearer to the middle of the picture than this share of half of it, a thing is in it with all that it is."""
+_BEHIND_M = 0.02
+"""A pelvis that is nearer than this to where it is at home is left where it is."""
+
+
+class LookAt(Aim):
+    """Turn the head to a gaze, leaning over or drawing back if it says so."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+
+    def __init__(self, name: str, toolbox: Toolbox, gaze: Gaze) -> None:
+        super().__init__(name, toolbox)
+        self.gaze = gaze
+
+    def joints(self) -> Mapping[str, float]:
+        """The gaze's, inside their limits, rad."""
+        return joints_of(self.gaze, self.toolbox.model.description)
+
+    def pelvis_m(self) -> tuple[float, float, float]:
+        """To where the gaze has it; it does not stay behind without a lean."""
+        model, motion = self.toolbox.model, self.toolbox.motion
+        if model.description.welded:
+            return (0.0, 0.0, 0.0)
+        home, now = model.home_over(motion.stance()), motion.reference()
+        ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
+        behind_m = float(ahead @ (home[:3] - now[:3]))
+        if not self.gaze.back_m and behind_m <= _BEHIND_M:
+            return (0.0, 0.0, 0.0)
+        x, y, z = (float(value) for value in (behind_m - self.gaze.back_m) * ahead)
+        return (x, y, z)
+
+
+def joints_of(gaze: Gaze, description: RobotDescription) -> Mapping[str, float]:
+    """Positions of the joints that aim the camera, inside their limits, rad."""
+    camera, margin = description.camera, description.planning_margin_rad
+    wanted = {camera.tilt_joint: gaze.tilt_rad, camera.pan_joint: gaze.pan_rad}
+    if camera.lean_joint is not None:
+        wanted[camera.lean_joint] = gaze.lean_rad
+    turning = turning_joint(description)
+    if turning is not None:
+        wanted[turning] = gaze.turn_rad
+    inside = {}
+    for joint, angle in wanted.items():
+        lower, upper = description.limits[joint].position
+        inside[joint] = min(max(angle, lower + margin), upper - margin)
+    return inside
+
+
+def turning_joint(description: RobotDescription) -> str | None:
+    """The joint that turns the trunk: the first of the trunk that does not lean it, or None."""
+    torso, lean = description.groups.get("torso", ()), description.camera.lean_joint
+    return next((joint for joint in torso if joint != lean), None)
+
+
+def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
+    """How the head looks at a point in odom, shape (3,), with the trunk where it takes that, rad."""
+    model, q = toolbox.model, toolbox.motion.reference()
+    camera = model.description.camera
+    head = gaze_joints(model, q, point)
+    looking = q.copy()
+    for joint, angle in head.items():
+        looking[7 + model.joint_index(joint)] = angle
+    seen_rad = _WELL_IN_VIEW * 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
+    if off_axis_rad(model, looking, point) <= seen_rad:
+        return head
+    gaze = body_gaze(model, q, point, turning_joint(model.description), seen_rad)
+    return head if gaze is None else gaze.joints
+
+
+class LookAtTarget(Aim):
+    """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
+
+    INPUT_PORTS = ports(target=Target)
+    OUTPUT_PORTS = ports()
+
+    def joints(self) -> Mapping[str, float]:
+        """The head joints' goal, rad."""
+        target: Target = self.get_input("target")
+        model, q = self.toolbox.model, self.toolbox.motion.reference()
+        body = self.toolbox.world.scene.attached.get(target.name)
+        if body is None:
+            return gaze_joints(model, q, target.odom_T_object[:3, 3])
+        return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
+
+
+class LookAtUnseen(Aim):
+    """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
+
+    INPUT_PORTS = ports(unseen=UnseenPlaces)
+    OUTPUT_PORTS = ports()
+
+    def goal(self) -> MoveRequest | Failure | None:
+        """None where all was looked at."""
+        return super().goal() if len(self.get_input("unseen").points) else None
+
+    def joints(self) -> Mapping[str, float]:
+        """The goal of the joints that aim the camera, rad: where one picture shows most of those places."""
+        model, points = self.toolbox.model, self.get_input("unseen").points
+        camera = model.description.camera
+        eye = model.frame_pose(self.toolbox.motion.reference(), camera.frame)[:3, 3]
+        seen_rad = 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
+        return joints_that_show(self.toolbox, middle_of_most(points, eye, seen_rad))

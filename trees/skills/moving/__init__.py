@@ -1,0 +1,1 @@
+"""Velocities for a while."""

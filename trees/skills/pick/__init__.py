@@ -1,0 +1,1 @@
+"""Pick an object up."""

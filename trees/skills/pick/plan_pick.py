@@ -1,0 +1,89 @@
+"""Choose a grasp and plan the whole pick."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.ports import PortInformation
+
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.step import NoPlan
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.job_leaf import JobLeaf
+from trees.nodes.plan_failures import no_plan_failure
+from trees.nodes.ports import ports
+from trees.port_values import Step, Target
+from trees.tasks import PickTask
+
+# So many grasps of one hand in vain, and it is the other one's turn.
+_GRASPS_A_HAND = 2
+
+
+class PlanPick(JobLeaf):
+    """Have the planner choose hand and grasp, and plan reach, approach and lift from the present posture."""
+
+    INPUT_PORTS = ports(
+        task=PickTask, target=Target, tried=PortInformation(frozenset, default_value=frozenset())
+    )
+    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step, lift=Step)
+    CONTRACT = Contract(
+        precondition="the target is an object of the world model; the robot is at rest",
+        postcondition="reach starts at the reference and ends looking at the target; approach and lift "
+        "follow on, so nothing else may move the body in between; all are for the present scene",
+        deadline_s=20.0,
+    )
+
+    def request(self) -> PickRequest:
+        """Either hand, unless one is named or has failed enough; no grasp that was tried in vain."""
+        toolbox, task, tried = self.toolbox, self.get_input("task"), self.get_input("tried")
+        self._world_version = toolbox.world.scene.version
+        return PickRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            target=self.get_input("target").name,
+            hands=hands_to_try(task.hand, tried, self._occupied()),
+            excluded=tried,
+            lift_m=toolbox.policy.lift_m,
+            seed=int(toolbox.rng.integers(2**31)),
+        )
+
+    def _occupied(self) -> frozenset[Hand]:
+        """Hands that hold something, as the world model has it."""
+        frames = {body.frame for body in self.toolbox.world.scene.attached.values()}
+        grippers = self.toolbox.model.description.grippers
+        return frozenset(hand for hand in HANDS if grippers[hand].tcp_frame in frames)
+
+    def accept(self, answer: Any) -> Failure | None:
+        """Write grasp and steps."""
+        if isinstance(answer, NoPlan):
+            return no_plan_failure(answer)
+        if not isinstance(answer, PickPlan):
+            raise TypeError(f"the planner answered {type(answer).__name__} to a pick")
+        self._set_output("grasp", answer.grasp)
+        for port, step in (("reach", answer.reach), ("approach", answer.approach), ("lift", answer.lift)):
+            self._set_output(port, Step.of(step, self._world_version))
+        self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
+        self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
+        return None
+
+
+def hands_to_try(
+    named: Hand | None, tried: frozenset[str], occupied: frozenset[Hand] = frozenset()
+) -> tuple[Hand, ...]:
+    """Which hands the planner may use.
+
+    Args:
+        named: The hand that the task asks for, or None.
+        tried: Grasps that were tried in vain, as "hand label".
+        occupied: Hands that hold something already; they are left alone as long as another is free.
+    """
+    if named is not None:
+        return (named,)
+    free = tuple(hand for hand in HANDS if hand not in occupied) or HANDS
+    failed = {hand: sum(key.startswith(f"{hand} ") for key in tried) for hand in free}
+    rested = tuple(hand for hand in free if failed[hand] < _GRASPS_A_HAND)
+    return rested or free

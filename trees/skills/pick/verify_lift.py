@@ -1,0 +1,186 @@
+"""Measure that the object was lifted and stays held."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from py_trees.common import Status
+
+from kinematics.dynamics.held_load import loaded, loads_in
+from kinematics.estimation.held_mass import HeldMass
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.requests.grasp import Grasp
+from kinematics.scene.planning_scene import AttachedBody
+from trees.beliefs.scene.recognition import nearest_sighting
+from trees.failures import Failure, Number
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, RUNNING
+from trees.nodes.ports import ports
+from trees.port_values import Target
+from trees.skills.looking.look_leaf import GatheringLeaf, View, estimates_of
+from trees.skills.pick.grip import grip_failure
+
+_READINGS_APART_S = 0.002
+"""Readings are looked for so often; nobody makes them faster."""
+
+
+class VerifyLift(GatheringLeaf):
+    """Watch gripper and camera while the object is held in the air.
+
+    The gripper must say "holding", at the object's size, all the time; nothing outweighs that. What the
+    camera sees must agree: the object has risen, is in the hand, and does not move in it. When it
+    cannot be seen, the gripper has to hold on for longer, and the evidence says that it was not seen.
+    Meanwhile the efforts of the arm weigh it: the motions that follow are planned, checked and carried
+    out with that mass in the hand.
+    """
+
+    INPUT_PORTS = ports(grasp=Grasp, target=Target)
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the lift has ended; the target is an attached body",
+        postcondition="the gripper said holding for the whole time; as far as it was seen, the object has "
+        "risen, is in the hand and stays there; the scene knows its mass",
+        deadline_s=2.0,
+        on_success="the hand holds the object",
+        on_failure="the gripper goes on pressing on whatever it holds",
+        on_cancel="the gripper goes on pressing",
+    )
+
+    @property
+    def deadline_s(self) -> float:
+        """The longest hold that the policy may ask for, and the contract's allowance."""
+        policy = self.toolbox.policy
+        return policy.hold_s * policy.unseen_hold_factor + self.CONTRACT.deadline_s
+
+    def begin(self) -> None:
+        """Start to watch."""
+        super().begin()
+        self._lost_since_s: float | None = None
+        self._weighing = self._scales()
+        self._weighed_s = self.toolbox.sensing.state().readings.stamp_s
+
+    def step(self) -> Status | Failure:
+        """Watch the grip at each tick, and judge the pictures at the end of the hold."""
+        if (lost := self._lost_grip()) is not None:
+            return lost
+        self._weigh()
+        self.gather()
+        policy = self.toolbox.policy
+        if self.elapsed_s < policy.hold_s:
+            self.feedback_message = f"held for {self.elapsed_s:.1f} of {policy.hold_s:.1f} s"
+            return RUNNING
+        seen = self._seen()
+        if isinstance(seen, Failure):
+            return seen
+        if not seen and self.elapsed_s < policy.hold_s * policy.unseen_hold_factor:
+            self.feedback_message = "not seen; held for longer instead"
+            return RUNNING
+        if self._lost_since_s is not None:
+            return RUNNING  # never end on a doubtful reading
+        return self._succeed(seen)
+
+    def _scales(self) -> HeldMass:
+        """What weighs it, on a robot that carries what was weighed in the other hand."""
+        scene, grasp = self.toolbox.world.scene, self.get_input("grasp")
+        return HeldMass(loaded(self.toolbox.model, loads_in(scene)), grasp.hand)
+
+    def _weigh(self) -> None:
+        """Take in every reading since the last tick: the noise of one is worth some hundred grams."""
+        sensing, bodies = self.toolbox.sensing, len(self.toolbox.model.joints)
+        newest = sensing.state()
+        now_s = newest.readings.stamp_s
+        steps = max(1, round((now_s - self._weighed_s) / _READINGS_APART_S))
+        stamps = np.linspace(self._weighed_s, now_s, steps + 1)[1:].tolist()
+        read = {one.stamp_s: one for one in (sensing.state_at(stamp_s).readings for stamp_s in stamps)}
+        effort = np.mean([one.effort[:bodies] for one in read.values()], axis=0)
+        v = np.mean([one.v[:bodies] for one in read.values()], axis=0)
+        self._weighing.add(newest.q, v, effort, self._body().frame_T_object[:3, 3], len(read))
+        self._weighed_s = now_s
+
+    def _lost_grip(self) -> Failure | None:
+        grasp: Grasp = self.get_input("grasp")
+        reading = self.toolbox.grippers[grasp.hand].reading()
+        failure = grip_failure(reading, grasp, self.toolbox.policy.opening_tolerance_m)
+        if failure is None:
+            self._lost_since_s = None
+            return None
+        if self._lost_since_s is None:
+            self._lost_since_s = self.elapsed_s
+        if self.elapsed_s - self._lost_since_s < self.toolbox.policy.lost_grip_s:
+            return None
+        target: Target = self.get_input("target")
+        return Failure.postcondition(
+            f"the {target.name} was lost after the lift", failure, held_s=self.elapsed_s
+        )
+
+    def _seen(self) -> dict[str, float] | Failure:
+        """What the pictures say; empty when the object is not to be seen in them."""
+        target, body, policy = self.get_input("target"), self._body(), self.toolbox.policy
+        half = len(self._views) // 2
+        if half == 0:
+            return {}
+        early, late = self._in_tcp(self._views[:half]), self._in_tcp(self._views[half:])
+        if late is None:
+            return {}
+        odom_T_tcp = self._odom_T_tcp(self._views[-1])
+        off_m = float(np.linalg.norm(late - body.frame_T_object[:3, 3]))
+        rise_m = float((odom_T_tcp[:3, :3] @ late + odom_T_tcp[:3, 3])[2] - target.odom_T_object[2, 3])
+        numbers: dict[str, float] = {"lift_m": rise_m, "off_m": off_m}
+        if off_m > policy.in_hand_tolerance_m:
+            return Failure.postcondition(
+                f"the {target.name} is seen outside the hand",
+                None,
+                tolerance_m=policy.in_hand_tolerance_m,
+                **numbers,
+            )
+        if rise_m < policy.lifted_min_m:
+            return Failure.postcondition(
+                f"the {target.name} has not risen enough", None, needed_m=policy.lifted_min_m, **numbers
+            )
+        if early is not None:
+            numbers["slip_m"] = float(np.linalg.norm(late - early))
+            if numbers["slip_m"] > policy.slip_max_m:
+                return Failure.postcondition(
+                    f"the {target.name} is slipping", None, tolerance_m=policy.slip_max_m, **numbers
+                )
+        return numbers
+
+    def _succeed(self, seen: dict[str, float]) -> Status:
+        grasp: Grasp = self.get_input("grasp")
+        reading = self.toolbox.grippers[grasp.hand].reading()
+        world, mass_kg = self.toolbox.world, self._weighing.mass_kg
+        world.update(world.scene.with_held_mass(self.get_input("target").name, mass_kg))
+        evidence: dict[str, Number] = {
+            "hand": grasp.hand,
+            "gripper_opening_m": reading.opening_m,
+            "effort_nm": reading.effort_nm,
+            "held_s": self.elapsed_s,
+            "mass_kg": mass_kg,
+            "seen": bool(seen),
+            **{key: value for key, value in seen.items() if key != "off_m"},
+        }
+        self._set_output("evidence", evidence)
+        self.measured(**evidence)
+        rise = f", risen {seen['lift_m'] * 100:.0f} cm" if seen else ", not seen"
+        self.feedback_message = f"held for {self.elapsed_s:.1f} s{rise}"
+        return DONE
+
+    def _in_tcp(self, views: list[View]) -> NDArray[np.float64] | None:
+        """Where the object is seen in the TCP's frame, shape (3,)."""
+        target, body = self.get_input("target"), self._body()
+        odom_T_tcp = self._odom_T_tcp(views[-1])
+        expected = (odom_T_tcp @ body.frame_T_object)[:3, 3]
+        scene, near = self.toolbox.world.scene, self.toolbox.policy.same_object_m
+        found = nearest_sighting(target, expected, estimates_of(views), scene, near)
+        if found is None:
+            return None
+        place: NDArray[np.float64] = (poses.inverse(odom_T_tcp) @ found[0].odom_T_object)[:3, 3]
+        return place
+
+    def _body(self) -> AttachedBody:
+        return self.toolbox.world.scene.attached[self.get_input("target").name]
+
+    def _odom_T_tcp(self, view: View) -> Transform:
+        q = self.toolbox.sensing.state_at(view.frame.stamp_s).q
+        return self.toolbox.model.frame_pose(q, self._body().frame)

@@ -1,0 +1,1 @@
+"""Put what is held down."""

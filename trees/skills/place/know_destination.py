@@ -1,0 +1,108 @@
+"""Know where something goes before it is picked up."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from py_trees.common import Status
+
+from kinematics.scene.support_of import support_of
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground
+from trees.beliefs.grounding.questions import which_is_meant
+from trees.beliefs.grounding.report_words import kinds_in
+from trees.beliefs.openings.handles import MEANT_BY
+from trees.beliefs.scene.believed_thing import Surroundings
+from trees.beliefs.scene.scene_update import kind_of
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.ports import ports
+from trees.skills.looking.look_around import LookAround
+from trees.skills.place.container_room import room_beside_m
+from trees.skills.place.placement import not_taken, why_not_there
+from trees.tasks import WHERE_IT_WAS, ObjectDescription, ObjectOf, PlaceTask, PutInTask
+
+
+class KnowDestination(LookAround):
+    """Look once, and find what the object is put on, beside or into: a question about it moves no hand.
+
+    What is to be moved does not count as what it goes to. Where that cannot be told apart yet, and of several
+    objects, nothing is said before they are in a hand. A drawer or door is left to those who open it, and a
+    room of the map to those who get there.
+    """
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the head is at rest",
+        postcondition="one thing that fits what the task names as its destination was seen, and it is "
+        "something that this skill puts things on, beside or into",
+        deadline_s=2.0,
+    )
+    LOOKING_ON = True
+    keeping = True
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Everything believed counts, also what is out of view now."""
+        del seen
+        task = self.get_input("task")
+        around = self._besides_the_object(task)
+        if around is None:
+            return DONE
+        match task:
+            case PlaceTask():
+                failure = self._not_there(task, around)
+            case PutInTask():
+                failure = self._not_into(task, around)
+            case _:
+                failure = None
+        return DONE if failure is None else failure
+
+    def _besides_the_object(self, task: PlaceTask | PutInTask) -> Surroundings | None:
+        """What else there is than what is to be moved; None where it is not known which one that is."""
+        around = self.around()
+        if task.count != 1 or not isinstance(task.object, ObjectDescription):
+            return None
+        match ground(task.object, around, task.source):
+            case Found(names):
+                return replace(around.without(names), last_acted_on=names[0])
+            case Ambiguous():
+                return None
+            case Missing():
+                return around
+
+    def _not_there(self, task: PlaceTask, around: Surroundings) -> Failure | None:
+        toolbox = self.toolbox
+        if isinstance(task.to, ObjectOf) or isinstance(task.on, ObjectOf):
+            raise TypeError("the object of an earlier task was not filled in")
+        if task.to == WHERE_IT_WAS:
+            return not_taken(task.object)
+        if task.on is None and (task.to is None or task.to in toolbox.places):
+            return None
+        scene, gap_m = toolbox.world.scene, toolbox.policy.support_gap_m
+        moved = scene.objects.get(around.last_acted_on or "")
+        leaves = None if moved is None else support_of(moved, scene, gap_m)
+        return why_not_there(task.on, task.to, scene, around, gap_m, None if leaves is None else leaves.name)
+
+    def _not_into(self, task: PutInTask, around: Surroundings) -> Failure | None:
+        to = ObjectDescription(task.to) if isinstance(task.to, str) else task.to
+        if not isinstance(to, ObjectDescription) or to.kind in MEANT_BY:
+            return None
+        match ground(to, around):
+            case Ambiguous() as unclear:
+                return which_is_meant(unclear, "to")
+            case Missing(message):
+                return Failure.postcondition(message, seen=kinds_in(thing.name for thing in around.things))
+            case Found(names):
+                return self._too_wide(around.last_acted_on, names[0])
+
+    def _too_wide(self, thing: str | None, container: str) -> Failure | None:
+        objects = self.toolbox.world.scene.objects
+        if thing is None or thing not in objects:
+            return None
+        if room_beside_m(objects[container].shape, objects[thing].shape).min() >= 0.0:
+            return None
+        return Failure.infeasible(f"the {kind_of(thing)} is too wide for the {kind_of(container)}")

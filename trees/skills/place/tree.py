@@ -1,0 +1,147 @@
+"""Put an object down: find room, plan, check, bring it there, lower it until it stands, let go, look.
+
+Where this hand does not reach, it is put down on the way and taken up with the other one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.failures import Failure, FailureKind
+from trees.leaves.check_trajectory import CheckTrajectory
+from trees.leaves.go_home import GoHome
+from trees.leaves.stream_motion import StreamMotion
+from trees.nodes.alternatives import Alternatives
+from trees.nodes.best_effort import BestEffort
+from trees.nodes.judgements import defect
+from trees.nodes.retry import Retry
+from trees.nodes.skipping import IfShifted
+from trees.nodes.wiring import rewired
+from trees.skills.carrying.draw_back import DrawBack
+from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.let_go import LetGo
+from trees.skills.carrying.look_at_placement import LookAtPlacement
+from trees.skills.carrying.note_bystanders import NoteBystanders
+from trees.skills.carrying.regrasp import regrasping
+from trees.skills.carrying.still_held import StillHeld
+from trees.skills.carrying.swap_hands import other_hand_is_no_help, swap_hands
+from trees.skills.looking.look_over import look_over
+from trees.skills.looking.look_past_hands import look_past_hands
+from trees.skills.place.exclude_spot import ExcludeSpot
+from trees.skills.place.find_spots import FindSpots
+from trees.skills.place.lower import Lower, LowerFurther
+from trees.skills.place.plan_place import PlanPlace
+from trees.skills.place.raise_held import RaiseHeld
+from trees.skills.place.see_held import SeeHeld
+from trees.skills.place.verify_placed import VerifyPlaced
+from trees.skills.place.where_it_goes import know_destination
+from trees.skills.tidily import tidily
+from trees.toolbox import Toolbox
+
+# Steps farther down before a support is taken not to be there: 2 cm in all, beyond any perception error.
+_FURTHER_STEPS = 3
+
+
+def place(toolbox: Toolbox) -> Behaviour:
+    """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
+    anywhere: list[Behaviour] = [rewired(_find_room(toolbox), {"task": "swap_place"}), _attempt(toolbox)]
+    swapped: list[Behaviour] = [swap_hands(anywhere, toolbox), bring(toolbox)]
+    ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
+    either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
+    either.transparent = True
+    carry: list[Behaviour] = [have_it(toolbox, know_destination(toolbox)), either]
+    children: list[Behaviour] = [
+        look_over(toolbox),
+        regrasping(carry, toolbox),
+        BestEffort(DrawBack("draw back", toolbox)),
+        GoHome("clear the view", toolbox),
+        look_over(toolbox),
+        BestEffort(LookAtPlacement("look", toolbox)),
+        VerifyPlaced("verify placed", toolbox, toolbox.policy.placed_tolerance_m),
+    ]
+    return tidily("place", children, toolbox)
+
+
+def over_the_spot(toolbox: Toolbox) -> list[Behaviour]:
+    """Both ways checked, and the first one gone. Reads "transfer" and "lower", writes "checked_lower"."""
+    return [
+        CheckTrajectory("check transfer", toolbox, {"step": "transfer", "checked": "checked_transfer"}),
+        CheckTrajectory("check lower", toolbox, {"step": "lower", "checked": "checked_lower"}),
+        StreamMotion("transfer", toolbox, {"checked": "checked_transfer"}),
+        StillHeld("still held", toolbox),
+    ]
+
+
+def set_down(toolbox: Toolbox, further_steps: int = _FURTHER_STEPS) -> list[Behaviour]:
+    """Down until the object stands. Reads "checked_lower", writes "touched"."""
+    further: list[Behaviour] = [
+        LowerFurther(f"lower further {k}", toolbox, {"touched_now": "touched"})
+        for k in range(1, further_steps + 1)
+    ]
+    return [
+        Lower("lower", toolbox, {"checked": "checked_lower"}),
+        *further,
+    ]
+
+
+class _Bring(Sequence):
+    """Structures; it is left out of places in the tree."""
+
+    transparent = True
+
+
+def _find_room(toolbox: Toolbox) -> Behaviour:
+    """Looks until a surface with room is seen."""
+    return look_past_hands("find room", lambda: FindSpots("find spots", toolbox), toolbox)
+
+
+def bring(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour] = _find_room) -> Behaviour:
+    """From a hand to a free spot. Reads "held", writes "placement" and "stood".
+
+    Args:
+        toolbox: What leaves may call.
+        find_room: Makes what looks for room; it reads "held", and "task" if it needs it, and writes "spots".
+    """
+    recover = _recover(toolbox, find_room)
+    attempts = Retry(
+        "attempts", _attempt(toolbox), recover, toolbox.policy.place_attempts, _no_other_spot_helps
+    )
+    children: list[Behaviour] = [
+        find_room(toolbox),
+        NoteBystanders("note what stands about", toolbox),
+        attempts,
+    ]
+    return _Bring("bring it", memory=True, children=children)
+
+
+def _attempt(toolbox: Toolbox) -> Behaviour:
+    again: list[Behaviour] = [PlanPlace("plan place", toolbox), *over_the_spot(toolbox)]
+    children: list[Behaviour] = [
+        PlanPlace("plan place", toolbox),
+        *over_the_spot(toolbox),
+        SeeHeld("see it in the hand", toolbox, {"held_now": "held"}),
+        IfShifted(Sequence("over the spot again", memory=True, children=again)),
+        *set_down(toolbox),
+        StillHeld("held to the end", toolbox),
+        LetGo("let go", toolbox),
+    ]
+    return Sequence("set down", memory=True, children=children)
+
+
+def _recover(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour]) -> Behaviour:
+    children: list[Behaviour] = [
+        StillHeld("not lost", toolbox),
+        ExcludeSpot("exclude spot", toolbox, {"blocked_now": "blocked"}),
+        BestEffort(RaiseHeld("lift it again", toolbox)),
+        find_room(toolbox),
+    ]
+    return Sequence("try another spot", memory=True, children=children)
+
+
+def _no_other_spot_helps(failure: Failure, before: Failure | None) -> bool:
+    """A defect, or the planner's second no in a row."""
+    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
+    return defect(failure) or bool(failure.choices) or twice

@@ -1,0 +1,85 @@
+"""See what something is to be put into."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from py_trees.common import Status
+
+from kinematics.geometry import poses
+from kinematics.requests.place import Spot
+from robots.perception.object_estimate import ObjectEstimate
+from robots.scenes.articulated import DRAWER
+from trees.beliefs.grounding.destination import Place, resolve
+from trees.beliefs.openings.drawer_inside import inside_of_drawer, spots_in_drawer
+from trees.beliefs.openings.handles import MEANT_BY
+from trees.beliefs.scene.held_object import HeldObject
+from trees.beliefs.scene.scene_update import kind_of
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE
+from trees.nodes.ports import ports
+from trees.skills.looking.look_around import LookAround
+from trees.skills.place.container_room import room_beside_m
+from trees.tasks import PutInTask
+
+# Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.
+_DEPTHS_M = (0.08, 0.06, 0.045, 0.03, 0.015, 0.0)
+# Beside the middle, when the middle does not go: a share of the room that is left.
+_ASIDE = (0.0, 0.5, -0.5)
+_HOVER_M = 0.08
+
+
+class FindContainer(LookAround):
+    """Look, and list poses of the held object in the opening of the container, the deepest first."""
+
+    INPUT_PORTS = ports(task=PutInTask, held=HeldObject)
+    OUTPUT_PORTS = ports(spots=tuple, place=Place)
+    CONTRACT = Contract(
+        precondition="the head is at rest; the object is an attached body",
+        postcondition="exactly one container that fits was seen, wide enough for the object, and if it is "
+        "a drawer, open",
+        deadline_s=2.0,
+    )
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Choose the container, and measure it."""
+        held = self.get_input("held")
+        place = resolve(self.get_input("task").to, seen, self.around(), "to")
+        if isinstance(place, Failure):
+            return place
+        spots = self._spots_in(held, place)
+        if isinstance(spots, Failure):
+            return spots
+        if not spots:
+            return Failure.infeasible(f"the {held.name} is too wide for the {place.name}")
+        self._set_output("place", place)
+        self._set_output("spots", spots)
+        self.feedback_message = f"into the {place.name}"
+        return DONE
+
+    def _spots_in(self, held: HeldObject, place: Place) -> tuple[Spot, ...] | Failure:
+        if place.category == "object":
+            return _spots(held, place)
+        if MEANT_BY.get(kind_of(place.name)) != DRAWER:
+            return Failure.infeasible(f"nothing can be put into the {place.name}")
+        inside = inside_of_drawer(self.toolbox.world.scene)
+        return inside if isinstance(inside, Failure) else spots_in_drawer(held, inside)
+
+
+def _spots(held: HeldObject, place: Place) -> tuple[Spot, ...]:
+    shape, room = place.shape, room_beside_m(place.shape, held.shape)
+    if float(room.min()) < 0.0:
+        return ()
+    rim = 0.5 * shape.height_m
+    spots = []
+    for depth in _DEPTHS_M:
+        if depth > shape.height_m - 0.01:
+            continue
+        for aside in _ASIDE:
+            local = np.array([aside * room[0], 0.0, rim - depth + 0.5 * held.shape.height_m, 1.0])
+            x, y, z = (float(value) for value in (place.odom_T_place @ local)[:3])
+            pose = poses.translation(x, y, z)
+            spots.append(Spot(pose, (place.name,), hover_m=_HOVER_M, below_m=0.0))
+    return tuple(spots)

@@ -1,0 +1,1 @@
+"""Look from elsewhere: which furniture, which room, which outlook."""

@@ -1,0 +1,42 @@
+"""Choose a room of the map to look around in, where nobody has looked yet."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from kinematics.geometry.planar import PlanarPose
+from trees.beliefs.grounding.destination import Place
+from trees.beliefs.grounding.regions import place_of_region
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import optional, ports
+from trees.readings.odometry import feet_pose
+
+
+class ChooseRoom(Leaf):
+    """The nearest room in which the robot neither is nor was; what is in it is hidden by its walls."""
+
+    ASKS = True
+    OF = "rooms"
+    INPUT_PORTS = ports(rooms_before=optional(tuple))
+    OUTPUT_PORTS = ports(room=Place, rooms=tuple)
+    CONTRACT = Contract(
+        precondition="something is looked for, and it was not seen from here",
+        postcondition="a room of the map, noted as looked around in, as is the one that the robot is in",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Look through the map."""
+        body, places = feet_pose(self.toolbox), self.toolbox.places
+        here = [name for name, region in places.items() if region.contains(body.x_m, body.y_m)]
+        seen = {*(self.optional("rooms_before") or ()), *here}
+        others = [place_of_region(name, region) for name, region in places.items() if name not in seen]
+        if not others:
+            return Failure.postcondition("no other room is on the map", none_left=self.OF)
+        room = min(others, key=lambda one: body.distance_m(PlanarPose.of(one.odom_T_place)))
+        self._set_output("room", room)
+        self._set_output("rooms", (*sorted(seen), room.name))
+        self.feedback_message = room.name
+        return DONE

@@ -1,0 +1,1 @@
+"""Count, describe, find: answers about what is seen."""

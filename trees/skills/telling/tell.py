@@ -1,0 +1,148 @@
+"""Tell what was seen: how many, what, where."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from py_trees.common import Status
+from py_trees.ports import PortInformation
+
+from trees.beliefs.grounding.furniture_called import called_so
+from trees.beliefs.grounding.grounding import Ambiguous, ground, is_like
+from trees.beliefs.grounding.questions import which_is_meant
+from trees.beliefs.grounding.report_words import counted, listed, plural, whereabouts
+from trees.beliefs.openings.handles import MEANT_BY
+from trees.beliefs.scene.believed_thing import PERSON, Surroundings
+from trees.failures import Failure, Number
+from trees.nodes.contract import Contract
+from trees.nodes.ports import ports
+from trees.skills.telling.telling_leaf import TellingLeaf
+from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
+
+
+class TellCount(TellingLeaf):
+    """Say how many things fit a description."""
+
+    INPUT_PORTS = ports(task=CountTask, sightings=PortInformation(dict, default_value={}))
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="everything in reach of the eyes was looked at",
+        postcondition="the number of things of the world model that fit was said, with its confidence",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Count; none is an answer, too."""
+        task: CountTask = self.get_input("task")
+        around, seen_from_here = self.around(), task.source is None and self._is_big(task.object)
+        if seen_from_here:
+            around = self.now_seen(around)
+        furniture = self.pieces(task.object, around, task.source)
+        names = self.fitting(task.object, around, task.source) if furniture is None else furniture
+        if isinstance(names, Failure):
+            return names
+        if task.object.kind != PERSON and (far := self.too_far(task.source, around)) is not None:
+            return far
+        held = self._in_hand(task.object, around) if task.source is None and furniture is None else ()
+        count = len(names) + len(held)
+        noun = " ".join(word for word in (task.object.color, task.object.kind or "thing") if word)
+        said = f"there {'is' if count == 1 else 'are'}"
+        if (told := self.called_here(task.source, around)) != task.source:
+            said = f"on the {told} {said}"
+        if self.region(task.source) is not None:  # not all of a room is seen from one place
+            said = f"in the {task.source} I see"
+        elif seen_from_here or task.object.kind == PERSON or (self.toolbox.places and task.source is None):
+            said = "from here I see"
+        elif self.much_is_hidden():
+            said = f"not all of the {self.called_here(task.source, around)} is to be seen; there I see"
+        in_hand = f", {len(held)} of them in my hand{'s' * (len(held) > 1)}" if held else ""
+        return self.say(f"{said} {plural(noun, count)}{in_hand}", {"count": count, **self.confidence(names)})
+
+    @staticmethod
+    def _in_hand(wanted: ObjectDescription, around: Surroundings) -> tuple[str, ...]:
+        """What hands hold counts, too, where nothing but its kind and colour is asked for."""
+        if replace(wanted, kind=None, color=None) != ObjectDescription():
+            return ()
+        return tuple(name for name in around.held if is_like(wanted, name))
+
+    def _is_big(self, wanted: ObjectDescription) -> bool:
+        """Whether it stands anywhere in a room, not on something that was looked over."""
+        return wanted.kind == PERSON or self.pieces(wanted, self.around(), None) is not None
+
+
+class TellDescription(TellingLeaf):
+    """Say what is there: everything, what is on a surface, or where one thing is."""
+
+    INPUT_PORTS = ports(task=DescribeTask, sightings=PortInformation(dict, default_value={}))
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="everything in reach of the eyes was looked at",
+        postcondition="what the world model holds was said, with its confidence",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Put it into words."""
+        task: DescribeTask = self.get_input("task")
+        around = self.around()
+        wanted = task.object if isinstance(task.object, ObjectDescription) else None
+        if wanted is None and task.source is None:
+            around = self.now_seen(around)
+        if wanted is not None and not _is_surface(wanted, around):
+            return self._one(wanted, around, task.source)
+        source = task.source if task.source is not None else (wanted.kind if wanted is not None else None)
+        names = self.fitting(ObjectDescription(), around, source)
+        if isinstance(names, Failure):
+            return names
+        if (far := self.too_far(task.source, around)) is not None:
+            return far
+        things = [thing for thing in around.objects if thing.name in names]
+        region = self.region(source)
+        people = self._people(around, source)
+        inside = region is not None or str(source) in MEANT_BY
+        told = self.called_here(source, around)
+        there = "in" if inside else "on" if isinstance(source, str) else "in or on"
+        where = "here" if source is None else f"{there} the {told}"
+        furniture = self.furniture(around, region) if source is None or region is not None else []
+        words = f"{where} I see {listed([*furniture, *counted(things), *people]) or 'nothing'}"
+        return self.say(
+            words,
+            {"things": len(things), "names": ", ".join(names), **self.confidence(names)},
+        )
+
+    def _people(self, around: Surroundings, source: Destination | None) -> list[str]:
+        """Who is here, or in a room; nobody stands on anything."""
+        region = self.region(source)
+        if source is not None and region is None:
+            return []
+        people = {thing.name: thing for thing in around.things if thing.is_person}
+        return [
+            thing.name if thing.kind != PERSON else "a person"
+            for name, thing in people.items()
+            if name in self.inside(region, people)
+        ]
+
+    def _one(
+        self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
+    ) -> Status | Failure:
+        names = self.fitting(wanted, around, source)
+        if isinstance(names, Failure):
+            return names
+        if not names and wanted == ObjectDescription(relation=wanted.relation):
+            return self.say(f"nothing is {wanted.relation}", {"things": 0, **self.confidence(names)})
+        if not names:
+            return Failure.postcondition(f"no {wanted} seen")
+        meant = ground(wanted, around, source)
+        if isinstance(meant, Ambiguous):
+            return which_is_meant(meant)
+        thing = next(thing for thing in around.things if thing.name == names[0])
+        called = thing.name if thing.is_person and thing.kind != PERSON else f"the {thing.words}"
+        evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}
+        return self.say(
+            f"{called} is {whereabouts(thing)}",
+            {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m},
+        )
+
+
+def _is_surface(wanted: ObjectDescription, around: Surroundings) -> bool:
+    return wanted.color is None and bool(called_so(wanted.kind or "", around.furniture_words))

@@ -1,0 +1,52 @@
+"""See who speaks to the robot: look for people all around, and take the nearest."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from trees.failures import Failure
+from trees.nodes.alternatives import Alternatives
+from trees.nodes.best_effort import BestEffort
+from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.skills.looking.look_at import LookAt
+from trees.skills.telling.is_about_speaker import AsksForSpeaker
+from trees.skills.telling.look_for_people import LookForPeople
+from trees.skills.telling.note_who_speaks import NoteWhoSpeaks
+from trees.skills.walking.ready_to_walk import ReadyToWalk
+from trees.skills.walking.walk_with_room import change_viewpoint
+from trees.toolbox import Toolbox
+
+_TURNS = 2
+"""Turns of 1.9 rad: with a look to both sides before each, nothing around the robot is left out."""
+
+
+def who_speaks(toolbox: Toolbox) -> Behaviour:
+    """Fails at once when the task is about somebody else. Reads "task", writes "place"."""
+    ways = [_view("from here", toolbox, [])]
+    for k in range(1, _TURNS + 1):
+        turn: list[Behaviour] = [
+            ReadyToWalk("stand upright", toolbox),
+            change_viewpoint(toolbox, "around"),
+        ]
+        ways.append(_view(f"turned {k}", toolbox, turn))
+    ways.append(NoteWhoSpeaks("the nearest one", toolbox, anybody=True))
+    looks = Alternatives("look for who speaks", ways)
+    return Sequence("see who speaks", memory=True, children=[AsksForSpeaker("asked for", toolbox), looks])
+
+
+def nobody_spoke(failure: Failure) -> bool:
+    """A defect, a question, or a look all around that showed nobody: no other look helps."""
+    return looking_elsewhere_is_useless(failure) or "people" in failure.root.numbers
+
+
+def _view(name: str, toolbox: Toolbox, before: list[Behaviour]) -> Behaviour:
+    children = list(before)
+    for gaze in toolbox.policy.level_gazes:
+        pair: list[Behaviour] = [
+            LookAt("look", toolbox, gaze),
+            LookForPeople("see who is there", toolbox, {"people_before": "people"}),
+        ]
+        children.append(BestEffort(Sequence(f"look {gaze.name}", memory=True, children=pair)))
+    children.append(NoteWhoSpeaks("near enough", toolbox))
+    return Sequence(name, memory=True, children=children)

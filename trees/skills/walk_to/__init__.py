@@ -1,0 +1,1 @@
+"""Walk to furniture, things, people and rooms."""

@@ -1,0 +1,1 @@
+"""A walk over the floor within what the range sensor sees."""

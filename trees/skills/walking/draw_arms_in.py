@@ -1,0 +1,63 @@
+"""Draw empty arms in before the chest, to walk where hands at home have no room."""
+
+from __future__ import annotations
+
+from kinematics.requests.move import MoveRequest
+from kinematics.walking.route.room import WalkingRoom
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.move_from_here import move_from_here
+from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
+from trees.nodes.ports import ports
+from trees.skills.walking.empty_arms import are_at, home_joints, tucked_joints
+from trees.skills.walking.scan_without_load import without_held
+from trees.toolbox import Toolbox
+
+
+class DrawArmsIn(PlannedMotionLeaf):
+    """Fold the arms that hold nothing, or bring them home again; all else stays as it is."""
+
+    INPUT_PORTS = ports()
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="the robot stands",
+        postcondition="every joint of an arm that holds nothing is measured to be where it is wanted",
+        deadline_s=20.0,
+        moves="body",
+        on_success="the arms that hold nothing are drawn in, or at home again",
+    )
+
+    def __init__(self, name: str, toolbox: Toolbox, out: bool = False) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            out: Bring them home again.
+        """
+        super().__init__(name, toolbox)
+        self._out = out
+
+    def goal(self) -> MoveRequest | Failure | None:
+        """The joints of the empty arms, unless they are there already."""
+        toolbox = self.toolbox
+        joints = home_joints(toolbox) if self._out else tucked_joints(toolbox)
+        if not joints and not self._out:
+            return Failure.infeasible(f"{toolbox.model.description.name} has no arm to draw in")
+        if are_at(toolbox, joints):
+            return None
+        if self._out and (barred := self._bars_hands()):
+            return Failure.infeasible(barred)
+        return move_from_here(toolbox, joints, keep_others=True)
+
+    def _bars_hands(self) -> str:
+        """Why the hands cannot come out: somebody may stand there unknown. Empty when they can."""
+        toolbox, settings = self.toolbox, self.toolbox.model.description.walking
+        if toolbox.ranging is None or settings is None:
+            return ""
+        scan = toolbox.ranging.scan()
+        if scan is None:
+            return "the range sensor does not tell whether the hands have room to come out"
+        if WalkingRoom(settings).turn_meets(without_held(toolbox, scan), 0.0) is not None:
+            return "the hands have no room to come out again"
+        return ""

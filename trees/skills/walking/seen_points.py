@@ -1,0 +1,70 @@
+"""Where a range sensor has seen something, kept while the robot walks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.geometry.planar import PlanarPose
+from kinematics.walking.route.path_planning import Footprint
+from robots.perception.range_sensor import RangeSensor
+
+_CELL_M = 0.05
+_KNOWN_M = 0.12
+"""A point this near to something known is a point of it."""
+
+
+class SeenPoints:
+    """Points of obstacles on a grid over the floor, in the odometry frame.
+
+    Attributes:
+        silent: Whether the sensor had nothing to say when it was asked last.
+    """
+
+    def __init__(self, sensor: RangeSensor | None) -> None:
+        """Nothing was seen yet; without a sensor nothing ever is."""
+        self._sensor = sensor
+        self.silent = False
+        self._cells: dict[tuple[int, int], None] = {}
+
+    def look(self, body: PlanarPose, leave_out: Callable[[Array], Array] = lambda scan: scan) -> Array:
+        """Take a scan; gives the points that are new, shape (n, 2).
+
+        Args:
+            body: Where the base is.
+            leave_out: Takes out of a scan, shape (n, 3), what is no obstacle.
+        """
+        scan = None if self._sensor is None else self._sensor.scan()
+        self.silent = self._sensor is not None and scan is None
+        if scan is None:
+            return np.zeros((0, 2))
+        scan = leave_out(scan)
+        c, s = math.cos(body.yaw_rad), math.sin(body.yaw_rad)
+        x = body.x_m + c * scan[:, 0] - s * scan[:, 1]
+        y = body.y_m + s * scan[:, 0] + c * scan[:, 1]
+        new: dict[tuple[int, int], None] = {}
+        for i, j in zip(np.rint(x / _CELL_M).astype(int), np.rint(y / _CELL_M).astype(int), strict=True):
+            cell = int(i), int(j)
+            if cell not in self._cells:
+                new[cell] = None
+        self._cells.update(new)
+        return _places(new)
+
+    def beside(self, known: Iterable[Footprint]) -> Array:
+        """All points that belong to nothing that is known, shape (n, 2)."""
+        return apart_from(_places(self._cells), known)
+
+
+def apart_from(points: Array, known: Iterable[Footprint]) -> Array:
+    """Those points, shape (n, 2), that are no points of something known."""
+    for footprint in known:
+        if len(points):
+            points = points[footprint.distance_m(points) > _KNOWN_M]
+    return points
+
+
+def _places(cells: Iterable[tuple[int, int]]) -> Array:
+    return _CELL_M * np.array(list(cells), dtype=np.float64).reshape(-1, 2)
