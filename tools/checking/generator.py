@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from kinematics.arrays import Array
+from kinematics.checking.settings import DEFAULT_SETTINGS
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.model.robot_description import HANDS
@@ -47,6 +48,9 @@ HELD_KG = 1.0
 """What a held thing weighs: a full bottle."""
 _BRIEF_S = 0.01
 """A brief defect lasts less than this."""
+_DECLARED_M = DEFAULT_SETTINGS.spare_m + 2.0 * DEFAULT_SETTINGS.collision_m
+"""What the checker declares that it needs beyond every margin, to certify it: a motion that passes by
+something with less than these hundredths of a millimetre is neither sound nor a defect: drawn again."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +108,9 @@ class Generator:
             if heavy or (kind not in _NEEDS_NO_SCENE and not (kind == "sound" and verdict.unsafe)):
                 verdict = self._referee.judge(trajectory, scene, verdict)
             wanted = (
-                not verdict.unsafe if kind == "sound" else bool(_EXPECTED[kind] & set(verdict.violations))
+                not verdict.unsafe and verdict.least_distance_m >= _DECLARED_M
+                if kind == "sound"
+                else bool(_EXPECTED[kind] & set(verdict.violations))
             )
             if kind == "brief":
                 wanted = wanted and verdict.duration_s["scene"] < _BRIEF_S
