@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import copy
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
+import pinocchio as pin
 
 from kinematics.arrays import Array
 from kinematics.checking.timeline import Configurations
@@ -105,6 +109,24 @@ class BatchedKinematics:
             from_axis = float(np.linalg.norm(offset - axis * (axis @ offset))) + reach
             reach += float(np.linalg.norm(offset))
         return reaches
+
+    def carrying(self, model: RobotModel, masses: Sequence[tuple[str, float, Array]]) -> Self:
+        """The same robot with point masses, each a frame, its mass in kg and its place there, shape (3,).
+
+        Raises:
+            UnknownNameError: There is no such frame.
+        """
+        heavier = copy.copy(self)
+        heavier.mass_kg, heavier.lever_m = self.mass_kg.copy(), self.lever_m.copy()
+        heavier.inertia = self.inertia.copy()
+        for name, mass_kg, point_m in masses:
+            frame = model.pin.frames[model.frame_id(name)]
+            body = int(frame.parentJoint)
+            own = pin.Inertia(heavier.mass_kg[body], heavier.lever_m[body], heavier.inertia[body])
+            total = own + pin.Inertia(mass_kg, frame.placement.act(point_m), np.zeros((3, 3)))
+            heavier.mass_kg[body], heavier.lever_m[body] = total.mass, total.lever
+            heavier.inertia[body] = total.inertia
+        return heavier
 
     def poses(self, configurations: Configurations, bodies: frozenset[int] | None = None) -> BodyPoses:
         """Poses of all bodies, or of some and all that they hang on; the rest is left undefined."""

@@ -131,14 +131,13 @@ class TrajectoryChecker:
         if not loads:
             return self._dynamics
         if self._loaded[0] != loads:
-            model = self._model.with_point_masses(
-                [(load.frame, load.mass_kg, np.array(load.point_m)) for load in loads]
-            )
+            masses = [(load.frame, load.mass_kg, np.array(load.point_m)) for load in loads]
             if self._compiled is None:
+                model = self._model.with_point_masses(masses)
                 check = DynamicsCheck(model, BatchedKinematics(model), self._settings)
             else:
-                kinematics = type(self._compiled)(model)
-                check = DynamicsCheck(model, kinematics, self._settings, kinematics.loads)
+                kinematics = self._compiled.carrying(self._model, masses)
+                check = DynamicsCheck(self._model, kinematics, self._settings, kinematics.loads)
             self._loaded = loads, check
         return self._loaded[1]
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kinematics.checking.kinematics import BatchedKinematics
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.motion.verdict import CheckedTrajectory, FindingKind
@@ -78,3 +79,14 @@ def test_a_checked_motion_says_what_the_hands_carry_in_it(motions, holding, chec
     checked = checker.check(motions.still(), holding(1.0))
 
     assert [(load.frame, load.mass_kg) for load in checked.loads] == [("tcp_left", 1.0)]
+
+
+def test_a_load_weighs_the_same_to_the_checker_as_to_the_model(talos):
+    frame = talos.description.tcp_frames["left"]
+    masses = [(frame, 0.7, np.array([0.1, -0.02, 0.03])), (frame, 0.4, np.array([0.0, 0.05, 0.0]))]
+
+    carrying = BatchedKinematics(talos).carrying(talos, masses)
+
+    loaded = BatchedKinematics(talos.with_point_masses(masses))
+    for name in ("mass_kg", "lever_m", "inertia"):
+        np.testing.assert_allclose(getattr(carrying, name), getattr(loaded, name), rtol=1e-12, atol=1e-12)
