@@ -16,6 +16,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.checking.kinematics import WORLD, BatchedKinematics
+from kinematics.distance.coal_shapes import coal_shape
 from kinematics.errors import ModelError
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
@@ -95,7 +96,7 @@ def plain_solid(
         name=name,
         body=body,
         body_T_solid=body_T_solid,
-        geometry=_coal_shape(shape),
+        geometry=coal_shape(shape),
         support=_plain_support(shape),
         shape=shape,
         centre_m=centre,
@@ -171,16 +172,6 @@ def _plain(geometry: Any) -> Shape | None:
     if isinstance(geometry, coal.Sphere):
         return Ball(float(geometry.radius))
     return None
-
-
-def _coal_shape(shape: Shape) -> Any:
-    match shape:
-        case Box(size_m=size):
-            return coal.Box(*size)
-        case Cylinder(radius_m=radius, height_m=height):
-            return coal.Cylinder(radius, height)
-        case Ball(radius_m=radius):
-            return coal.Sphere(radius)
 
 
 def _circumradius(shape: Shape) -> float:
