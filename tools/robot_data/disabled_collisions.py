@@ -1,6 +1,6 @@
 """Which pairs of a robot's links need no judging: the list for a robot that comes without an SRDF.
 
-    python -m tools.disabled_collisions g1 > robots/models/g1/disabled_collisions.toml
+    python -m tools.robot_data.disabled_collisions g1 > robots/models/g1/disabled_collisions.toml
 
 As MoveIt's setup assistant does it: pairs that one joint separates, pairs that touch by design, and pairs
 that are apart in every one of many random configurations. What is sampled is the whole range of the joints.

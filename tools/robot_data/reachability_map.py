@@ -1,6 +1,6 @@
 """How well a standing robot's hands reach what is around it: the map for choosing places to stand.
 
-    python -m tools.reachability_map talos > robots/models/talos/reachability.toml
+    python -m tools.robot_data.reachability_map talos > robots/models/talos/reachability.toml
 
 At each place of a grid around a robot that stands at home, each hand is brought to poses from the side,
 slanting and from above, turned by up to 60 degrees out of the direction in which its shoulder sees the place,

@@ -1,6 +1,6 @@
 """Places to stand for a pick, with a reachability map and without: which ones serve, by planning alone.
 
-    python -m tools.standing_places --episodes 60 --seed 500
+    python -m tools.robot_data.standing_places --episodes 60 --seed 500
 
 Random tables of 0.4 to 1.1 m, some beside a wall, with up to six things on them, and open fridges with a
 bottle on a board. Each place is asked about as ``choose where to stand`` does it: has a pick a plan there?

@@ -90,7 +90,7 @@ def test_asking_whether_a_file_can_be_written_leaves_no_trace(tmp_path):
 
 WRITER = """
 import pathlib, sys
-from executive.run_log import RunLog
+from executive.runs.run_log import RunLog
 from trees.events import NodeChanged
 
 with RunLog(pathlib.Path(sys.argv[1]), {"input": "killed"}) as log:
