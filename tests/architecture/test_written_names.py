@@ -9,7 +9,9 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 COMMAND = re.compile(r"python -m ((?:tools|executive|trees|robots|kinematics)(?:\.\w+)*)")
-IMPORT = re.compile(r"^(?:>>> )?from ((?:tools|executive|trees|robots|kinematics)[\w.]*) import (.+)$", re.MULTILINE)
+IMPORT = re.compile(
+    r"^(?:>>> )?from ((?:tools|executive|trees|robots|kinematics)[\w.]*) import (.+)$", re.MULTILINE
+)
 PATH = re.compile(r"\b(?:tests|tools|executive|trees|robots|kinematics)/[\w/]+\.py\b")
 SAMPLES = ("tests/architecture/", "tests/kinematics/compiled/test_cache.py", "docs/adr/", "CHANGELOG.md")
 """Their modules are made up, or are those of their day."""
@@ -36,7 +38,12 @@ def exports(module, name):
 
 
 def test_every_command_that_is_written_down_names_a_module():
-    wrong = [f"{file}: {name}" for file, text in texts() for name in COMMAND.findall(text) if not module_exists(name)]
+    wrong = [
+        f"{file}: {name}"
+        for file, text in texts()
+        for name in COMMAND.findall(text)
+        if not module_exists(name)
+    ]
 
     assert wrong == []
 
