@@ -239,7 +239,8 @@ class Errand:
             self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
             failure = Failure(FailureKind.REFUSED, message)
             return TaskResult(command.text, command.action, "refused", failure=failure)
-        why = impossible(self._commands, self._session.toolbox.places)
+        toolbox = self._session.toolbox
+        why = impossible(self._commands, toolbox.places, toolbox.detector.labels)
         if why is None:
             return None
         self._session.tell(TaskRefused(self._session.now_s, why.command.text, why.message, why.word))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
+from executive.errands.beyond_the_eyes import cannot_be_told, what_can_be_found
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
+from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
 from trees.tasks import Bringing, ObjectDescription, PlaceTask
 
@@ -46,12 +48,15 @@ class Impossible:
     word: str
 
 
-def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossible | None:
+def impossible(
+    commands: Sequence[Command], rooms: Collection[str], labels: Collection[str] | None = None
+) -> Impossible | None:
     """The first command that cannot be done here, whatever is seen; None without one.
 
     Args:
         commands: What was said.
         rooms: Names of the rooms on the map.
+        labels: The words that perception can tell; None: any.
     """
     missing = missing_room(commands, rooms)
     if missing is not None:
@@ -63,6 +68,10 @@ def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossibl
             return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
         if isinstance(command, PlaceTask) and (below := _below(command)) is not None:
             return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")
+    if labels is not None and (untold := cannot_be_told(commands, labels)) is not None:
+        command, word = untold
+        known = f"I do not know what {with_article(word)} looks like; I can find"
+        return Impossible(command, f"{known} {what_can_be_found(word, labels)}", word)
     return None
 
 

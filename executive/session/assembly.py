@@ -10,6 +10,8 @@ from executive.session.events import Event, EventSink
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor
+from executive.understanding.canonical_detector import CanonicalDetector
+from executive.understanding.canonical_words import canonical_kind
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
@@ -116,7 +118,7 @@ def assemble(
         motion=loop.motion,
         sensing=loop.sensing,
         grippers=loop.grippers,
-        detector=perception,
+        detector=CanonicalDetector(perception, canonical_kind),
         planning=planning,
         world=WorldModel(),
         events=sink,

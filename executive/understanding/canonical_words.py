@@ -29,6 +29,7 @@ _SIDES: Mapping[str, str] = MappingProxyType({"left": "leftmost", "right": "righ
 _FROM_SIDE = re.compile(r"(?P<rank>\w+) from (the )?(?P<side>left|right)( side)?")
 _DESTINATIONS = ("source", "to", "on", "person")
 _NOUNS = ("KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE", "PERSON", "ROOM")
+_KINDS = ("KIND", "SUBSTANCE", "PAIR", "CONTAINER")
 _GOALS = ("FURNITURE", "CONTAINER", "DOOR", "ROOM", "PERSON", "NAME")
 _ALWAYS_KNOWN = ("me", "in_front", "you", "robot", "start")
 
@@ -152,6 +153,16 @@ def _canonical(word: str, preferred: Sequence[str]) -> str:
         raise UnknownWordError(message, word[:40])
     first = next((reading for reading in usable if reading.word_class in preferred), usable[0])
     return first.meaning
+
+
+def canonical_kind(word: str) -> str:
+    """What sentences call a kind of thing, "cup" for a mug; what is in no list of things stays as it is."""
+    known, words = vocabulary(), word.casefold().split()
+    length, readings = known.match(words)
+    if length != len(words):
+        return word
+    kinds = [one.meaning for name in _KINDS for one in readings if one.word_class in (name, f"{name}S")]
+    return kinds[0] if kinds else word
 
 
 @lru_cache(maxsize=1)

@@ -15,6 +15,7 @@ from kinematics.errors import UnknownNameError
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
+from kinematics.scene.label import Label
 
 Pair = frozenset[str]
 """Two names, of links or of objects, in no order."""
@@ -44,6 +45,7 @@ class SceneObject(Sealed):
         margin_m: Distance that every part of the robot keeps from it unless the pair is allowed;
             the perception error that a plan must survive.
         movable: Whether it may be grasped; furniture may not.
+        label: What it is called besides; None where its name says it all. No plan depends on it.
     """
 
     name: str
@@ -51,6 +53,7 @@ class SceneObject(Sealed):
     world_T_object: Transform
     margin_m: float = 0.0
     movable: bool = True
+    label: Label | None = None
 
 
 def floor() -> SceneObject:

@@ -40,7 +40,10 @@ class ScriptedDetector:
         blind: While true, frames come but show nothing.
         frozen: While true, no new frames come.
         offset_m: Names of things that are seen at a wrong place, and by how much, along the world's axes.
+        labels: The words that it can tell; None: any.
     """
+
+    labels: frozenset[str] | None = None
 
     def __init__(
         self, world: ScriptedWorld, camera: CameraDescription, clock: Clock, rate_hz: float = 50.0
@@ -95,6 +98,16 @@ class ScriptedDetector:
             if offset_m is not None:
                 told = camera_T_world @ poses.translation(*offset_m) @ item.world_T_object
             seen.append(
-                Detection(item.category, item.kind, item.color, told, item.shape, 0.95, item.told_name)
+                Detection(
+                    item.category,
+                    item.kind,
+                    item.color,
+                    told,
+                    item.shape,
+                    0.95,
+                    item.told_name,
+                    item.names,
+                    item.categories,
+                )
             )
         return seen

@@ -26,6 +26,8 @@ class Detection(Sealed):
         confidence: In [0, 1].
         name: Of a person who was recognised, or of furniture that has one of its own ("side table"); None
             else.
+        names: What an object is called besides, the usual name first: "tomato soup".
+        categories: What sorts of things an object belongs to: "food".
     """
 
     category: Category
@@ -35,6 +37,8 @@ class Detection(Sealed):
     shape: Shape
     confidence: float
     name: str | None = None
+    names: tuple[str, ...] = ()
+    categories: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +58,11 @@ class PerceptionFrame:
 
 class Detector(Protocol):
     """A source of frames."""
+
+    @property
+    def labels(self) -> frozenset[str] | None:
+        """The words that it can tell: kinds, names and categories. None: any word, it is open."""
+        ...
 
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""

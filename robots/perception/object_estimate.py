@@ -14,6 +14,7 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
 
 # Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.
@@ -43,6 +44,7 @@ class ObjectEstimate(Sealed):
         spread_m: Root mean square distance of all its detections from the estimate. White noise gives
             about 1.7 times its deviation; more says that something moved, or was merged with a neighbour.
         name: Of a person who was recognised, or of furniture that has one of its own; None else.
+        names, categories: Of an object, as in ``Detection``.
     """
 
     category: Category
@@ -54,6 +56,13 @@ class ObjectEstimate(Sealed):
     frames_seen: int
     spread_m: float
     name: str | None = None
+    names: tuple[str, ...] = ()
+    categories: tuple[str, ...] = ()
+
+    @property
+    def label(self) -> Label:
+        """What it is called."""
+        return Label(self.kind, self.color, self.names, self.categories)
 
     @property
     def tilt_rad(self) -> float:
@@ -93,6 +102,7 @@ class _Cluster:
             detection.category == self.first.category
             and detection.kind == self.first.kind
             and detection.name == self.first.name
+            and detection.names == self.first.names
             and type(detection.shape) is type(self.first.shape)
             and (detection.color is None or not colors or detection.color in colors)
         )
@@ -175,6 +185,8 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         frames_seen=seen,
         spread_m=math.hypot(*off) / math.sqrt(len(off)),
         name=cluster.first.name,
+        names=cluster.first.names,
+        categories=cluster.first.categories,
     )
 
 

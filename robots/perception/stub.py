@@ -33,6 +33,7 @@ from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
+from robots.perception.stub_labels import told_labels
 from robots.perception.truth_view import TrueObject, TruthView
 from robots.scenes.articulated import PART_KINDS
 from robots.scenes.scene_description import PerceptionModel
@@ -88,6 +89,7 @@ class PerceptionStub:
         self._episode_rng, self._frame_rng, self._false_rng = rng.spawn(3)
         self._sight = Sight(truth, camera)
         self._episodes: dict[str, _Episode] = {}
+        self._labels = told_labels(truth.solids(), model.labels)
         for solid in truth.solids():
             self._episode(solid)
         self._pending: deque[PerceptionFrame] = deque()
@@ -96,6 +98,11 @@ class PerceptionStub:
         self._start_s = clock.now_s()
         self._due_s = self._start_s
         self._asked_s = self._start_s
+
+    @property
+    def labels(self) -> frozenset[str] | None:
+        """The words that it can tell; None: any."""
+        return self._labels
 
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
@@ -188,6 +195,8 @@ class PerceptionStub:
                 shape=_resized(solid.shape, self._episode(solid).scale),
                 confidence=self._confidence(pose, share, float(row[6])),
                 name=solid.told_name,
+                names=solid.names,
+                categories=solid.categories,
             )
             for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
         ]

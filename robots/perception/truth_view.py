@@ -28,6 +28,7 @@ class TrueObject(Sealed):
         category, kind, color: As in ``Detection``.
         shape: Its solid.
         world_T_object: Its pose, shape (4, 4).
+        names, categories: As in ``Detection``.
     """
 
     name: str
@@ -36,6 +37,8 @@ class TrueObject(Sealed):
     color: str | None
     shape: Shape
     world_T_object: Transform
+    names: tuple[str, ...] = ()
+    categories: tuple[str, ...] = ()
 
     @property
     def told_name(self) -> str | None:

@@ -42,6 +42,7 @@ class PerceptionModel:
         merge_distance_m: Two objects whose surfaces are nearer than this may be seen as one.
         merge_chance: Chance of it, drawn each frame.
         min_visible: Share of an object's surface points that must be in sight.
+        labels: Words that it can tell besides those of the scene's things; "any" among them makes it open.
     """
 
     kind: str = "stub"
@@ -56,6 +57,7 @@ class PerceptionModel:
     merge_distance_m: float = 0.004
     merge_chance: float = 0.05
     min_visible: float = 0.25
+    labels: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +111,17 @@ class Furniture:
 class SceneItem(Sealed):
     """A movable object with its pose in the world.
 
-    A box or bowl with ``wall_m`` is hollow and open at the top, with walls and a bottom so thick.
+    Attributes:
+        name: Its name in the scene; a name of its own ("tomato soup") is told by perception, one that says
+            colour and kind ("red cup 2") is not.
+        kind: What it is: "cup", or any other word.
+        color: One of ``scene_words.COLORS``, or None.
+        shape: Its solid.
+        mass_kg, friction: Of the whole.
+        world_T_object: Its pose, shape (4, 4).
+        wall_m: Thickness of walls and bottom of a box or bowl that is hollow and open at the top.
+        names: What it is called besides, the usual name first.
+        categories: What sorts of things it belongs to.
     """
 
     name: str
@@ -120,6 +132,8 @@ class SceneItem(Sealed):
     friction: float
     world_T_object: Transform
     wall_m: float | None = None
+    names: tuple[str, ...] = ()
+    categories: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -147,8 +147,9 @@ def _perception(reader: SceneTable) -> PerceptionModel:
     names = [item.name for item in fields(PerceptionModel)]
     reader.only(names)
     kind = reader.word("kind", ("stub",)) if "kind" in reader.data else default.kind
-    numbers = {name: reader.number(name, getattr(default, name)) for name in names if name != "kind"}
-    return PerceptionModel(kind=kind, **numbers)
+    texts = ("kind", "labels")
+    numbers = {name: reader.number(name, getattr(default, name)) for name in names if name not in texts}
+    return PerceptionModel(kind=kind, labels=reader.texts("labels"), **numbers)
 
 
 def _furniture(reader: SceneTable) -> Furniture:
@@ -181,22 +182,57 @@ def _region(reader: SceneTable) -> Region:
 
 
 def _item(reader: SceneTable, pieces: tuple[Furniture, ...]) -> SceneItem:
-    kind = reader.word("kind", OBJECT_KINDS)
-    shape, shape_keys = _shape(reader, kind)
-    common = ("name", "kind", "color", "mass_kg", "friction", "on", "board", "position_m", "yaw_rad")
-    hollow = ("wall_m",) if kind in HOLLOW_KINDS else ()
-    reader.only((*common, *shape_keys, *hollow))
+    kind = reader.text("kind")
+    solid = _solid(reader, kind)
+    shape, shape_keys = _shape(reader, solid)
+    hollow = ("wall_m",) if solid in HOLLOW_KINDS else ()
+    reader.only((*_ITEM_KEYS, *shape_keys, *hollow))
     wall_m = reader.number("wall_m") if "wall_m" in reader.data else None
     return SceneItem(
         name=reader.text("name"),
         kind=kind,
         color=reader.text("color") if "color" in reader.data else None,
         shape=shape,
-        mass_kg=reader.number("mass_kg", usual_mass_kg(kind, shape, wall_m)),
+        mass_kg=reader.number("mass_kg", usual_mass_kg(solid, shape, wall_m)),
         friction=reader.number("friction", USUAL_FRICTION),
         world_T_object=_place(reader, shape, pieces),
         wall_m=wall_m,
+        names=reader.texts("names"),
+        categories=reader.texts("categories"),
     )
+
+
+_ITEM_KEYS = (
+    *("name", "kind", "names", "categories", "shape", "color"),
+    *("mass_kg", "friction", "on", "board", "position_m", "yaw_rad"),
+)
+_SHAPED_LIKE = {"cylinder": "can", "box": "box", "ball": "ball", "bowl": "bowl"}
+"""What ``shape`` may say, and the usual kind whose keys and weight it has."""
+
+
+def _solid(reader: SceneTable, kind: str) -> str:
+    """The usual kind that an object is shaped like: its own, what ``shape`` says, or what its sizes tell.
+
+    A kind that is spelled nearly like a usual one is taken for a slip of the pen, unless ``shape`` is said.
+    """
+    if "shape" in reader.data:
+        return _SHAPED_LIKE[reader.word("shape", _SHAPED_LIKE)]
+    if kind in OBJECT_KINDS:
+        return kind
+    if near := difflib.get_close_matches(kind, OBJECT_KINDS, n=1, cutoff=_A_SLIP):
+        raise reader.fail(
+            "kind", f'unknown kind {kind!r}; the nearest is {near[0]!r}, or say shape = "cylinder"'
+        )
+    if "size_m" in reader.data:
+        return "box"
+    if "radius_m" in reader.data:
+        return "can" if "height_m" in reader.data else "ball"
+    reason = "say size_m = [x, y, z] of a box, radius_m and height_m of a cylinder, or radius_m of a ball"
+    raise reader.fail("kind", f"{kind!r} is none of the usual kinds, {', '.join(OBJECT_KINDS)}: {reason}")
+
+
+_A_SLIP = 0.8
+"""Likeness of two words of which one is the other misspelled."""
 
 
 def _shape(reader: SceneTable, kind: str) -> tuple[Shape, tuple[str, ...]]:

@@ -25,7 +25,7 @@ from robots.scenes.scene_description import (
     SceneDescription,
     SceneItem,
 )
-from robots.scenes.scene_words import COLORS, OBJECT_KINDS, nearest_word
+from robots.scenes.scene_words import COLORS, LONGEST_LABEL, nearest_word
 
 LARGEST_BAR_RADIUS_M = 0.03
 
@@ -175,9 +175,10 @@ def _check_friction(value: float, name: str, source: str, key: str) -> None:
 
 
 def _check_item(item: SceneItem, source: str, key: str) -> None:
-    if item.kind not in OBJECT_KINDS:
-        near = nearest_word(item.kind, OBJECT_KINDS)
-        raise SceneError(source, f"{key}.kind", f"unknown kind {item.kind!r}; the nearest is {near!r}")
+    for slot, words in (("kind", (item.kind,)), ("names", item.names), ("categories", item.categories)):
+        long = next((word for word in words if not 0 < len(word) <= LONGEST_LABEL), None)
+        reason = f"must have from 1 to {LONGEST_LABEL} letters, not {len(long or '')}"
+        _require(long is None, source, f"{key}.{slot}", reason)
     if item.color is not None and item.color not in COLORS:
         near = nearest_word(item.color, COLORS)
         raise SceneError(source, f"{key}.color", f"unknown colour {item.color!r}; the nearest is {near!r}")

@@ -61,6 +61,13 @@ class SceneTable:
             raise self.fail(key, f"must be a text in quotes, not {value!r}")
         return value
 
+    def texts(self, key: str) -> tuple[str, ...]:
+        """A list of texts that are not blank; an empty one where the key is missing."""
+        value = self.data.get(key, [])
+        if not isinstance(value, list) or not all(isinstance(one, str) and one.strip() for one in value):
+            raise self.fail(key, f'must be a list of texts, ["tomato soup"], not {value!r}')
+        return tuple(value)
+
     def word(self, key: str, known: Iterable[str]) -> str:
         """One of some words."""
         value, words = self.text(key), list(known)

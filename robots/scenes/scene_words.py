@@ -10,6 +10,9 @@ HOLLOW_KINDS = ("box", "bowl")
 """Kinds that may be hollow and open at the top."""
 OBJECT_KINDS = (*CYLINDER_KINDS, "box", "ball")
 
+LONGEST_LABEL = 60
+"""Letters of a kind, a name or a category."""
+
 COLORS: dict[str, tuple[float, float, float]] = {
     "red": (0.85, 0.10, 0.08),
     "green": (0.15, 0.60, 0.20),

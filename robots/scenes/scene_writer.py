@@ -39,7 +39,9 @@ def dump(scene: SceneDescription) -> str:
         if item.world_T_object[2, 2] < 1.0 - 1e-12:
             raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
         color = {} if item.color is None else {"color": item.color}
+        called = {"names": item.names, "categories": item.categories}
         lines += ["", "[[object]]", *_pairs(name=item.name, kind=item.kind, **color)]
+        lines += _pairs(**{key: words for key, words in called.items() if words})
         lines += _pairs(**_shape_keys(item.shape), mass_kg=item.mass_kg, friction=item.friction)
         if item.wall_m is not None:
             lines += _pairs(wall_m=item.wall_m)

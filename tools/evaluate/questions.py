@@ -23,7 +23,7 @@ from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.skills import rooms
-from trees.beliefs.scene.believed_thing import split_words
+from trees.beliefs.scene.labels import split_words
 
 STILL_RAD = 0.02
 """Arms that move less are only carried by the balance."""

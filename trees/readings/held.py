@@ -37,9 +37,9 @@ def held_objects(toolbox: Toolbox, wanted: Thing | None = None) -> list[HeldObje
     """Everything that the world model has in a hand and that may be meant, in the order of the names."""
     frames = {frame: side for side, frame in toolbox.model.description.tcp_frames.items()}
     return [
-        HeldObject(name, frames[body.frame], body.body.shape, body.frame_T_object)
+        HeldObject(name, frames[body.frame], body.body.shape, body.frame_T_object, body.body.label)
         for name, body in sorted(toolbox.world.scene.attached.items())
-        if body.frame in frames and fits(name, wanted)
+        if body.frame in frames and fits(body.body, wanted)
     ]
 
 

@@ -50,6 +50,12 @@ class DetectorClient:
         """Whether somebody has asked for a frame a short while ago."""
         return self._link.now_s - self._asked_s < _LOOKS_FOR_S
 
+    @property
+    def labels(self) -> frozenset[str] | None:
+        """The words that it can tell, as the control process said when it was greeted; None: any."""
+        told = self._link.about["labels"]
+        return None if told is None else frozenset(map(str, told))
+
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
         self._asked_s = self._link.now_s

@@ -31,6 +31,8 @@ from executive.session.events import Event
 from executive.session.session import Session
 from executive.session.supervisor import Supervisor
 from executive.trust import USUAL_TRUST, Trust
+from executive.understanding.canonical_detector import CanonicalDetector
+from executive.understanding.canonical_words import canonical_kind
 from executive.understanding.command_parser import parse
 from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
@@ -100,7 +102,7 @@ class LiveExecutive:
             motion=motion,
             sensing=self._steps.sensing,
             grippers={hand: GripperClient(link, motion, hand) for hand in model.description.grippers},
-            detector=detector,
+            detector=CanonicalDetector(detector, canonical_kind),
             planning=self._planning,
             world=world,
             events=self._note,

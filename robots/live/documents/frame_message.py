@@ -24,6 +24,8 @@ def write_frame(frame: PerceptionFrame) -> bytes:
             "shape": _shape_json(item.shape),
             "confidence": item.confidence,
             "name": item.name,
+            "names": item.names,
+            "categories": item.categories,
         }
         for item in frame.detections
     ]
@@ -46,6 +48,8 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 shape=_shape(item["shape"]),
                 confidence=float(item["confidence"]),
                 name=item["name"],
+                names=tuple(map(str, item["names"])),
+                categories=tuple(map(str, item["categories"])),
             )
             for item in document["detections"]
         )

@@ -119,6 +119,7 @@ class ControlProcess:
         about = {
             "robot": options.robot,
             "scene": options.scene,
+            "labels": None if self._perception.labels is None else sorted(self._perception.labels),
             "seed": options.seed,
             "period_s": PERIOD_S,
             "state_every_s": PUBLISH_EVERY * PERIOD_S,

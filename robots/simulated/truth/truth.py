@@ -16,6 +16,7 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
 from robots.scenes import articulated, furniture, scene_solids
+from robots.scenes.object_names import told_names
 from robots.scenes.scene_description import SceneItem
 from robots.simulated.body.furniture_model import part_body
 from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP
@@ -44,6 +45,7 @@ class SimulatorTruth:
         self.contacts = TrueContacts(physics)
         self._removed: set[str] = set()
         self._items: dict[str, SceneItem] = {item.name: item for item in physics.scene.objects}
+        self._seen_as = {item.name: _seen_as(item) for item in physics.scene.objects}
         self._fixed = tuple(
             TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
             for piece in physics.scene.furniture
@@ -75,9 +77,9 @@ class SimulatorTruth:
     def solids(self) -> tuple[TrueObject, ...]:
         """Everything that could be seen: furniture, people, then objects, in the scene's order."""
         objects = tuple(
-            TrueObject(item.name, "object", item.kind, item.color, item.shape, self.world_T_object(item.name))
-            for item in self._items.values()
-            if item.name not in self._removed
+            replace(self._seen_as[name], world_T_object=self.world_T_object(name))
+            for name in self._items
+            if name not in self._removed
         )
         return self._fixed + self._moving() + self._people + objects
 
@@ -245,3 +247,11 @@ class SimulatorTruth:
     def _pose(self, body: int) -> Transform:
         self._physics.refresh()
         return self._physics.body_pose(body)
+
+
+def _seen_as(item: SceneItem) -> TrueObject:
+    """What a camera is shown of an object, where the scene has it at first."""
+    names = told_names(item.name, item.kind, item.names)
+    return TrueObject(
+        item.name, "object", item.kind, item.color, item.shape, item.world_T_object, names, item.categories
+    )

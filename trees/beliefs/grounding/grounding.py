@@ -18,9 +18,12 @@ from trees.beliefs.grounding.furniture_called import called_so, may_be_called
 from trees.beliefs.grounding.names_of_things import named
 from trees.beliefs.grounding.ranking import least, ordered, sized, there_are
 from trees.beliefs.grounding.spatial_relation import between_m, lies, lies_from_robot
+from trees.beliefs.grounding.things_called import things_called
 from trees.beliefs.grounding.unmatched import NoneFitsError, UntellableError
-from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings, split_words
+from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
+from trees.beliefs.scene.called import CalledBy, called_by
 from trees.beliefs.scene.furniture_pieces import belong_together
+from trees.beliefs.scene.labels import label_in
 from trees.beliefs.scene.scene_update import kind_of
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
 
@@ -43,9 +46,16 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is meant; names of the planning scene, the nearest first when there are several."""
+    """What is meant.
+
+    Attributes:
+        names: Of the planning scene, the nearest first when there are several.
+        because: Why it is that, for people, where the word that was said is not what it is called: "the red
+            can is the only drink that I see".
+    """
 
     names: tuple[str, ...]
+    because: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +107,7 @@ def ground(
     """
     try:
         if among is None:
-            among = _of_kind(wanted, around)
+            among = things_called(wanted, around, several=count != 1)
             if source is None and count == 1 and wanted.relation is None and wanted.name is None:
                 there = _where_it_was_sent(among, around)
                 if there and not isinstance(found := ground(wanted, around, among=there), Missing):
@@ -148,8 +158,8 @@ def compares(wanted: ObjectDescription, count: Count = 1) -> bool:
 
 def exactly(name: str) -> ObjectDescription:
     """A description that means one known object, and names it as people do."""
-    kind, color = split_words(name)
-    return ObjectDescription(kind=kind, color=color, name=name)
+    label = label_in(name)
+    return ObjectDescription(kind=label.kind, color=label.color, name=name)
 
 
 def _counted(wanted: ObjectDescription, fitting: list[BelievedThing], count: Count) -> Grounding:
@@ -166,29 +176,14 @@ def _counted(wanted: ObjectDescription, fitting: list[BelievedThing], count: Cou
         return Missing(f"only {len(names)} {noun} in view, not {count}", True)
     if count == 1 and len(names) > 1:
         return Ambiguous(f"which {noun}? there are {len(names)}", choices_among(fitting))
-    return Found(names[:count])
+    by_sort = called_by(wanted.kind, nearest[0].label) is CalledBy.CATEGORY
+    said = f"the {nearest[0].words} is the only {noun} that I see" if by_sort and count == 1 else ""
+    return Found(names[:count], said)
 
 
 def choices_among(things: Sequence[BelievedThing]) -> tuple[Choice, ...]:
     """Things as the choices of a question, from the left to the right."""
     return tuple(Choice(thing.name, words) for thing, words in told_apart(things))
-
-
-def _of_kind(wanted: ObjectDescription, around: Surroundings) -> list[BelievedThing]:
-    """Objects of the kind and colour that is meant.
-
-    Raises:
-        NoneFitsError: There is none.
-    """
-    fitting = [
-        thing
-        for thing in around.objects
-        if wanted.kind in (None, thing.kind) and wanted.color in (None, thing.color)
-    ]
-    if not fitting:
-        held = [name for name in around.held if is_like(wanted, name)]
-        raise NoneFitsError(f"the {kind_of(held[0])} is in the hand" if held else f"no {wanted} seen", False)
-    return fitting
 
 
 def _fitting(
@@ -221,12 +216,6 @@ def _fitting(
     if wanted.ordinal not in (None, "other"):
         fitting = ordered(str(wanted.ordinal), fitting, noun)
     return fitting
-
-
-def is_like(wanted: ObjectDescription, name: str) -> bool:
-    """Whether a name of the planning scene tells of the kind and colour that is meant."""
-    kind, color = split_words(name)
-    return wanted.kind in (None, kind) and wanted.color in (None, color)
 
 
 # --- relations -----------------------------------------------------------------------------------
@@ -272,7 +261,7 @@ def _references(to: Destination, around: Surroundings, fitting: list[BelievedThi
         raise TypeError("the object of an earlier task was not filled in")
     if isinstance(to, ObjectDescription):
         try:
-            return _fitting(to, _of_kind(to, around), around, None)
+            return _fitting(to, things_called(to, around), around, None)
         except NoneFitsError:
             found = _furniture_meant(to, around)
             if found:
@@ -393,7 +382,7 @@ def is_called(furniture: str, said: str) -> bool:
 def _named_before(wanted: ObjectDescription, around: Surroundings) -> str | None:
     """What "the other box" is not: the thing that was acted on, if that was a box as well."""
     before = around.last_acted_on
-    if before is None or wanted.kind is None or split_words(before)[0] == wanted.kind:
+    if before is None or wanted.kind is None or called_by(wanted.kind, around.label(before)) is not None:
         return before
     return None
 

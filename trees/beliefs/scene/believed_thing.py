@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -11,9 +12,10 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder, Shape
+from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import half_height_m, support_of
-from trees.beliefs.scene.scene_update import kind_of
+from trees.beliefs.scene.labels import label_in, label_of
 
 PERSON = "person"
 
@@ -24,8 +26,7 @@ class BelievedThing(Sealed):
 
     Attributes:
         name: Its name in the planning scene: "red cup 2".
-        kind: Its kind: "cup".
-        color: Its colour, or None when it could not be told.
+        label: What it is called.
         shape: Its solid.
         place_m: Of its centre, from the point on the floor below the base: x ahead, y to the left, z up,
             shape (3,).
@@ -35,13 +36,22 @@ class BelievedThing(Sealed):
     """
 
     name: str
-    kind: str
-    color: str | None
+    label: Label
     shape: Shape
     place_m: Array
     half_height_m: float
     movable: bool
     support: str | None
+
+    @property
+    def kind(self) -> str:
+        """Its kind: "cup"."""
+        return self.label.kind
+
+    @property
+    def color(self) -> str | None:
+        """Its colour, or None when it could not be told."""
+        return self.label.color
 
     @property
     def is_person(self) -> bool:
@@ -50,8 +60,8 @@ class BelievedThing(Sealed):
 
     @property
     def words(self) -> str:
-        """Colour, if known, and kind."""
-        return self.kind if self.color is None else f"{self.color} {self.kind}"
+        """Its name, or colour, if known, and kind."""
+        return self.label.words
 
     @property
     def top_m(self) -> float:
@@ -91,14 +101,14 @@ class Surroundings(Sealed):
 
     Attributes:
         things: Objects and furniture, in the order of their names.
-        held: Names of what is in its hands.
+        held: What is in its hands, by name, and what that is called.
         last_acted_on: Name of the object that the task before was about, or None.
         here_T_asked: Where the robot stood when it was asked, from where it stands, shape (4, 4).
         sent_to: Name of the furniture that it was told to walk to, and has; "the cup" is the one there.
     """
 
     things: tuple[BelievedThing, ...]
-    held: tuple[str, ...] = ()
+    held: Mapping[str, Label] = field(default_factory=dict)
     last_acted_on: str | None = None
     here_T_asked: Transform = field(default_factory=lambda: np.eye(4))
     sent_to: str | None = None
@@ -112,6 +122,11 @@ class Surroundings(Sealed):
     def furniture_words(self) -> frozenset[str]:
         """What the furniture is called, without numbers."""
         return frozenset(thing.kind for thing in self.things if not thing.movable and not thing.is_person)
+
+    def label(self, name: str) -> Label:
+        """What something of that name is called; by its name alone where it is not known any more."""
+        known = {thing.name: thing.label for thing in self.things}
+        return self.held.get(name) or known.get(name) or label_in(name)
 
     def only(self, names: tuple[str, ...]) -> Surroundings:
         """The same with no other objects than those named."""
@@ -147,22 +162,15 @@ def surroundings(
     base_T_odom = poses.inverse(standing)
     things = [_thing(item, scene, base_T_odom, support_gap_m) for _, item in sorted(scene.objects.items())]
     asked = base_T_odom @ (odom_T_base if asked_at is None else asked_at)
-    return Surroundings(tuple(things), tuple(sorted(scene.attached)), last_acted_on, asked, sent_to)
-
-
-def split_words(words: str) -> tuple[str, str | None]:
-    """Kind and colour of "red cup 2"; the kind is the last word, furniture has no colour."""
-    *color, kind = kind_of(words).split() or [words]
-    return kind, " ".join(color) or None
+    held = {name: label_of(body.body) for name, body in sorted(scene.attached.items())}
+    return Surroundings(tuple(things), held, last_acted_on, asked, sent_to)
 
 
 def _thing(item: SceneObject, scene: PlanningScene, base_T_odom: Transform, gap_m: float) -> BelievedThing:
-    kind, color = split_words(item.name) if item.movable else (kind_of(item.name), None)
     support = support_of(item, scene, gap_m) if item.movable else None
     return BelievedThing(
         name=item.name,
-        kind=kind,
-        color=color,
+        label=label_of(item),
         shape=item.shape,
         place_m=(base_T_odom @ item.world_T_object)[:3, 3],
         half_height_m=half_height_m(item),

@@ -8,7 +8,10 @@ from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
 from kinematics.model.robot_description import Hand
-from trees.beliefs.scene.believed_thing import split_words
+from kinematics.scene.label import Label
+from kinematics.scene.planning_scene import SceneObject
+from trees.beliefs.scene.called import CalledBy, called_by
+from trees.beliefs.scene.labels import label_in, label_of
 from trees.tasks import ObjectDescription, Thing
 
 
@@ -21,28 +24,36 @@ class HeldObject(Sealed):
         hand: The hand.
         shape: Its solid.
         tcp_T_object: Pose in the hand's TCP frame, shape (4, 4).
+        label: What it is called; None where its name says it all.
     """
 
     name: str
     hand: Hand
     shape: Shape
     tcp_T_object: Transform
+    label: Label | None = None
 
     @property
     def kind(self) -> str:
         """Its kind: "cup"."""
-        return split_words(self.name)[0]
+        return (self.label or label_in(self.name)).kind
 
     @property
     def color(self) -> str | None:
         """Its colour, or None."""
-        return split_words(self.name)[1]
+        return (self.label or label_in(self.name)).color
 
 
-def fits(name: str, wanted: Thing | None) -> bool:
+def fits(item: SceneObject, wanted: Thing | None) -> bool:
     """Tell whether kind, colour and name of a thing of the planning scene are those that are meant."""
     if not isinstance(wanted, ObjectDescription):
         return wanted is None
-    kind, color = split_words(name)
-    named = wanted.name in (None, name)
-    return named and wanted.kind in (None, kind) and wanted.color in (None, color)
+    if wanted.name is not None:
+        return wanted.name == item.name
+    return is_like(wanted, label_of(item))
+
+
+def is_like(wanted: ObjectDescription, label: Label) -> bool:
+    """Whether what is called so is of the kind and colour that is meant."""
+    by = called_by(wanted.kind, label)
+    return by is not None and by is not CalledBy.HEAD and wanted.color in (None, label.color)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
-from trees.beliefs.scene.scene_update import kind_of
+from trees.beliefs.scene.scene_update import kind_of, words_for
 from trees.port_values import Target
 
 
@@ -22,8 +22,8 @@ def nearest_sighting(
 ) -> tuple[ObjectEstimate, float] | None:
     """The sighting of the target nearest to where it is expected, and its distance from there in m.
 
-    A sighting has the target's kind and colour (or no colour), and is not where another object
-    of the same words is known to be.
+    A sighting has the target's kind, colour (or no colour) and name (or no name), and is not where
+    another object of the same words is known to be.
 
     Args:
         target: What to look for.
@@ -42,6 +42,8 @@ def nearest_sighting(
         if estimate.category != "object" or estimate.kind != target.kind:
             continue
         if estimate.color is not None and estimate.color != target.color:
+            continue
+        if estimate.names and words_for(estimate) != kind_of(target.name):
             continue
         place = estimate.odom_T_object[:3, 3]
         distance = float(np.linalg.norm(place - expected))

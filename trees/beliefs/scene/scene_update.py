@@ -27,12 +27,11 @@ def kind_of(name: str) -> str:
 
 
 def words_for(estimate: ObjectEstimate) -> str:
-    """How a thing is called: colour, if known, and kind; people and furniture by their names, or kinds."""
+    """How a thing is called: by its name, else by its kind, and an object by its colour as well, if known."""
     if estimate.category != "object":
         return estimate.name or estimate.kind
-    if estimate.color is None:
-        return estimate.kind
-    return f"{estimate.color} {estimate.kind}"
+    # a capital letter is a person's, and a number at the end tells things of one name apart
+    return kind_of(estimate.label.words.lower()) or estimate.kind
 
 
 def updated_scene(
@@ -125,6 +124,7 @@ def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> Sce
         world_T_object=estimate.odom_T_object,
         margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
         movable=not fixed,
+        label=None if fixed else estimate.label,
     )
 
 

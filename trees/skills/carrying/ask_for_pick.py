@@ -50,7 +50,7 @@ class AskForPick(Leaf):
         attached = self.toolbox.world.scene.attached
         if not isinstance(wanted, ObjectDescription):
             return ""
-        return next((kind_of(name) for name in sorted(attached) if fits(name, wanted)), "")
+        return next((kind_of(name) for name in sorted(attached) if fits(attached[name].body, wanted)), "")
 
 
 def _goes_to(task: object) -> Destination | None:

@@ -43,7 +43,8 @@ def objects_in_open_grasp(toolbox: Toolbox) -> tuple[HeldObject, ...]:
         ]
         if near:
             item = scene.objects[min(near)[1]]
-            found.append(HeldObject(item.name, hand, item.shape, poses.inverse(tcp) @ item.world_T_object))
+            tcp_T_object = poses.inverse(tcp) @ item.world_T_object
+            found.append(HeldObject(item.name, hand, item.shape, tcp_T_object, item.label))
     return tuple(found)
 
 

@@ -13,6 +13,7 @@ from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, compare
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of, words_for
+from trees.events import Said
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -70,6 +71,7 @@ class Detect(LookLeaf):
         """
         super().__init__(name, toolbox, wiring)
         self.part = part
+        self._because = ""
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
@@ -80,6 +82,8 @@ class Detect(LookLeaf):
         if isinstance(chosen, Failure):
             return chosen
         self._set_output("target", chosen)
+        if self._because:
+            self.toolbox.events(Said(self.toolbox.clock.now_s(), self._because))
         x, y, z = chosen.odom_T_object[:3, 3]
         self.feedback_message = f"{chosen.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
@@ -106,7 +110,8 @@ class Detect(LookLeaf):
             case Ambiguous(_, choices) as unclear:
                 unseen = sum(choice.name not in world.sightings for choice in choices)
                 return which_is_meant(unclear, unseen=unseen)
-            case Found(names):
+            case Found(names, because):
+                self._because = because
                 return self._target(names, seen)
 
     def _besides(self, around: Surroundings) -> tuple[str, ...]:

@@ -68,7 +68,7 @@ class HandForIt(Leaf):
             return None
         held = [one for one in held_objects(self.toolbox, wanted) if self._is_from(one, task.source)]
         scene = self.toolbox.world.scene
-        about = [item.name for item in scene.objects.values() if item.movable and fits(item.name, wanted)]
+        about = [item.name for item in scene.objects.values() if item.movable and fits(item, wanted)]
         return held[0] if held and not about else None
 
     def _is_from(self, held: HeldObject, source: Destination | None) -> bool:

@@ -30,9 +30,10 @@ from trees.beliefs.grounding.grounding import (
 )
 from trees.beliefs.grounding.questions import OTHER, which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in
-from trees.beliefs.scene.believed_thing import Surroundings, split_words
+from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 from trees.beliefs.scene.held_object import HeldObject
+from trees.beliefs.scene.labels import label_of
 from trees.beliefs.scene.scene_update import kind_of
 from trees.beliefs.sight.sight_of_tops import SightOfTops
 from trees.failures import Failure
@@ -200,9 +201,7 @@ def _surface(
 ) -> SceneObject | Failure:
     kinds = _kinds(named, scene)
     tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if is_flat(item)]
-    if not tops and any(
-        item.movable and split_words(item.name)[0] in kinds for item in scene.objects.values()
-    ):
+    if not tops and any(item.movable and label_of(item).kind in kinds for item in scene.objects.values()):
         return Failure.infeasible(f"things are put on furniture, not on {with_article(named)}")
     if not tops:
         what = f"no {named}" if named is not None else "nothing to put it on"

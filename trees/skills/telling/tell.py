@@ -8,11 +8,12 @@ from py_trees.common import Status
 from py_trees.ports import PortInformation
 
 from trees.beliefs.grounding.furniture_called import called_so
-from trees.beliefs.grounding.grounding import Ambiguous, ground, is_like
+from trees.beliefs.grounding.grounding import Ambiguous, ground
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import counted, listed, plural, whereabouts
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
+from trees.beliefs.scene.held_object import is_like
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
 from trees.nodes.ports import ports
@@ -63,7 +64,7 @@ class TellCount(TellingLeaf):
         """What hands hold counts, too, where nothing but its kind and colour is asked for."""
         if replace(wanted, kind=None, color=None) != ObjectDescription():
             return ()
-        return tuple(name for name in around.held if is_like(wanted, name))
+        return tuple(name for name, label in around.held.items() if is_like(wanted, label))
 
     def _is_big(self, wanted: ObjectDescription) -> bool:
         """Whether it stands anywhere in a room, not on something that was looked over."""

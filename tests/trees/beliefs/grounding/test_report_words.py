@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.geometry.shapes import Cylinder
+from kinematics.scene.label import Label
 from trees.beliefs.grounding.report_words import direction, kinds_in, whereabouts
 from trees.beliefs.scene.believed_thing import BelievedThing
 
@@ -22,7 +23,13 @@ def test_a_direction_is_never_a_negative_length(place, words):
 
 def test_what_a_thing_stands_on_is_called_without_its_number():
     cup = BelievedThing(
-        "red cup", "cup", "red", Cylinder(0.03, 0.11), np.array([0.45, 0.0, 0.95]), 0.055, True, "table 2"
+        "red cup",
+        Label("cup", "red"),
+        Cylinder(0.03, 0.11),
+        np.array([0.45, 0.0, 0.95]),
+        0.055,
+        True,
+        "table 2",
     )
 
     assert whereabouts(cup) == "on the table, 0.45 m ahead"

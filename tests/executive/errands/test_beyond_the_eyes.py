@@ -1,0 +1,50 @@
+"""What perception cannot tell is said before anything moves."""
+
+import pytest
+
+from executive.errands.impossible import impossible
+from executive.understanding.command_parser import parse
+
+LABELS = frozenset({"cup", "can", "box", "table", "fridge", "tomato soup", "drink", "soda", "door"})
+
+
+def why(sentence, labels=LABELS):
+    told = impossible(parse(sentence).commands, (), labels)
+    return None if told is None else told.message
+
+
+@pytest.mark.parametrize("sentence", ["find the rubik's cube", "pick up the rubik's cube"])
+def test_a_thing_that_looks_like_nothing_known_is_said_at_once(sentence):
+    assert why(sentence).startswith("I do not know what a rubik's cube looks like; I can find ")
+
+
+def test_what_is_spelled_most_alike_is_told_first():
+    assert "I can find a soda" in why("walk to the sofa")
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "pick up the mug",
+        "find the tomato soup",
+        "find the soup",
+        "bring me a drink",
+        "put the cup on the side table",
+        "open the fridge",
+        "wave to the doctor",
+        "walk to Ana",
+        "put the cup next to the can",
+        "go home",
+    ],
+)
+def test_what_can_be_told_or_is_no_thing_is_let_pass(sentence):
+    assert why(sentence) is None
+
+
+@pytest.mark.parametrize("sentence", ["put the cup next to the towel", "is there a towel on the table?"])
+def test_what_something_is_compared_with_has_to_be_known_too(sentence):
+    assert "what a towel looks like" in why(sentence)
+
+
+def test_an_open_detector_may_be_asked_for_anything():
+    assert why("find the rubik's cube", None) is None
