@@ -14,6 +14,7 @@ from trees.beliefs.scene.called import can_be_told
 from trees.tasks import ObjectDescription
 
 _SLOTS = ("object", "source", "on", "to")
+_THINGS = frozenset({"KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE"})
 _NO_THINGS = frozenset({"PERSON", "NAME", "ROOM"})
 _MOST_TOLD = 12
 
@@ -36,7 +37,7 @@ def cannot_be_told(commands: Sequence[Command], labels: Collection[str] | None) 
 
 
 def what_can_be_found(word: str, labels: Collection[str]) -> str:
-    """What perception can tell instead of a word, what is spelled most alike first: "a can, a cup and ..."."""
+    """What perception can tell instead of a word, the most alike first: "a can, a cup and ..."."""
     near = difflib.get_close_matches(word, sorted(labels), n=2, cutoff=0.6)
     told = [*near, *(label for label in sorted(labels) if label not in near)]
     more = [] if len(told) <= _MOST_TOLD else [f"{len(told) - _MOST_TOLD} more"]
@@ -46,18 +47,16 @@ def what_can_be_found(word: str, labels: Collection[str]) -> str:
 def _things(said: object) -> Iterator[str]:
     """The words for things in one slot, and in what it is compared with."""
     if isinstance(said, ObjectDescription):
-        if said.kind is not None and not _is_no_thing(said.kind, unknown=False):
+        if said.kind is not None and not _classes(said.kind) & _NO_THINGS:
             yield said.kind
         if said.relation is not None:
             yield from _things(said.relation.to)
-    elif isinstance(said, str) and not _is_no_thing(said, unknown=True):
+    elif isinstance(said, str) and (classes := _classes(said)) & _THINGS and not classes & _NO_THINGS:
         yield said
 
 
-def _is_no_thing(word: str, *, unknown: bool) -> bool:
-    """Whether a word may mean somebody or a room; ``unknown`` is the answer for what no list has."""
+def _classes(word: str) -> frozenset[str]:
+    """The classes of all that a word may mean."""
     words = word.lower().split()
     length, readings = vocabulary().match(words)
-    if length != len(words) or not readings:
-        return unknown
-    return any(one.word_class in _NO_THINGS for one in readings)
+    return frozenset(one.word_class for one in readings) if length == len(words) else frozenset()
