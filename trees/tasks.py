@@ -29,6 +29,7 @@ class ObjectDescription:
         material: "glass", "metal", ...
         ordinal: "leftmost", "rightmost", "first", "second", "other", ...
         relation: Where it is, seen from the robot.
+        traits: What is seen of a person: "sitting", "raising right arm", "red shirt".
     """
 
     kind: str | None = None
@@ -38,6 +39,7 @@ class ObjectDescription:
     material: str | None = None
     ordinal: str | None = None
     relation: Relation | None = None
+    traits: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         called = (self.name or "").rstrip(
@@ -45,7 +47,14 @@ class ObjectDescription:
         )  # a name of the scene, "red cup 2", is not for people
         noun = self.kind if self.kind and called.endswith(self.kind) else self.name or self.kind or "thing"
         words = [word for word in (self.ordinal, self.size, self.color, self.material, noun) if word]
+        words += [_who_is(trait) for trait in self.traits]
         return " ".join(words) + (f" {self.relation}" if self.relation else "")
+
+
+def _who_is(trait: str) -> str:
+    """What is seen of a person, after the noun: "who is sitting", "in a red shirt"."""
+    is_doing = trait.partition(" ")[0].endswith("ing")
+    return f"who is {trait}" if is_doing else f"in a {trait}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -86,12 +86,15 @@ def _object(wanted: ObjectDescription) -> ObjectDescription:
         elif not isinstance(to, ObjectOf):
             to = _destination(to)
         relation = Relation(relation.kind, to)
+    told: dict[str, Any] = {
+        slot: _told(slot, said) for slot in _TOLD_BY if (said := getattr(wanted, slot)) is not None
+    }
     return replace(
         wanted,
         kind=None if wanted.kind is None else _canonical(wanted.kind, _NOUNS),
         color=None if wanted.color is None else _canonical(wanted.color, ("COLOR",)),
         relation=relation,
-        **{slot: _told(slot, said) for slot in _TOLD_BY if (said := getattr(wanted, slot)) is not None},
+        **told,
     )
 
 

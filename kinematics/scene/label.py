@@ -14,12 +14,14 @@ class Label:
         color: Its colour, or None when it could not be told.
         names: What it is called besides, the usual name first: "tomato soup".
         categories: What sorts of things it belongs to: "food", "groceries".
+        traits: What is seen of a person: "sitting", "waving", "red shirt".
     """
 
     kind: str
     color: str | None = None
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
 
     @property
     def words(self) -> str:

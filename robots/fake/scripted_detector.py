@@ -108,6 +108,7 @@ class ScriptedDetector:
                     item.told_name,
                     item.names,
                     item.categories,
+                    item.traits,
                 )
             )
         return seen

@@ -28,6 +28,7 @@ class Detection(Sealed):
             else.
         names: What an object is called besides, the usual name first: "tomato soup".
         categories: What sorts of things an object belongs to: "food".
+        traits: What is seen of a person, as far as it can be told: "sitting", "waving", "red shirt".
     """
 
     category: Category
@@ -39,6 +40,7 @@ class Detection(Sealed):
     name: str | None = None
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,6 +45,7 @@ class ObjectEstimate(Sealed):
             about 1.7 times its deviation; more says that something moved, or was merged with a neighbour.
         name: Of a person who was recognised, or of furniture that has one of its own; None else.
         names, categories: Of an object, as in ``Detection``.
+        traits: Of a person: those that at least half of the frames tell.
     """
 
     category: Category
@@ -58,11 +59,12 @@ class ObjectEstimate(Sealed):
     name: str | None = None
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
 
     @property
     def label(self) -> Label:
         """What it is called."""
-        return Label(self.kind, self.color, self.names, self.categories)
+        return Label(self.kind, self.color, self.names, self.categories, self.traits)
 
     @property
     def tilt_rad(self) -> float:
@@ -187,7 +189,14 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         name=cluster.first.name,
         names=cluster.first.names,
         categories=cluster.first.categories,
+        traits=_traits(inliers),
     )
+
+
+def _traits(seen: Sequence[Detection]) -> tuple[str, ...]:
+    """What at least half of some detections tell."""
+    told = Counter(trait for detection in seen for trait in detection.traits)
+    return tuple(sorted(trait for trait, count in told.items() if 2 * count >= len(seen)))
 
 
 def _median(values: Iterable[float]) -> float:

@@ -86,7 +86,7 @@ class PerceptionStub:
         self._camera = camera
         self._model = model
         self._clock = clock
-        self._episode_rng, self._frame_rng, self._false_rng = rng.spawn(3)
+        self._episode_rng, self._frame_rng, self._false_rng, self._traits_rng = rng.spawn(4)
         self._sight = Sight(truth, camera)
         self._episodes: dict[str, _Episode] = {}
         self._labels = told_labels(truth.solids(), model.labels)
@@ -197,9 +197,17 @@ class PerceptionStub:
                 name=solid.told_name,
                 names=solid.names,
                 categories=solid.categories,
+                traits=self._traits(solid),
             )
             for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
         ]
+
+    def _traits(self, solid: TrueObject) -> tuple[str, ...]:
+        """What of a person can be told in this frame."""
+        if not solid.traits:
+            return ()
+        told = self._traits_rng.random(len(solid.traits)) >= self._model.trait_dropout
+        return tuple(trait for trait, kept in zip(solid.traits, told, strict=True) if kept)
 
     def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""

@@ -28,7 +28,7 @@ class TrueObject(Sealed):
         category, kind, color: As in ``Detection``.
         shape: Its solid.
         world_T_object: Its pose, shape (4, 4).
-        names, categories: As in ``Detection``.
+        names, categories, traits: As in ``Detection``.
     """
 
     name: str
@@ -39,6 +39,7 @@ class TrueObject(Sealed):
     world_T_object: Transform
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
 
     @property
     def told_name(self) -> str | None:

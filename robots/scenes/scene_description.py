@@ -15,6 +15,11 @@ from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
 
+Posture = Literal["standing", "sitting", "lying"]
+POSTURES: tuple[Posture, ...] = ("standing", "sitting", "lying")
+GESTURES = ("waving", "raising left arm", "raising right arm", "pointing left", "pointing right")
+"""What a person may do with the arms; the sides are the person's own."""
+
 
 @dataclass(frozen=True, slots=True)
 class RobotStart:
@@ -42,6 +47,7 @@ class PerceptionModel:
         merge_distance_m: Two objects whose surfaces are nearer than this may be seen as one.
         merge_chance: Chance of it, drawn each frame.
         min_visible: Share of an object's surface points that must be in sight.
+        trait_dropout: Chance that a person's posture, gesture or piece of clothing is not told in a frame.
         labels: Words that it can tell besides those of the scene's things; "any" among them makes it open.
     """
 
@@ -58,6 +64,7 @@ class PerceptionModel:
     merge_chance: float = 0.05
     min_visible: float = 0.25
     labels: tuple[str, ...] = ()
+    trait_dropout: float = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,16 +145,31 @@ class SceneItem(Sealed):
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """A person who stands somewhere.
+    """A person who is somewhere, or walks about.
 
     Attributes:
+        name: What the person is called.
+        position_m: Where the person is, or begins to walk.
+        yaw_rad: Where the person faces; of who lies, from the feet to the head.
         takes: Whether the person takes what the robot offers.
+        posture: How the person is.
+        gesture: What the person does with the arms, one of ``GESTURES``, or None.
+        clothes: What can be seen of them, each with its colour: "red shirt".
+        way_m: Points that the person walks to one after the other, and stays at the last one.
+        speed_m_s: Of the walk.
+        starts_s: Simulated time at which it begins.
     """
 
     name: str
     position_m: tuple[float, float]
     yaw_rad: float
     takes: bool = False
+    posture: Posture = "standing"
+    gesture: str | None = None
+    clothes: tuple[str, ...] = ()
+    way_m: tuple[tuple[float, float], ...] = ()
+    speed_m_s: float = 0.4
+    starts_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -20,9 +20,12 @@ from robots.outside import SCENES, outside_files
 from robots.scenes import furniture
 from robots.scenes.furniture import board_tops_m
 from robots.scenes.scene_description import (
+    GESTURES,
+    POSTURES,
     Furniture,
     PerceptionModel,
     Person,
+    Posture,
     Region,
     RobotStart,
     SceneDescription,
@@ -169,9 +172,21 @@ def _furniture(reader: SceneTable) -> Furniture:
 
 
 def _person(reader: SceneTable) -> Person:
-    reader.only(("name", "position_m", "yaw_rad", "takes"))
+    reader.only([item.name for item in fields(Person)])
     x, y = reader.numbers("position_m", 2)
-    return Person(reader.text("name"), (x, y), reader.number("yaw_rad", 0.0), reader.flag("takes"))
+    usual = Person("", (x, y), 0.0)
+    return Person(
+        name=reader.text("name"),
+        position_m=(x, y),
+        yaw_rad=reader.number("yaw_rad", 0.0),
+        takes=reader.flag("takes"),
+        posture=cast(Posture, reader.word("posture", POSTURES)) if "posture" in reader.data else "standing",
+        gesture=reader.word("gesture", GESTURES) if "gesture" in reader.data else None,
+        clothes=reader.texts("clothes"),
+        way_m=reader.points("way_m"),
+        speed_m_s=reader.number("speed_m_s", usual.speed_m_s),
+        starts_s=reader.number("starts_s", usual.starts_s),
+    )
 
 
 def _region(reader: SceneTable) -> Region:

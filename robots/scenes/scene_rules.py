@@ -17,6 +17,7 @@ from robots.scenes import articulated, furniture
 from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
 from robots.scenes.furniture_names import kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
+from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
 from robots.scenes.scene_description import (
     Furniture,
     PerceptionModel,
@@ -86,7 +87,7 @@ _SMALLEST_M = {"counter": (0.2, 0.2, 0.3), "shelf": (0.1, 0.2, 0.2), "wall": (0.
 _SMALLEST_PLACE_M = 1.0
 """A robot needs so much room to stand and turn."""
 PERSON_RADIUS_M = 0.22
-PERSON_HEIGHT_M = 1.75
+FASTEST_PERSON_M_S = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +119,7 @@ def validate(scene: SceneDescription, source: str) -> None:
     for i, person in enumerate(scene.people):
         numbers = (*person.position_m, person.yaw_rad)
         _require(all(map(math.isfinite, numbers)), source, f"person[{i}].position_m", "must be finite")
+        _check_person(person, source, f"person[{i}]")
     for i, region in enumerate(scene.places):
         _check_region(region, source, f"place[{i}]")
     _check_names(scene, source)
@@ -129,13 +131,26 @@ def _require(condition: bool, source: str, key: str, reason: str) -> None:
         raise SceneError(source, key, reason)
 
 
+def _check_person(person: Person, source: str, key: str) -> None:
+    for one in person.clothes:
+        color, _, garment = one.partition(" ")
+        near = nearest_word(color, COLORS)
+        reason = f"{one!r} must be a colour and a piece of clothing, {near + ' shirt'!r}"
+        _require(bool(garment) and color in COLORS, source, f"{key}.clothes", reason)
+    ok = 0.0 < person.speed_m_s <= FASTEST_PERSON_M_S
+    reason = f"must be above 0 and at most {FASTEST_PERSON_M_S:g} m/s, not {person.speed_m_s:g}"
+    _require(ok, source, f"{key}.speed_m_s", reason)
+    ok = not person.way_m or (person.posture == "standing" and not person.takes)
+    _require(ok, source, f"{key}.way_m", "who walks neither sits nor lies, and takes nothing")
+
+
 def _check_perception(model: PerceptionModel, source: str) -> None:
     if model.kind != "stub":
         reason = f"unknown kind {model.kind!r}; the nearest is {nearest_word(model.kind, ['stub'])!r}"
         raise SceneError(source, "perception.kind", reason)
     for key in (
         "bias_m", "noise_m", "orientation_noise_rad", "size_noise", "latency_s", "false_rate",
-        "merge_distance_m", "rate_hz", "dropout", "merge_chance", "min_visible",
+        "merge_distance_m", "rate_hz", "dropout", "merge_chance", "min_visible", "trait_dropout",
     ):  # fmt: skip
         value = getattr(model, key)
         _require(
@@ -144,7 +159,7 @@ def _check_perception(model: PerceptionModel, source: str) -> None:
             f"perception.{key}",
             f"must be 0 or more, not {value}",
         )
-    for key in ("dropout", "merge_chance", "min_visible"):
+    for key in ("dropout", "merge_chance", "min_visible", "trait_dropout"):
         value = getattr(model, key)
         _require(value <= 1.0, source, f"perception.{key}", f"must be at most 1, not {value}")
     _require(model.rate_hz > 0.0, source, "perception.rate_hz", "must be above 0")
@@ -328,8 +343,8 @@ def _carriers(solid: _Solid, item: SceneItem) -> list[_Solid]:
 
 
 def _mannequin(person: Person) -> _Solid:
-    pose = poses.translation(*person.position_m, 0.5 * PERSON_HEIGHT_M)
-    return _Solid(f"person {person.name!r}", Cylinder(PERSON_RADIUS_M, PERSON_HEIGHT_M), pose)
+    shape, world_T_solid = person_solid(person, PERSON_RADIUS_M)
+    return _Solid(f"person {person.name!r}", shape, world_T_solid)
 
 
 def _extents(solid: _Solid) -> NDArray[np.float64]:

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from kinematics.geometry import poses
-from kinematics.geometry.poses import Transform
-from kinematics.geometry.shapes import Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.scenes import articulated, furniture
-from robots.scenes.scene_description import Person, SceneDescription
-from robots.scenes.scene_rules import PERSON_HEIGHT_M
-
-PERSON_REACH_M = 0.24
-"""Radius around a person's axis that holds the whole body, arms included."""
+from robots.scenes.person_solid import person_solid
+from robots.scenes.scene_description import SceneDescription
 
 
 def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningScene:
@@ -44,9 +38,3 @@ def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningSc
         body, place = person_solid(person)
         solids.append(SceneObject(person.name, body, place, margin_m, movable=False))
     return PlanningScene().with_objects(solids)
-
-
-def person_solid(person: Person) -> tuple[Cylinder, Transform]:
-    """An upright cylinder around a whole person, and its pose: x is where the person faces."""
-    place = poses.transform(poses.rotation_z(person.yaw_rad), (*person.position_m, 0.5 * PERSON_HEIGHT_M))
-    return Cylinder(PERSON_REACH_M, PERSON_HEIGHT_M), place

@@ -100,6 +100,16 @@ class SceneTable:
             raise self.fail(key, f"must be true or false, not {value!r}")
         return value
 
+    def points(self, key: str) -> tuple[tuple[float, float], ...]:
+        """A list of places on the floor; an empty one where the key is missing."""
+        value = self.data.get(key, [])
+        if not isinstance(value, list) or not all(isinstance(one, list) and len(one) == 2 for one in value):
+            raise self.fail(key, f"must be a list of places, [[1.0, 0.0], [2.0, 0.5]], not {value!r}")
+        return tuple(
+            (self._number(f"{key}[{i}][0]", x), self._number(f"{key}[{i}][1]", y))
+            for i, (x, y) in enumerate(value)
+        )
+
     def numbers(self, key: str, count: int) -> tuple[float, ...]:
         """A list of so many finite numbers."""
         value = self._get(key)

@@ -8,7 +8,7 @@ from typing import Any
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from robots.scenes.scene_description import SceneDescription
+from robots.scenes.scene_description import Person, SceneDescription
 from robots.scenes.scene_parts import part_values
 
 
@@ -32,6 +32,9 @@ def dump(scene: SceneDescription) -> str:
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)
+        usual = Person(person.name, person.position_m, person.yaw_rad, person.takes)
+        said = {item.name: getattr(person, item.name) for item in fields(Person)}
+        lines += _pairs(**{key: value for key, value in said.items() if value != getattr(usual, key)})
     for region in scene.places:
         lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
         lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)

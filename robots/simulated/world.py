@@ -14,6 +14,7 @@ from robots.simulated.body.simulated_robot import SimulatedRobot
 from robots.simulated.faults.body_faults import BodyFaults
 from robots.simulated.faults.world_faults import FaultInjector
 from robots.simulated.people.taking_people import TakingPeople
+from robots.simulated.people.walking_people import WalkingPeople
 from robots.simulated.truth.truth import SimulatorTruth
 
 
@@ -28,6 +29,7 @@ class SimulatedWorld:
         body_faults: The same, of the robot's own body.
         ranging: The range sensor.
         people: Those of its people who take what is offered to them.
+        walkers: Those who walk about.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
@@ -38,6 +40,7 @@ class SimulatedWorld:
     physics: Physics
     ranging: SimulatedRangeSensor
     people: TakingPeople
+    walkers: WalkingPeople
 
 
 def build_world(
@@ -60,11 +63,15 @@ def build_world(
     ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])
 
     people = TakingPeople(physics, truth)
+    walkers = WalkingPeople(physics)
 
     def before_period() -> None:
         faults.tick()
         people.tick()
+        walkers.tick()
         physics.furniture.apply()
 
     robot = SimulatedRobot(physics, rng, before_period)
-    return SimulatedWorld(robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging, people)
+    return SimulatedWorld(
+        robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging, people, walkers
+    )

@@ -26,6 +26,7 @@ def write_frame(frame: PerceptionFrame) -> bytes:
             "name": item.name,
             "names": item.names,
             "categories": item.categories,
+            "traits": item.traits,
         }
         for item in frame.detections
     ]
@@ -50,6 +51,7 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 name=item["name"],
                 names=tuple(map(str, item["names"])),
                 categories=tuple(map(str, item["categories"])),
+                traits=tuple(map(str, item["traits"])),
             )
             for item in document["detections"]
         )

@@ -12,7 +12,9 @@ import mujoco
 import numpy as np
 
 from kinematics.geometry.poses import quaternion_from_rotation, rotation_z, transform
+from robots.scenes.person_solid import PERSON_HEIGHT_M
 from robots.scenes.scene_description import Person
+from robots.scenes.scene_words import COLORS
 from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, set_role
 from robots.simulated.body.geom_roles import WORLD_GROUP, Role
 from robots.simulated.body.scene_names import in_simulator
@@ -29,6 +31,7 @@ HAND_DAMPING = 25.0
 FINGER_DAMPING = 150.0
 """N s/m: fingers that pinch with 22 N close at 0.15 m/s. Without it they clapped together at 5 m/s, and a
 can flew off with thousands of newtons."""
+_Point = tuple[float, float, float]
 _SKIN, _CLOTH = [0.85, 0.68, 0.55, 1.0], [0.30, 0.45, 0.60, 1.0]
 _CAPSULES = (
     (0.08, (0.0, 0.10, 0.08), (0.0, 0.09, 0.85)),
@@ -37,7 +40,18 @@ _CAPSULES = (
     (0.05, (0.0, 0.19, 1.40), (0.0, 0.17, 0.85)),
     (0.05, (0.0, -0.19, 1.40), (0.0, -0.21, 1.08)),
 )
+_LEGS = 2
+"""The first capsules of a body are its legs, the next its trunk, the last two its left and right arm."""
 _ELBOW_M = _CAPSULES[-1][2]
+_HEAD_M = (0.0, 0.0, 1.62)
+_SEAT_M = (-0.17, 0.0, -0.45)
+"""From the trunk of who stands to that of who sits, about the middle of the solid."""
+_RAISED_M = (0.12, 0.20, 1.66)
+_POINTING_M = (0.0, 0.22, 1.38)
+"""End of a left arm; a right one is its mirror image."""
+_BED_M = 0.16
+"""Height of the axis of who lies."""
+_LEGS_WEAR = ("trousers", "jeans", "pants", "shorts", "skirt", "leggings")
 _FOREARM_RADIUS_M = 0.04
 _PALM_BEHIND_M = 0.08
 
@@ -63,13 +77,15 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
     pose = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0))
     x, y, z, w = quaternion_from_rotation(pose[:3, :3])
     body.pos, body.quat = pose[:3, 3], [w, x, y, z]
-    for i, (radius, start, end) in enumerate(_CAPSULES):
+    if person.way_m:
+        body.mocap = True
+    for i, (radius, start, end) in enumerate(_limbs(person)):
         geom = body.add_geom(
             name=in_simulator(f"{person.name}/{i}"),
             type=mujoco.mjtGeom.mjGEOM_CAPSULE,
             size=[radius, 0.0, 0.0],
             fromto=[*start, *end],
-            rgba=_CLOTH,
+            rgba=_worn(person, legs=i < _legs(person)),
             group=WORLD_GROUP,
         )
         set_role(geom, Role.PERSON)
@@ -77,19 +93,71 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
         name=in_simulator(f"{person.name}/head"),
         type=mujoco.mjtGeom.mjGEOM_SPHERE,
         size=[0.11, 0.0, 0.0],
-        pos=[0.0, 0.0, 1.62],
+        pos=list(_posed(person, _HEAD_M)),
         rgba=_SKIN,
         group=WORLD_GROUP,
     )
     set_role(head, Role.PERSON)
-    _add_hand(spec, person)
+    if has_hand(person):
+        _add_hand(spec, person)
+
+
+def has_hand(person: Person) -> bool:
+    """Whether a person has a hand that can take things: who stands still."""
+    return person.posture == "standing" and not person.way_m
+
+
+def _limbs(person: Person) -> list[tuple[float, _Point, _Point]]:
+    """The capsules of a body, in the person's frame: radius and both ends."""
+    limbs = [(radius, start, end) for radius, start, end in _CAPSULES]
+    for side, index in (("left", -2), ("right", -1)):
+        sign = 1.0 if side == "left" else -1.0
+        raised = person.gesture in (f"raising {side} arm", "waving" if side == "left" else None)
+        if raised or person.gesture == f"pointing {side}":
+            x, y, z = _RAISED_M if raised else _POINTING_M
+            limbs[index] = (limbs[index][0], limbs[index][1], (x, sign * y, z))
+    posed = [(radius, _posed(person, start), _posed(person, end)) for radius, start, end in limbs]
+    if person.posture != "sitting":
+        return posed
+    back, knee = _SEAT_M[0], _SEAT_M[0] + 0.40
+    legs = [
+        (0.08, (at[0], y, at[1]), (knee, y, 0.50))
+        for at in ((back, 0.50), (knee, 0.08))
+        for y in (0.09, -0.09)
+    ]
+    return [*legs, *posed[_LEGS:]]
+
+
+def _legs(person: Person) -> int:
+    return 2 * _LEGS if person.posture == "sitting" else _LEGS
+
+
+def _posed(person: Person, point: _Point) -> _Point:
+    """A point of who stands, where it is in the posture of the person."""
+    x, y, z = point
+    match person.posture:
+        case "sitting":
+            return x + _SEAT_M[0], y + _SEAT_M[1], z + _SEAT_M[2]
+        case "lying":
+            return z - 0.5 * PERSON_HEIGHT_M, y, _BED_M + x
+        case _:
+            return point
+
+
+def _worn(person: Person, *, legs: bool) -> list[float]:
+    """The colour of what covers legs or trunk."""
+    for one in person.clothes:
+        color, _, garment = one.partition(" ")
+        if (garment in _LEGS_WEAR) is legs:
+            return [*COLORS[color], 1.0]
+    return _CLOTH
 
 
 def draw_forearms(
     scene: mujoco.MjvScene, model: mujoco.MjModel, data: mujoco.MjData, people: Iterable[Person]
 ) -> None:
     """Draw what joins each person's elbow and hand; it is in the picture alone."""
-    for person in people:
+    for person in filter(has_hand, people):
         if scene.ngeom >= scene.maxgeom:
             return
         elbow = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0)) @ [*_ELBOW_M, 1.0]

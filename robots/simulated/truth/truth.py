@@ -15,12 +15,14 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
-from robots.scenes import articulated, furniture, scene_solids
+from robots.scenes import articulated, furniture
 from robots.scenes.object_names import told_names
-from robots.scenes.scene_description import SceneItem
+from robots.scenes.person_solid import person_solid
+from robots.scenes.scene_description import Person, SceneItem
 from robots.simulated.body.furniture_model import part_body
 from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP
 from robots.simulated.body.physics import Physics
+from robots.simulated.body.scene_names import in_simulator
 from robots.simulated.truth.true_contacts import TrueContacts
 from robots.simulated.truth.true_support import SupportPolygon
 
@@ -52,7 +54,7 @@ class SimulatorTruth:
             for solid in furniture.solids(piece)
         )
         self._people = tuple(
-            TrueObject(person.name, "person", "person", None, *scene_solids.person_solid(person))
+            (_person_seen_as(person), physics.body_id(in_simulator(person.name)) if person.way_m else None)
             for person in physics.scene.people
         )
         self._parts = tuple(
@@ -81,7 +83,20 @@ class SimulatorTruth:
             for name in self._items
             if name not in self._removed
         )
-        return self._fixed + self._moving() + self._people + objects
+        return self._fixed + self._moving() + self._present() + objects
+
+    def _present(self) -> tuple[TrueObject, ...]:
+        """People where they are now."""
+        return tuple(
+            person
+            if body is None
+            else replace(
+                person,
+                world_T_object=self._pose(body) @ poses.translation(0.0, 0.0, 0.5 * person.shape.height_m),
+            )
+            for person, body in self._people
+            if person.name not in self._removed
+        )
 
     def _moving(self) -> tuple[TrueObject, ...]:
         """Doors, drawers and their handles where they are now."""
@@ -109,7 +124,7 @@ class SimulatorTruth:
         physics = self._physics
         physics.refresh()
         start = physics.data.xpos[self._camera_body].copy()
-        geom = -2 if any(person.name == name for person in self._people) else physics.scene_geom_id(name)
+        geom = -2 if any(person.name == name for person, _ in self._people) else physics.scene_geom_id(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]
         hit = np.full(count, -1, dtype=np.int32)
@@ -255,3 +270,11 @@ def _seen_as(item: SceneItem) -> TrueObject:
     return TrueObject(
         item.name, "object", item.kind, item.color, item.shape, item.world_T_object, names, item.categories
     )
+
+
+def _person_seen_as(person: Person) -> TrueObject:
+    """What a camera is shown of somebody."""
+    shape, place = person_solid(person)
+    gesture = () if person.gesture is None else (person.gesture,)
+    traits = (person.posture, *gesture, *person.clothes)
+    return TrueObject(person.name, "person", "person", None, shape, place, traits=traits)

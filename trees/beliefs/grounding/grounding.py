@@ -203,6 +203,8 @@ def _fitting(
         fitting = _related(wanted.relation, fitting, around, noun)
     if source is not None:
         fitting = _at(source, fitting, around, str(replace(wanted, relation=None)))
+    if wanted.traits:
+        fitting = _with_traits(wanted, fitting)
     if wanted.name is not None:
         fitting = named(wanted.name, fitting, around.held)
     if wanted.ordinal == "other":
@@ -216,6 +218,14 @@ def _fitting(
     if wanted.ordinal not in (None, "other"):
         fitting = ordered(str(wanted.ordinal), fitting, noun)
     return fitting
+
+
+def _with_traits(wanted: ObjectDescription, people: list[BelievedThing]) -> list[BelievedThing]:
+    """Those people of whom all is seen that was said."""
+    kept = [one for one in people if set(wanted.traits) <= set(one.label.traits)]
+    if not kept:
+        raise NoneFitsError(f"no {wanted} seen", True)
+    return kept
 
 
 # --- relations -----------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ def compares_people(wanted: ObjectDescription, somebody: bool = False) -> bool:
     if wanted.name or not (somebody or wanted.kind == PERSON):
         return False
     said = (wanted.ordinal, wanted.relation, wanted.size, wanted.color, wanted.material)
-    return wanted.kind != PERSON or any(one is not None for one in said)
+    return wanted.kind != PERSON or bool(wanted.traits) or any(one is not None for one in said)
 
 
 def person_meant(wanted: ObjectDescription, around: Surroundings) -> Grounding:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.geometry.shapes import Box
+from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
@@ -118,13 +119,14 @@ def _free_name(words: str, taken: set[str]) -> str:
 def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
     """What was seen, as a planning scene has it."""
     fixed = estimate.category != "object"
+    label = {"object": estimate.label, "person": Label(kind_of(name), traits=estimate.traits)}
     return SceneObject(
         name=name,
         shape=estimate.shape,
         world_T_object=estimate.odom_T_object,
         margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
         movable=not fixed,
-        label=None if fixed else estimate.label,
+        label=label.get(estimate.category),
     )
 
 
