@@ -14,6 +14,7 @@ from executive.language.commands.limits import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.language.noun_phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
+from executive.vocabulary.place_words import place_words
 from robots.scenes.scene_words import nearest_word
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
 
@@ -168,7 +169,12 @@ def canonical_kind(word: str) -> str:
     return kinds[0] if kinds else word
 
 
-@lru_cache(maxsize=1)
 def vocabulary() -> Vocabulary:
-    """The words that are shipped."""
-    return load_vocabulary((), cache_directory())
+    """The words that are shipped, and those of the place that is spoken of."""
+    return _vocabulary(place_words())
+
+
+@lru_cache(maxsize=4)
+def _vocabulary(things: tuple[str, ...]) -> Vocabulary:
+    shipped = load_vocabulary((), cache_directory())
+    return shipped.with_things(things) if things else shipped

@@ -47,6 +47,7 @@ from executive.language.words.tokens import (
 from executive.language.words.unlisted_names import looks_like_a_name
 from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
+from executive.vocabulary.place_words import place_words
 from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
 
@@ -73,7 +74,7 @@ def parse(text: str, config: Path | None = None, *, remembers: bool = False) -> 
     Raises:
         VocabularyError: A file of words is malformed.
     """
-    parsed = parser_with(config_files(config)).parse(text, remembers)
+    parsed = parser_with(config_files(config), place_words()).parse(text, remembers)
     if parsed.refusal is not None and len(text) <= LONGEST_PHRASE:
         from trees.extensions import extensions  # it looks through all packages: only when it is asked
 
@@ -88,17 +89,22 @@ def parse_selection(text: str) -> ObjectDescription | None:
 
     None when it is no such answer.
     """
-    return parser_with(config_files()).parse_selection(text)
+    return parser_with(config_files(), place_words()).parse_selection(text)
 
 
 @lru_cache(maxsize=4)
-def parser_with(user_files: tuple[Path, ...] = ()) -> CommandParser:
-    """The parser with a user's own words.
+def parser_with(user_files: tuple[Path, ...] = (), things: tuple[str, ...] = ()) -> CommandParser:
+    """The parser with a user's own words, and those of a place.
+
+    Args:
+        user_files: Word lists of the user's.
+        things: What the things of the place are called, in lower case.
 
     Raises:
         VocabularyError: A file of words is malformed.
     """
-    return CommandParser(load_vocabulary(user_files, cache_directory()), _rules())
+    vocabulary = load_vocabulary(user_files, cache_directory())
+    return CommandParser(vocabulary.with_things(things) if things else vocabulary, _rules())
 
 
 @lru_cache(maxsize=1)

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import importlib.resources
 import itertools
+from collections import ChainMap
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,9 @@ from robots.outside import VOCABULARY, outside_files
 from robots.toml_text import TomlTextError, read_toml
 
 Words = tuple[str, ...]
+
+_THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "CONTAINER", "FURNITURE", "DOOR")
+"""Word classes of things: what one is called, what several are called, and those with ways of their own."""
 
 _KEYS = frozenset(
     {"words", "same", "refusal", "meaning", "plural", "plurals", "inflect", "proper", "owner", "irregular"}
@@ -78,6 +82,50 @@ class Vocabulary:
         self._prepared, self._all_classes = prepared, classes
         self._heads = {head[0]: head for head in prepared.heads}
         self._readings: dict[str, _Beginning] = {}
+        self._whole: frozenset[Words] = frozenset()
+
+    def with_things(self, words: Sequence[str]) -> Vocabulary:
+        """The same vocabulary, and further words for kinds of things.
+
+        A word that is refused here is one of them from now on; one that is known as a thing stays what it is.
+        A phrase of several words is one thing wherever it stands: "macaroni and cheese" is no list of two.
+
+        Args:
+            words: Noun phrases in lower case, each as one thing is called.
+        """
+        added: dict[str, list[str]] = {}
+        for word in words:
+            length, readings = self.match(word.split())
+            known = length == len(word.split()) and any(
+                one.word_class in _THINGS and self.refusal_of(one.word_class, one.meaning, word) is None
+                for one in readings
+            )
+            if not known:
+                many = word if word.endswith("s") and not word.endswith("ss") else plural(word)
+                for phrase, word_class in ((word, _THINGS[0]), (many, _THINGS[1])):
+                    line = f"{phrase}\t{word_class}\t{word if phrase != word else ''}"
+                    added.setdefault(phrase.partition(" ")[0], []).append(line)
+        beginnings = {first: self._also(first, lines) for first, lines in added.items()}
+        prepared = replace(
+            self._prepared,
+            beginnings=ChainMap(beginnings, dict(self._prepared.beginnings)),
+            words=" ".join([self._prepared.words, *words, *map(plural, words)]),
+        )
+        vocabulary = Vocabulary.of_prepared(prepared, self._all_classes)
+        vocabulary._whole = frozenset(tuple(word.split()) for word in words if " " in word)
+        return vocabulary
+
+    def _also(self, first: str, lines: Sequence[str]) -> str:
+        """Phrases that begin with a word, with further ones, which take the place of what is refused."""
+        taken = {line.partition("\t")[0] for line in lines}
+        kept_lines = []
+        for line in self._prepared.beginnings.get(first, "").split("\n"):
+            phrase, _, rest = line.partition("\t")
+            word_class, _, meaning = rest.partition("\t")
+            refused = line and self.refusal_of(word_class, meaning or phrase, phrase) is not None
+            if line and not (refused and phrase in taken):
+                kept_lines.append(line)
+        return "\n".join([*kept_lines, *lines])
 
     @cached_property
     def classes(self) -> Mapping[str, WordClass]:
@@ -87,6 +135,9 @@ class Vocabulary:
     def matches(self, words: Sequence[str], start: int) -> Iterator[tuple[int, Reading]]:
         """Every phrase that begins at ``start``: its length, and one reading of it."""
         lengths, readings = self._beginning_with(words[start])
+        if self._whole:
+            whole = (n for n in lengths if tuple(words[start : start + n]) in self._whole)
+            lengths = (longest,) if (longest := max(whole, default=0)) else lengths
         for length in lengths:
             if start + length <= len(words):
                 for reading in readings.get(tuple(words[start : start + length]), ()):
