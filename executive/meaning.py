@@ -114,7 +114,7 @@ def _slot(value: Any) -> Any:
             return {"is": value.kind, "to": _slot(value.to)}
         case ObjectDescription():
             present = {field.name: getattr(value, field.name) for field in fields(value)}
-            return {key: _slot(item) for key, item in present.items() if item is not None}
+            return {key: _slot(item) for key, item in present.items() if item not in (None, ())}
         case _:
             return value
 

@@ -136,7 +136,8 @@ class Vocabulary:
         """Every phrase that begins at ``start``: its length, and one reading of it."""
         lengths, readings = self._beginning_with(words[start])
         if self._whole:
-            whole = (n for n in lengths if tuple(words[start : start + n]) in self._whole)
+            left = words[start:]
+            whole = (n for n in lengths if n <= len(left) and tuple(left[:n]) in self._whole)
             lengths = (longest,) if (longest := max(whole, default=0)) else lengths
         for length in lengths:
             if start + length <= len(words):
