@@ -7,25 +7,24 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
+from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard, Client
 from py_trees.common import Status
-from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
+from py_trees.ports import NoDataAvailable, PortInformation
 
 from trees.events import LeafFailed, Measured, NotSo
 from trees.failures import Failure, FailureKind, Number
 from trees.nodes.contract import Contract
 from trees.nodes.failure_chain import place_of
 from trees.nodes.leaf_settings import settings_of
-from trees.nodes.py_trees_patch import ask_once
+from trees.nodes.ports import WithPorts
 from trees.toolbox import Toolbox
 
 RUNNING = Status.RUNNING
 DONE = Status.SUCCESS
 
-ask_once()
 
-
-class Leaf(BehaviourWithPorts):
+class Leaf(WithPorts, Behaviour):
     """A behavior that does one thing.
 
     A subclass declares ``INPUT_PORTS``, ``OUTPUT_PORTS`` and ``CONTRACT``, and fills in ``begin``,

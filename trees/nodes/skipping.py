@@ -7,13 +7,12 @@ from collections.abc import Iterator, Mapping
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
-from py_trees.ports import PortsMixin
 
 from trees.failures import Failure, FailureKind
-from trees.nodes.ports import ports
+from trees.nodes.ports import WithPorts, ports
 
 
-class Skipping(PortsMixin, Decorator):
+class Skipping(WithPorts, Decorator):
     """Ticks its child while ``needed`` when it begins; otherwise succeeds at once.
 
     A subclass declares ``INPUT_PORTS`` and ``OUTPUT_PORTS``, and fills in ``needed``.

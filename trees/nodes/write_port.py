@@ -7,12 +7,11 @@ from typing import Any
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
-from py_trees.ports import PortsMixin
 
-from trees.nodes.ports import ports
+from trees.nodes.ports import WithPorts, ports
 
 
-class Given(PortsMixin, Behaviour):
+class Given(WithPorts, Behaviour):
     """Writes one value to the key "given", and succeeds; wire it to where the value is wanted."""
 
     INPUT_PORTS = ports()
