@@ -65,6 +65,7 @@ def _lines(what: What) -> Iterator[str]:
 
 
 def _skills() -> Iterator[str]:
+    from trees.btcpp.judgement_names import outside_judgements
     from trees.btcpp.outside_leaves import outside_leaves
     from trees.build import SKILLS
     from trees.extensions import extensions
@@ -75,6 +76,7 @@ def _skills() -> Iterator[str]:
         yield f"{action:<10} {skill.example}"
     yield from _left_out(extensions().complaints)
     yield from _left_out(outside_leaves().complaints)
+    yield from _left_out(outside_judgements().complaints)
 
 
 def _complaints_about(kind: str) -> Iterable[str]:

@@ -7,6 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure
 from trees.leaves.go_home import GoHome
+from trees.nodes.judgements import judgement
 from trees.nodes.retry import Retry
 from trees.readings.held import LOST
 from trees.skills.looking.look_over import look_over
@@ -33,6 +34,7 @@ def regrasping(carry: list[Behaviour], toolbox: Toolbox) -> Retry:
     )
 
 
+@judgement
 def was_not_lost(failure: Failure, _before: Failure | None) -> bool:
     """Only what was lost on the way can be picked up again."""
     link: Failure | None = failure

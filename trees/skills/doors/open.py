@@ -16,7 +16,7 @@ from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.deadline import Deadline
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.doors.approach_handle import ApproachHandle
@@ -56,7 +56,7 @@ _BESIDE, _BELOW_BESIDE = GAZES[4:6], GAZES[6:8]
 
 def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
-    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
+    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, moving_it_again_is_useless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
     do = _Sequence("come and move it", memory=True, children=[come, attempts])
     do.transparent = True
@@ -106,7 +106,7 @@ def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternati
             for gaze in gazes
         ),
     ]
-    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+    return Alternatives(name, looks, hopeless=what_was_seen_decides)
 
 
 def settle_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
@@ -179,6 +179,7 @@ def verify(toolbox: Toolbox) -> Behaviour:
     )
 
 
+@judgement
 def seen_already(failure: Failure) -> bool:
     """What was seen stands: from elsewhere it may be out of sight, and the hand's word is a worse one."""
     return defect(failure) or bool(failure.root.numbers.get("seen", False))
@@ -220,18 +221,15 @@ def _leave(toolbox: Toolbox) -> Behaviour:
     )
 
 
-def looking_elsewhere_is_useless(failure: Failure) -> bool:
-    """Tell whether what was seen decides."""
+@judgement
+def what_was_seen_decides(failure: Failure) -> bool:
+    """A defect, or what was seen decides that it cannot be done: another look shows the same."""
     return defect(failure) or failure.kind is FailureKind.INFEASIBLE
 
 
-def hopeless(failure: Failure, before: Failure | None) -> bool:
+@judgement
+def moving_it_again_is_useless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
     stuck = is_stuck(failure) and (not slips_off(failure) or (before is not None and slips_off(before)))
     return defect(failure) or bool(failure.choices) or twice or stuck
-
-
-def tidying_helps(failure: Failure) -> bool:
-    """Tell whether the robot should tidy up after a failure."""
-    return not defect(failure) and not failure.choices

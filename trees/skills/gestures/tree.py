@@ -11,6 +11,7 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
+from trees.nodes.judgements import judgement
 from trees.skills.gestures.look_at_place import LookAtPlace
 from trees.skills.gestures.plan_pointing import PlanPointing
 from trees.skills.gestures.raise_hand import RaiseHand
@@ -81,6 +82,7 @@ def look_at(toolbox: Toolbox) -> Behaviour:
     return tidily("look at", children, toolbox, toolbox.policy.walk_timeout_s)
 
 
+@judgement
 def hands_are_not_in_the_way(failure: Failure) -> bool:
     """All but a planner's no: what a hand has lifted over a table is in the way of who leans over it."""
     return failure.kind is not FailureKind.INFEASIBLE or bool(failure.choices)

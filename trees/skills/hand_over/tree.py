@@ -10,7 +10,7 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import defect, looking_elsewhere_is_useless
+from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.carrying.draw_back import DrawBack
 from trees.skills.carrying.get_in_hand import have_it
@@ -75,9 +75,10 @@ def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
             ("look at the person", "ahead", LookAt("look up", toolbox, level)),
         )
     ]
-    return Alternatives("see who has it", ways, hopeless=_seen_elsewhere)
+    return Alternatives("see who has it", ways, hopeless=seen_elsewhere)
 
 
-def _seen_elsewhere(failure: Failure) -> bool:
+@judgement
+def seen_elsewhere(failure: Failure) -> bool:
     """It was seen where it should not be: another look does not help."""
     return defect(failure) or "height_m" in failure.numbers

@@ -12,7 +12,7 @@ from trees.leaves.stream_motion import StreamMotion
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.deadline import Deadline
-from trees.nodes.judgements import _tidying_helps, no_other_attempt_helps
+from trees.nodes.judgements import no_other_attempt_helps, tidying_helps
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import UnlessHeld
 from trees.skills.looking.find_unseen import FindUnseenOnWay
@@ -59,7 +59,7 @@ def _fetched(toolbox: Toolbox) -> CleanUp:
     main = _sequence("pick up", search_from_home_too(toolbox), attempts)
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
-    return CleanUp("pick", timed, _give_up(toolbox), worth_it=_tidying_helps)
+    return CleanUp("pick", timed, _give_up(toolbox), worth_it=tidying_helps)
 
 
 class _Sequence(Sequence):

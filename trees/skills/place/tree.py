@@ -10,13 +10,12 @@ from collections.abc import Callable
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.go_home import GoHome
 from trees.leaves.stream_motion import StreamMotion
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import no_other_attempt_helps
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import IfShifted
 from trees.nodes.wiring import rewired
@@ -107,7 +106,7 @@ def bring(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour] = _find_ro
     """
     recover = _recover(toolbox, find_room)
     attempts = Retry(
-        "attempts", _attempt(toolbox), recover, toolbox.policy.place_attempts, _no_other_spot_helps
+        "attempts", _attempt(toolbox), recover, toolbox.policy.place_attempts, no_other_attempt_helps
     )
     children: list[Behaviour] = [
         find_room(toolbox),
@@ -139,9 +138,3 @@ def _recover(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour]) -> Beh
         find_room(toolbox),
     ]
     return Sequence("try another spot", memory=True, children=children)
-
-
-def _no_other_spot_helps(failure: Failure, before: Failure | None) -> bool:
-    """A defect, or the planner's second no in a row."""
-    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or bool(failure.choices) or twice

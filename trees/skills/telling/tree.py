@@ -11,7 +11,7 @@ from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.looking.locate import Locate
 from trees.skills.looking.look_at import LookAt
@@ -77,6 +77,7 @@ def _from_elsewhere(toolbox: Toolbox) -> Behaviour:
     return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, worth_going)
 
 
+@judgement
 def elsewhere_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
     """Looks from elsewhere only where the robot can go there; any other always."""
     turns = (leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint))

@@ -8,7 +8,7 @@ from py_trees.composites import Sequence
 from trees.failures import Failure
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.skills.looking.look_at import LookAt
 from trees.skills.telling.is_about_speaker import AsksForSpeaker
 from trees.skills.telling.look_for_people import LookForPeople
@@ -35,6 +35,7 @@ def who_speaks(toolbox: Toolbox) -> Behaviour:
     return Sequence("see who speaks", memory=True, children=[AsksForSpeaker("asked for", toolbox), looks])
 
 
+@judgement
 def nobody_spoke(failure: Failure) -> bool:
     """A defect, a question, or a look all around that showed nobody: no other look helps."""
     return looking_elsewhere_is_useless(failure) or "people" in failure.root.numbers

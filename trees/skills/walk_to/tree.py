@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
-from trees.nodes.judgements import defect, looking_elsewhere_is_useless
+from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.looking.search_place import everywhere, search_place
@@ -94,6 +94,7 @@ def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:
     return (*gazes[1:], gazes[0])
 
 
+@judgement
 def another_walk_is_useless(failure: Failure, before: Failure | None) -> bool:
     """Standing beside the place is put right by walking again; so is a way that was barred for a while."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
