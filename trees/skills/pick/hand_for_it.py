@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from trees.beliefs.grounding.grounding import is_called
+from trees.beliefs.grounding.furniture_called import is_called
 from trees.beliefs.scene.held_object import HeldObject, fits
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
