@@ -15,11 +15,13 @@ from trees.nodes.deadline import Deadline
 from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
-from trees.skills.doors.approach_handle import ApproachHandle
 from trees.skills.doors.come_to_handle import come_to_handle
 from trees.skills.doors.detect_front import DetectFront
 from trees.skills.doors.find_handle import seen_from_elsewhere
-from trees.skills.doors.lead_handle import LeadHandle, is_stuck
+from trees.skills.doors.handle.approach_handle import ApproachHandle
+from trees.skills.doors.handle.lead_handle import LeadHandle, is_stuck
+from trees.skills.doors.handle.step_back import StepBack
+from trees.skills.doors.handle.touch_front import TouchFront
 from trees.skills.doors.names_door import NamesDoor
 from trees.skills.doors.open import (
     ATTEMPTS,
@@ -35,8 +37,6 @@ from trees.skills.doors.open import (
     what_was_seen_decides,
 )
 from trees.skills.doors.reach_watching import ReachWatching
-from trees.skills.doors.step_back import StepBack
-from trees.skills.doors.touch_front import TouchFront
 from trees.skills.doors.verify_opening import IsItSo
 from trees.skills.looking.look_at import LookAt
 from trees.toolbox import Toolbox

@@ -19,18 +19,18 @@ from trees.nodes.deadline import Deadline
 from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
-from trees.skills.doors.approach_handle import ApproachHandle
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.come_to_handle import come_to_handle
 from trees.skills.doors.detect_handle import DetectHandle
 from trees.skills.doors.find_handle import seen_from_elsewhere
-from trees.skills.doors.grasp_handle import GraspHandle
-from trees.skills.doors.lead_handle import LeadHandle, is_stuck, slips_off
+from trees.skills.doors.handle.approach_handle import ApproachHandle
+from trees.skills.doors.handle.grasp_handle import GraspHandle
+from trees.skills.doors.handle.lead_handle import LeadHandle, is_stuck, slips_off
+from trees.skills.doors.handle.step_back import StepBack
 from trees.skills.doors.look_at_handle import LookAtHandle
 from trees.skills.doors.names_door import NamesDoor
 from trees.skills.doors.plan_handle import PlanHandle
 from trees.skills.doors.reach_watching import ReachWatching
-from trees.skills.doors.step_back import StepBack
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
 from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.survey import Survey

@@ -1,8 +1,11 @@
-"""What is known of a handle once a hand holds it."""
+"""What is known of a handle or a front at which a hand is."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array, Sealed
 from kinematics.requests.grasp import Grasp
@@ -46,6 +49,19 @@ def hand_concessions(
     scene = without_drawn(toolbox.world.scene)
     parts = [name for name in (target.part, target.handle) if name in scene.objects]
     return touching(links, parts, ConcessionReason.HANDLE_IN_HAND, step)
+
+
+def outwards(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
+    """Horizontal unit vector square to the front, to the side of its handle, shape (3,)."""
+    if target.part not in scene.objects:
+        return target.path.at(target.opening).outward
+    pose = scene.objects[target.part].world_T_object
+    normal = pose[:3, 0] * np.array([1.0, 1.0, 0.0])
+    normal /= np.linalg.norm(normal)
+    if target.pushed:
+        return np.asarray(normal if normal @ target.path.at(target.opening).outward > 0.0 else -normal)
+    bar_m = scene.objects[target.handle].world_T_object[:3, 3]
+    return np.asarray(normal if (bar_m - pose[:3, 3]) @ normal > 0.0 else -normal)
 
 
 def tcp_m(toolbox: Toolbox, grasp: Grasp, q: Array) -> Array:

@@ -14,7 +14,7 @@ from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.motion_leaf import motion_failure
 from trees.nodes.ports import ports
 from trees.nodes.yielding_leaf import YieldingLeaf
-from trees.skills.doors.held_handle import HeldHandle, scene_of_hand, tcp_m
+from trees.skills.doors.handle.held_handle import HeldHandle, scene_of_hand, tcp_m
 
 _QUIET_S = 0.25
 """Before the fingers move, the hand feels what counts as no force."""

@@ -14,8 +14,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import optional, ports
-from trees.skills.doors.held_handle import hand_concessions, tcp_m
-from trees.skills.doors.pushed_front import outwards
+from trees.skills.doors.handle.held_handle import hand_concessions, outwards, tcp_m
 from trees.toolbox import Toolbox
 
 _BACK_M = 0.10

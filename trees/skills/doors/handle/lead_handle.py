@@ -20,7 +20,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import ports
 from trees.nodes.yielding_leaf import YieldingLeaf
-from trees.skills.doors.held_handle import HeldHandle, scene_of_hand, tcp_m
+from trees.skills.doors.handle.held_handle import HeldHandle, scene_of_hand, tcp_m
 
 _MOST_S = 40.0
 _SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.4

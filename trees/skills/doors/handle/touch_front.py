@@ -10,7 +10,7 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
-from trees.skills.doors.held_handle import HeldHandle, tcp_m
+from trees.skills.doors.handle.held_handle import HeldHandle, tcp_m
 
 
 class TouchFront(Leaf):

@@ -7,7 +7,7 @@ from py_trees.common import Status
 
 from tests.trees.leaf_inputs import handle_in_hand
 from trees.beliefs.openings.handles import SHUT
-from trees.skills.doors.lead_handle import LeadHandle, is_stuck, slips_off
+from trees.skills.doors.handle.lead_handle import LeadHandle, is_stuck, slips_off
 
 
 @pytest.fixture

@@ -16,8 +16,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.nodes.yielding_leaf import YieldingLeaf
-from trees.skills.doors.held_handle import scene_of_hand
-from trees.skills.doors.pushed_front import outwards
+from trees.skills.doors.handle.held_handle import outwards, scene_of_hand
 from trees.world_model import HandAtHandle
 
 
