@@ -1,6 +1,8 @@
 """Judgements in documents: called by names that no moved file changes; documents of before are still read."""
 
 import re
+import sys
+import types
 from importlib.metadata import EntryPoint
 from pathlib import Path
 
@@ -167,9 +169,6 @@ def test_a_function_that_is_not_declared_cannot_be_written(stage, probe_leaf):
 @pytest.fixture
 def bowing(monkeypatch):
     """A package from outside that brings judgements."""
-    import sys
-    import types
-
     module = types.ModuleType("bowing_bow")
     monkeypatch.setitem(sys.modules, "bowing_bow", module)
     code = (
