@@ -34,7 +34,7 @@ from executive.understanding.provenance import Provenance
 from trees.beliefs.grounding.grounding import exactly
 from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.tasks import (
     Bringing,
     Destination,
@@ -158,9 +158,9 @@ class Errand:
             return False
         if failure.is_unseen:
             return unseen and _may_be_elsewhere(command.source, known)
-        if failure.wants_nearer:
+        if failure.root.reason is Reason.PERSON_TOO_FAR:
             return True
-        if failure.is_no_grasp and _is_far(command.object, known):
+        if failure.root.reason is Reason.NO_GRASP and _is_far(command.object, known):
             return True
         if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
             return False  # and what no hand could take is brought nowhere

@@ -4,7 +4,7 @@ import pytest
 
 from kinematics.requests.move import RetreatRequest
 from kinematics.requests.place import PlaceRequest
-from kinematics.requests.step import NoPlan
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.failures import FailureKind
@@ -135,7 +135,9 @@ def right_hand_fails(stage, monkeypatch):
         frame = request.scene.attached[request.held].frame
         left_part = request.spots[0].world_T_object[1, 3] > 0.0
         if frame == stage.toolbox.model.description.tcp_frames["right"] and left_part:
-            return NoPlan("no way", {"no inverse kinematics": 9}, {"spots": 9.0, "considered": 99.0})
+            return NoPlan(
+                "no way", {"no inverse kinematics": 9}, {"spots": 9.0}, WhyNoPlan.NO_SPOT_IS_REACHED
+            )
         return answer(request)
 
     monkeypatch.setattr(stage.fake.planning, "answer", planned)

@@ -7,7 +7,7 @@ from collections.abc import Sequence as Many
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome
@@ -181,7 +181,7 @@ def verify(toolbox: Toolbox) -> Behaviour:
 
 def seen_already(failure: Failure) -> bool:
     """What was seen stands: from elsewhere it may be out of sight, and the hand's word is a worse one."""
-    return defect(failure) or bool(failure.root.numbers.get("seen", False))
+    return defect(failure) or failure.root.reason is Reason.SEEN_NOT_AS_ASKED
 
 
 def going(toolbox: Toolbox, detect: type[DetectHandle] = DetectHandle) -> list[Behaviour]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from trees.beliefs.openings.handles import OPEN_ENOUGH, SHUT, HandleTarget, opening_in
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
@@ -48,7 +48,9 @@ class VerifyOpening(LookLeaf):
             state = "open" if opening else "closed"
             # before a hand has moved it, it did not fail to stay so
             is_not = "is not" if self.optional("opened") is None else "did not stay"
-            return Failure.postcondition(f"the {target.part} {is_not} {state}", **evidence)
+            reason = Reason.KIND_ONLY if seen is None else Reason.SEEN_NOT_AS_ASKED
+            message = f"the {target.part} {is_not} {state}"
+            return Failure.postcondition(message, None, **evidence).because(reason)
         self._set_output("evidence", evidence)
         self.feedback_message = f"{target.shown(best):.2f} {target.unit}"
         return DONE

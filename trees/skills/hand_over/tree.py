@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.leaves.go_home import GoHome
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
@@ -80,4 +80,4 @@ def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
 
 def _seen_elsewhere(failure: Failure) -> bool:
     """It was seen where it should not be: another look does not help."""
-    return defect(failure) or "height_m" in failure.numbers
+    return defect(failure) or failure.reason in (Reason.DROPPED, Reason.TAKEN_BY_ANOTHER)

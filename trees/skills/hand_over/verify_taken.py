@@ -12,7 +12,7 @@ from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.held_object import HeldObject
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -67,11 +67,12 @@ class VerifyTaken(LookAround):
             stands_on = support_of(scene.objects[name], scene, policy.support_gap_m)
             if (stands_on is not None and not self._carried(item)) or height_m < _DROPPED_BELOW_M:
                 where = "" if stands_on is None else f" onto the {stands_on.name}"
-                return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
+                message = f"the {held.name} was dropped{where}"
+                return Failure.postcondition(message, height_m=height_m).because(Reason.DROPPED)
             let_go = self.get_input("placement").odom_T_object
             if (other := another_took_it(person, let_go, item.odom_T_object, scene)) is not None:
                 message = f"the {held.name} was taken by {other}, not by {person}"
-                return Failure.postcondition(message, height_m=height_m)
+                return Failure.postcondition(message, height_m=height_m).because(Reason.TAKEN_BY_ANOTHER)
             self.feedback_message = f"seen {height_m:.2f} m above the floor"
             return DONE
         return Failure.postcondition(f"the {held.name} was let go, and is not seen with {person}")

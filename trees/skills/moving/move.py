@@ -13,7 +13,7 @@ from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import Steering, StretchSteering, TurnSteering, VelocitySteering
 from kinematics.walking.route.room import WalkingRoom
 from kinematics.walking.route.stopping import stopping_distance_m
-from trees.failures import Failure, Number
+from trees.failures import Failure, Number, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import optional, ports
@@ -69,7 +69,8 @@ class Move(WalkingLeaf):
         toolbox, task = self.toolbox, self._task
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         if self._handle is None and (beyond := self._beyond_limits(settings)) is not None:
             return beyond
         blocked = self._blocked(settings)
@@ -197,7 +198,9 @@ class Move(WalkingLeaf):
     def _no_room_to_turn(self, room: WalkingRoom, points: NDArray[np.float64]) -> Failure | None:
         turn_rad = self._turn_rad or self._task.angular_rad_s * self._duration_s
         part = room.turn_meets(points, max(-math.tau, min(turn_rad, math.tau)))
-        return None if part is None else Failure.infeasible(f"there is no room to turn for the {part}")
+        if part is None:
+            return None
+        return Failure.infeasible(f"there is no room to turn for the {part}").because(Reason.NO_ROOM)
 
     def _measure(self) -> None:
         now = body_pose(self.toolbox)

@@ -139,8 +139,9 @@ class VerifyLift(GatheringLeaf):
                 f"the {target.name} has not risen enough", None, needed_m=policy.lifted_min_m, **numbers
             )
         if early is not None:
-            numbers["slip_m"] = float(np.linalg.norm(late - early))
-            if numbers["slip_m"] > policy.slip_max_m:
+            slip_m = float(np.linalg.norm(late - early))
+            numbers |= {"slip_m": slip_m}
+            if slip_m > policy.slip_max_m:
                 return Failure.postcondition(
                     f"the {target.name} is slipping", None, tolerance_m=policy.slip_max_m, **numbers
                 )

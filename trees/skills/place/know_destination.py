@@ -15,7 +15,7 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -95,7 +95,8 @@ class KnowDestination(LookAround):
             case Ambiguous() as unclear:
                 return which_is_meant(unclear, "to")
             case Missing(message):
-                return Failure.postcondition(message, seen=kinds_in(thing.name for thing in around.things))
+                known = kinds_in(thing.name for thing in around.things)
+                return Failure.postcondition(message, seen=known).because(Reason.NOT_SEEN)
             case Found(names):
                 return self._too_wide(around.last_acted_on, names[0])
 

@@ -7,7 +7,7 @@ import math
 from py_trees.common import Status
 
 from trees.beliefs.grounding.destination import Place
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
@@ -53,7 +53,7 @@ class NoteWhoSpeaks(Leaf):
             for name, place in sorted(people.items())
         }
         if not away:
-            return Failure.postcondition("nobody is seen", people=0)
+            return Failure.postcondition("nobody is seen").because(Reason.NOBODY_SEEN)
         nearest = min(away, key=away.__getitem__)
         if away[nearest] > CONVERSING_M and not self._anybody:
             return Failure.postcondition(

@@ -8,7 +8,7 @@ from py_trees.common import Status
 
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import Steering
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.leaf import DONE, RUNNING
 from trees.skills.walking.scan_without_load import without_held
 from trees.skills.walking.walking_leaf import WalkingLeaf
@@ -31,7 +31,8 @@ class ScannedWalk(WalkingLeaf):
         toolbox = self.toolbox
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None or toolbox.ranging is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         if self._handle is None:
             scan = toolbox.ranging.scan()
             if scan is None:

@@ -15,7 +15,7 @@ from kinematics.walking.route.path_planning import Footprint, blocked
 from kinematics.walking.route.room import BESIDE_HANDS_M, WalkingRoom
 from kinematics.walking.route.ways import BESIDE_TUCKED_M, NoWay, WayFinder
 from trees.beliefs.grounding.destination import Place
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import optional, ports
@@ -116,7 +116,8 @@ class WalkTo(WalkingLeaf):
         toolbox = self.toolbox
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         if self._handle is None:
             steering = self._plan(settings)
             if self._seen.silent:
