@@ -12,7 +12,18 @@ if TYPE_CHECKING:
 
 
 class FailureKind(Enum):
-    """What sort of failure it is."""
+    """What sort of failure it is.
+
+    Attributes:
+        INFEASIBLE: No plan exists or none was found, or a person has to say which thing is meant.
+        UNSAFE: The trajectory checker refused a motion, which was not begun.
+        REFUSED: The gate, the online checker or the state of the robot did not let a motion pass.
+        EXECUTION: A motion was begun and did not end where it should.
+        POSTCONDITION: What has to be true was measured not to be.
+        TIMEOUT: It took longer than its deadline.
+        CANCELED: Somebody halted it.
+        ERROR: A behavior raised an exception, which is a defect of the program.
+    """
 
     INFEASIBLE = "INFEASIBLE"
     UNSAFE = "UNSAFE"
@@ -94,16 +105,17 @@ class OpenChoice:
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """One link of a failure chain.
+    """One link of a failure chain: what failed, why, and which failure had caused it.
 
-    Programs decide by its kind and reason, and take values from its typed fields; message and numbers are
+    Programs decide by its kind and reason, and take values from its typed fields. Its message and numbers are
     for people.
 
     Attributes:
         kind: What sort of failure.
-        message: One sentence for people, without the numbers' names.
+        message: One sentence for people, without the names of the numbers.
         numbers: What was measured and what it had to be, for people; keys carry their unit.
-        where: Place in the tree, names joined by "/"; the life cycle fills it in.
+        where: The place in the tree, as names from the root down, joined by "/"; the life cycle of leaves
+            fills it in.
         cause: The failure that led to this one.
         reason: Which one of its kind, where that is told apart.
         open_choice: What a person has to choose from, when several things fit.

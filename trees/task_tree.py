@@ -35,7 +35,7 @@ _BEFORE_AIM = {"wave": "to ", "say": "it to "}
 
 
 class TaskTree:
-    """A tree at work. ``tick`` never raises and never waits.
+    """The behavior tree of one task while it is carried out; ``tick`` never raises and never waits.
 
     Attributes:
         task: What it does.

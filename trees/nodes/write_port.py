@@ -13,7 +13,7 @@ from trees.nodes.ports import ports
 
 
 class Given(PortsMixin, Behaviour):
-    """Writes one value to the key "given", and succeeds; wire it to where the value is wanted."""
+    """Writes a value that is known before the tree begins to its output port, and succeeds."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports(given=object)
