@@ -45,14 +45,14 @@ _ANYBODY = ("me", "in_front", "in front", "person", "somebody")
 
 @dataclass(frozen=True, slots=True)
 class Place(Sealed):
-    """Something that a task is aimed at.
+    """What a task is aimed at: a thing, a piece of furniture, a person or a part of the floor, with its pose.
 
     Attributes:
         name: Its name in the planning scene.
         category: What sort of thing it is; "region" for a part of the floor.
         shape: Its solid.
         odom_T_place: Its pose, shape (4, 4).
-        confidence: Of the sighting, in [0, 1].
+        confidence: How sure the detector was of it, in [0, 1].
     """
 
     name: str

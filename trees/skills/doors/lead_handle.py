@@ -32,9 +32,11 @@ the pull and is seen shut before the next has not moved: two such slips say that
 
 
 class LeadHandle(YieldingLeaf):
-    """Open or close with the whole body: pull along the path, yield across it, feel when it is stuck.
+    """Open or close a door or drawer by leading the held handle along its path, with the whole body.
 
-    How far it came is measured: a door's angle about the centre of the circle that the hand described.
+    The hand pulls along the path, gives way across it, and notices when the handle is stuck. How far it came
+    is measured by the way of the hand: for a door, the angle about the centre of the circle that the hand has
+    described.
     """
 
     INPUT_PORTS = ports(held=HeldHandle, lead_to=float)

@@ -21,7 +21,7 @@ _BETWEEN = 0.5
 
 
 class LookAtHandle(Aim):
-    """Turn the head so that a handle, and what it opens, are in the picture where they are believed to be."""
+    """Turn the head so that a handle, and the door or drawer behind it, should be in the picture."""
 
     INPUT_PORTS = ports(handle=optional(HandleTarget))
     OUTPUT_PORTS = ports()

@@ -14,9 +14,10 @@ from trees.tasks import OpenTask
 
 
 class VerifyOpening(LookLeaf):
-    """Look at it: what swung back, or sprang open again, was not done.
+    """Look at a door or drawer, and measure whether it is as far open or closed as the task asks.
 
-    Hand and eye are two sensors of one angle; when the door cannot be seen, the hand's word stands.
+    One that swung back or sprang open again is noticed like this. When the camera does not see it, the
+    opening counts that the hand has felt.
     """
 
     INPUT_PORTS = ports(task=object, handle=HandleTarget, opening=optional(float), opened=optional(dict))
@@ -57,6 +58,6 @@ class VerifyOpening(LookLeaf):
 
 
 class IsItSo(VerifyOpening):
-    """As ``VerifyOpening``, before anything is moved; that it is not so is an answer."""
+    """As ``VerifyOpening``, before anything is moved: that it is not as asked is an answer, not a failure."""
 
     ASKS = True

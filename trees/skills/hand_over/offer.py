@@ -17,7 +17,7 @@ _WITHIN_M = 2.5
 
 
 class Offer(PlannedMotionLeaf):
-    """Bring the held object, upright, to where the person can take it, looking at the person."""
+    """Hold the object out, upright, to where the person can take it, and look at the person."""
 
     INPUT_PORTS = ports(held=HeldObject, place=Place)
     OUTPUT_PORTS = ports()

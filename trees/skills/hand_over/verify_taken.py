@@ -29,12 +29,12 @@ _CARRIED_M = 0.25
 
 
 class VerifyTaken(LookAround):
-    """What was given is seen in the air, away from the hand, or stands far from where it was let go.
+    """See that the person has taken the object.
 
-    It went towards the person whom it was meant for: another one may have taken it.
-
-    Nothing hangs in the air by itself: the person has it, however far the person's arm reaches. A person who
-    holds it just above a table, or has put it there, has taken it as well.
+    It has been taken when it is seen in the air and away from the hand, since nothing hangs in the air by
+    itself, or when it stands far from where the hand let go of it. It must also have gone towards the person
+    that it was meant for, since somebody else may have taken it. It has not been taken when it was dropped,
+    or is still at the hand.
     """
 
     INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place, placement=Placement)

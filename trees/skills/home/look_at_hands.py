@@ -12,7 +12,10 @@ from trees.skills.looking.aim_leaf import Aim
 
 
 class LookAtHands(Aim):
-    """Turn the head, and nothing else, to between the hands: the trunk stays among what is not known."""
+    """Turn the head to between the hands, and move nothing else.
+
+    What is around the trunk is not known yet, so it must not move.
+    """
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()

@@ -14,7 +14,7 @@ from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 
 
 class Aim(PlannedMotionLeaf):
-    """Turn the eyes; whatever is not among the joints that aim stays where it is."""
+    """Turn the eyes to a gaze; joints that do not aim the camera stay where they are."""
 
     CONTRACT = Contract(
         precondition="none",

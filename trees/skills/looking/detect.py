@@ -31,13 +31,13 @@ that was asked for, the last of these, and the one ahead after they have lost wh
 
 
 class Detect(LookLeaf):
-    """Fuse a few frames into the world model, and choose the object that the task means.
+    """Take a look, update the world model with it, and choose the object that the task means.
 
-    Everything believed counts, also what is out of view now. Of a task that means several objects the
-    nearest becomes the target; the names of the others are put out as well. Fails when it is not seen,
-    when several fit (the failure's ``choices`` list them), and when the furniture that it stands on
-    is not known: a motion past a table that was not seen would hit it. A search looks from gaze to gaze:
-    that it is not seen from one of them is an answer.
+    Everything that the robot believes to be there counts, also what is out of view now. When the task means
+    several objects, the nearest becomes the target, and the names of the others are written as well. It fails
+    when nothing that fits is seen, when several things fit (the failure's ``choices`` name them), and when
+    the furniture below the target is not known, since a motion would hit a table that was not seen. A search
+    looks in several directions; that one look does not show the object is an answer, not a failure.
     """
 
     ASKS = True

@@ -28,7 +28,7 @@ _CONFIDENCE = 0.5
 class Locate(LookAround):
     """Look once, and find the object, piece of furniture or person that the task is aimed at.
 
-    A search looks from many sides: that it is not seen from one of them is an answer.
+    A search looks in several directions; that one look does not show it is an answer, not a failure.
     """
 
     ASKS = True

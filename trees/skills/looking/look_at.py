@@ -25,7 +25,7 @@ _BEHIND_M = 0.02
 
 
 class LookAt(Aim):
-    """Turn the head to a gaze, leaning over or drawing back if it says so."""
+    """Turn the head to a gaze; if the gaze says so, the trunk leans or turns and the pelvis draws back."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
@@ -90,7 +90,7 @@ def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
 
 
 class LookAtTarget(Aim):
-    """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
+    """Turn the head so that the target is in the middle of the picture, where it was seen or in the hand."""
 
     INPUT_PORTS = ports(target=Target)
     OUTPUT_PORTS = ports()
@@ -106,7 +106,7 @@ class LookAtTarget(Aim):
 
 
 class LookAtUnseen(Aim):
-    """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
+    """Look at places that a hand is to pass over and nobody has seen, leaning over where it must."""
 
     INPUT_PORTS = ports(unseen=UnseenPlaces)
     OUTPUT_PORTS = ports()

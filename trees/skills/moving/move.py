@@ -34,11 +34,12 @@ _WENT_M, _WENT_SHARE = 0.05, 0.05
 
 
 class Move(WalkingLeaf):
-    """Walk at the task's velocity for its time or distance, and stop before anything that is in the way.
+    """Walk at the velocity of the task, for its time or distance, and stop before an obstacle.
 
-    A velocity beyond the limits is refused, never lowered. A turn on the spot for a time is one by the angle
-    that comes of it, which is measured: soles slip. One for which the hands, or what they hold, have no room
-    is infeasible: a step away helps.
+    A velocity beyond the robot's limits is refused, never lowered. A turn on the spot for some time is
+    carried out as a turn by the angle that follows from it, and the angle is measured, since soles slip. A
+    turn for which the hands, or what they hold, have no room is infeasible; from a step away it may be
+    possible.
     """
 
     INPUT_PORTS = ports(task=MoveTask, stepped_m=optional(float))

@@ -18,7 +18,11 @@ from trees.world_model import Origin
 
 
 class Attach(Leaf):
-    """Move the target from the world into the hand, and put the lift before the scene that results."""
+    """Attach the target to the hand in the planning scene.
+
+    The lift is written once more, with the scene in which the hand holds the target, for the checker to judge
+    it there.
+    """
 
     INPUT_PORTS = ports(grasp=Grasp, target=Target, lift=Step)
     OUTPUT_PORTS = ports(held_lift=Step)

@@ -17,7 +17,7 @@ _BEHIND_EDGE_M = 0.10
 
 
 class LookAtBoard(Aim):
-    """Bring the front of a board to the middle of the picture.
+    """Turn the eyes so that the front of a board behind an open door is in the middle of the picture.
 
     Args:
         name: Of the node.

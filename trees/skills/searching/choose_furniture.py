@@ -30,7 +30,10 @@ _CONFIDENCE = 0.5
 
 
 class ChooseFurniture(Leaf):
-    """The nearest top that was not looked at from nearby; small things are not seen from afar."""
+    """Choose the nearest furniture with a top that the robot has not looked at from nearby.
+
+    Small things on it are not seen from afar.
+    """
 
     ASKS = True
     NONE_LEFT = Reason.NO_FURNITURE_LEFT

@@ -37,7 +37,10 @@ _CONFIDENCE = 0.5
 
 
 class ChooseOutlook(Leaf):
-    """Beside the nearest tall thing, level with it, where nobody has looked from; facing what it hides."""
+    """Choose a place beside the nearest tall thing from where the robot can see what is behind it.
+
+    Tall things that it has looked behind are left out.
+    """
 
     ASKS = True
     NONE_LEFT = Reason.NO_OUTLOOKS_LEFT

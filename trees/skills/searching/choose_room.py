@@ -15,7 +15,10 @@ from trees.readings.odometry import feet_pose
 
 
 class ChooseRoom(Leaf):
-    """The nearest room in which the robot neither is nor was; what is in it is hidden by its walls."""
+    """Choose the nearest room of the map in which the robot has not looked around.
+
+    What is in a room is hidden by its walls from the other rooms.
+    """
 
     ASKS = True
     NONE_LEFT = Reason.NO_ROOMS_LEFT

@@ -19,9 +19,10 @@ CONVERSING_M = 2.5
 
 
 class NoteWhoSpeaks(Leaf):
-    """Choose the nearest person; one who stands far away only when the robot has looked all around.
+    """Take the nearest person for the one who speaks to the robot.
 
-    That nobody is near yet is an answer: the robot looks farther around.
+    Somebody far away is taken only when the robot has looked all around. Until then, that nobody is near is
+    an answer, not a failure, and the robot looks farther around.
     """
 
     ASKS = True

@@ -47,7 +47,7 @@ _NO_FURNITURE = frozenset({"wall", *PART_KINDS, *INSIDE_KINDS})
 
 
 class TellingLeaf(Leaf):
-    """Reads the world model, and gives out words with what they rest on."""
+    """A leaf that answers a question from the world model, with the evidence for its answer."""
 
     def around(self) -> Surroundings:
         """What is believed, from where the robot stands."""

@@ -35,10 +35,10 @@ Viewpoint = Literal["ahead", "around", "back", "room"]
 
 
 class ChangeViewpoint(ScannedWalk):
-    """Walk straight on or back as far as the way is free, or turn on the spot.
+    """Walk straight on or back as far as the floor is free, or turn on the spot.
 
-    "room" steps back, or ahead, where there is no room to turn; it stays where there is, or where no way is
-    free.
+    "room" is for a place without room to turn: the robot then steps back, or ahead, until there is. It stays
+    when there is room already, or when it cannot step either way.
     """
 
     INPUT_PORTS = ports()

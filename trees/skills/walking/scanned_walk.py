@@ -15,7 +15,10 @@ from trees.skills.walking.walking_leaf import WalkingLeaf
 
 
 class ScannedWalk(WalkingLeaf):
-    """Asks its subclass for a way when the range sensor has told what is about, and goes it."""
+    """A leaf that looks with the range sensor, then walks or turns once, and waits until the robot stands.
+
+    A subclass decides, from what the sensor has seen, where to walk.
+    """
 
     def steering(self, settings: WalkingSettings, scan: NDArray[np.float64]) -> Steering | Failure | None:
         """The way to go; None where there is nothing to do.

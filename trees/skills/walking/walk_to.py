@@ -47,12 +47,11 @@ _NO_WAY = {
 
 
 class WalkTo(WalkingLeaf):
-    """Walk around what is known to stand about, and stand square in front of the place.
+    """Walk around all obstacles that are known or seen on the way, and stand square in front of the place.
 
-    Where the robot is too near to something to turn, it steps straight back first. What its range sensor
-    sees on the way, and nobody knew of, it walks around too. Its own odometry leads; who wants to know how
-    well it arrived looks again. Where it is to go only if its hands have room on all the way, and they have
-    not, it says so before it sets out.
+    Where the robot is too near to something to turn, it first steps straight back. It is led by its odometry;
+    how well it has arrived is measured by another leaf that looks. Made with ``if_hands_fit``, it fails
+    before it sets out if the hands have no room on the whole way.
     """
 
     INPUT_PORTS = ports(place=Place, stand=optional(Stand))
