@@ -17,7 +17,7 @@ from trees.beliefs.sight.sight import Glimpse
 
 
 @dataclass(frozen=True, slots=True)
-class Origin(Sealed):
+class FormerPlace(Sealed):
     """Where an object stood on a piece of furniture before a hand took it.
 
     Attributes:
@@ -80,7 +80,7 @@ class WorldModel:
         self.asked_at: Transform | None = None
         self.sent_to: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
-        self.taken_from: Mapping[str, Origin] = {}
+        self.taken_from: Mapping[str, FormerPlace] = {}
         self.at_handle: HandAtHandle | None = None
 
     @property
@@ -113,7 +113,7 @@ class WorldModel:
         """Remember that a hand let go of something; the scene has it already."""
         self.put_down = {**self.put_down, name: self._scene.objects[name]}
 
-    def note_taken(self, name: str, origin: Origin) -> None:
+    def note_taken(self, name: str, origin: FormerPlace) -> None:
         """Remember where a thing stood before a task took it, though that puts it down and takes it again."""
         self.taken_from = {name: origin, **self.taken_from}
 

@@ -14,7 +14,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.port_values import Step, Target
-from trees.world_model import Origin
+from trees.world_model import FormerPlace
 
 
 class Attach(Leaf):
@@ -47,7 +47,7 @@ class Attach(Leaf):
             world.scene.with_attached(target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         )
         if support is not None:
-            world.note_taken(target.name, Origin(support.name, before.world_T_object))
+            world.note_taken(target.name, FormerPlace(support.name, before.world_T_object))
         held_lift = replace(lift, scene=world.scene, world_version=world.scene.version)
         self._set_output("held_lift", held_lift)
         return DONE

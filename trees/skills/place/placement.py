@@ -38,7 +38,7 @@ from trees.beliefs.sight.sight_of_tops import SightOfTops
 from trees.failures import Failure, Reason
 from trees.skills.place.places_by_people import person_compared_with, spots_by_person
 from trees.tasks import WHERE_IT_WAS, Destination, ObjectDescription, Relation
-from trees.world_model import Origin
+from trees.world_model import FormerPlace
 
 # Where a hand puts things down most easily, from the point between the feet: ahead, and to its own side.
 COMFORTABLE_M = (0.48, 0.25)
@@ -64,7 +64,7 @@ def spots_for(
     odom_T_base: Transform,
     support_gap_m: float,
     sight: SightOfTops,
-    origin: Origin | None = None,
+    origin: FormerPlace | None = None,
 ) -> tuple[Spot, ...] | Failure:
     """Free spots for a held object, the best first.
 
@@ -272,7 +272,7 @@ def _beside(
 
 def _back(
     held: HeldObject,
-    origin: Origin | None,
+    origin: FormerPlace | None,
     scene: PlanningScene,
     odom_T_base: Transform,
     sight: SightOfTops,
