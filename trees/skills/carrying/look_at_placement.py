@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 from trees.nodes.ports import ports
 from trees.port_values import Placement
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.look_at import joints_that_show
 
 
-class LookAtPlacement(Aim):
+class LookAtPlacement(AimingLeaf):
     """Turn the eyes so that the place where the object was put is in the middle of the picture.
 
     From an upright posture the near edge of a table is below the picture. Where turning the head is not

@@ -8,10 +8,10 @@ import numpy as np
 
 from kinematics.ik.gaze import gaze_joints
 from trees.nodes.ports import ports
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 
 
-class LookAtHands(Aim):
+class LookAtHands(AimingLeaf):
     """Turn the head to between the hands, and move nothing else.
 
     What is around the trunk is not known yet, so it must not move.

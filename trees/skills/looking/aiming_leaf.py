@@ -13,7 +13,7 @@ from trees.nodes.move_from_here import move_from_here
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 
 
-class Aim(PlannedMotionLeaf):
+class AimingLeaf(PlannedMotionLeaf):
     """Turn the eyes to a gaze; joints that do not aim the camera stay where they are."""
 
     CONTRACT = Contract(
