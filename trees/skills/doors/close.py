@@ -24,13 +24,13 @@ from trees.skills.doors.names_door import NamesDoor
 from trees.skills.doors.open import (
     ATTEMPTS,
     GAZES,
+    choose_which,
     going,
     hopeless,
     looking_elsewhere_is_useless,
     open_or_close,
     planned,
     sequence,
-    settle_which,
     tidying_helps,
     time_limit_s,
     verify,
@@ -51,7 +51,7 @@ def close(toolbox: Toolbox) -> Behaviour:
 def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    settled = settle_which(toolbox, DetectFront, pushed=True)
+    settled = choose_which(toolbox, DetectFront, pushed=True)
     main = sequence("push the front", _search_about(toolbox), settled, come, attempts)
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)

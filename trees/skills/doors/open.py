@@ -62,7 +62,7 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     do.transparent = True
     ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])
     ways.transparent = True
-    settled = settle_which(toolbox, DetectHandle, pushed=False)
+    settled = choose_which(toolbox, DetectHandle, pushed=False)
     main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), settled, ways])
     main.transparent = True
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
@@ -109,7 +109,7 @@ def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternati
     return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
 
 
-def settle_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
+def choose_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
     """Look to both sides of the robot, choose among all that is known by then, and look at the chosen one."""
     doors, drawers = _looks_beside(toolbox, _BESIDE), _looks_beside(toolbox, _BELOW_BESIDE)
     ways = [sequence("doors", NamesDoor("is it a door", toolbox), *doors), sequence("drawers", *drawers)]
