@@ -164,7 +164,7 @@ class Errand:
             return True
         if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
             return False  # and what no hand could take is brought nowhere
-        meant = self._beliefs.settled(command)
+        meant = self._beliefs.with_other_furniture_named(command)
         return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
 
     def _carries(self, command: Command) -> bool:
@@ -199,7 +199,7 @@ class Errand:
         if isinstance(command, Failure):
             return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
         times, attempts = TaskTimes(), 0
-        command = self._beliefs.settled(command)
+        command = self._beliefs.with_other_furniture_named(command)
         while True:
             result = yield from _silent(self._session.task_steps(command, self._timeout_s))
             times, attempts = _sum(times, result.times), attempts + result.attempts

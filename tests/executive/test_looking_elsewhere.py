@@ -54,7 +54,7 @@ class Here:
     def note_where_asked(self):
         pass
 
-    def settled(self, command):
+    def with_other_furniture_named(self, command):
         return command
 
 

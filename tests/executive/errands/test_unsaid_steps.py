@@ -289,7 +289,7 @@ class Believed:
     def note_where_asked(self):
         pass
 
-    def settled(self, command):
+    def with_other_furniture_named(self, command):
         return command
 
 
