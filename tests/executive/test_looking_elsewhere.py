@@ -49,7 +49,7 @@ class Here:
         self.notes = notes
 
     def known(self):
-        return Known(is_near=lambda wanted: wanted.at_hand and wanted.thing.kind in self.before)
+        return Known(is_near=lambda wanted: wanted.within_reach and wanted.thing.kind in self.before)
 
     def note_where_asked(self):
         pass
