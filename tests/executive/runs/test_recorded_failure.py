@@ -1,7 +1,9 @@
 """A failure comes back from a report as it was, also from reports that name no reasons."""
 
 import json
+from pathlib import Path
 
+import jsonschema
 import pytest
 
 from executive.reports.explanation import explained
@@ -9,21 +11,33 @@ from executive.runs.recorded_failure import failure_from
 from kinematics.motion.verdict import Finding, FindingKind
 from trees.failures import Failure, FailureKind, OpenChoice, Reason
 
+SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "report.schema.json").read_text())
 ELBOW = Finding(FindingKind.SCENE_COLLISION, 1.24, ("arm_left_4_link", "table"), 0.004, 0.015)
 ASKED = OpenChoice(("blue cup", "red cup"), ("blue cup", "red cup 2"), "to", 1, True)
 
 
-@pytest.mark.parametrize(
-    "failure",
-    [
-        Failure.postcondition("no cup seen", seen="table").because(Reason.NOT_SEEN).at("pick/detect"),
-        Failure.asking("which cup? there are 2", ASKED),
-        Failure.unsafe("too near", finding=ELBOW, step="reach"),
-        Failure.infeasible("could not pick up the cup", Failure.timeout("no picture", waited_s=2.0)),
-    ],
-)
+FAILURES = [
+    Failure.postcondition("no cup seen", seen="table").because(Reason.NOT_SEEN).at("pick/detect"),
+    Failure.asking("which cup? there are 2", ASKED),
+    Failure.unsafe("too near", finding=ELBOW, step="reach"),
+    Failure.infeasible("could not pick up the cup", Failure.timeout("no picture", waited_s=2.0)),
+]
+
+
+@pytest.mark.parametrize("failure", FAILURES)
 def test_a_failure_is_read_as_it_was_written(failure):
     assert failure_from(json.loads(json.dumps(failure.to_json()))) == failure
+
+
+@pytest.mark.parametrize("failure", FAILURES)
+def test_a_failure_is_written_as_the_schema_of_reports_has_it(failure):
+    jsonschema.validate(failure.to_json(), {"$ref": "#/$defs/failure", "$defs": SCHEMA["$defs"]})
+
+
+def test_the_schema_of_reports_has_every_reason_that_is_told_apart():
+    known = SCHEMA["$defs"]["failure"]["properties"]["reason"]["enum"]
+
+    assert known == [reason.name for reason in Reason if reason is not Reason.KIND_ONLY]
 
 
 def old(kind, message, **numbers):
