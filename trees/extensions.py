@@ -29,7 +29,7 @@ LEAVES = "humanoid_executive.leaves"
 
 @dataclass(frozen=True, slots=True)
 class SkillExtension:
-    """A skill from outside.
+    """A skill that another package brings: the tasks it carries out, its tree, and what people say for it.
 
     Attributes:
         task: Type of the tasks that it carries out: a frozen dataclass with ``text`` and ``action``.
@@ -48,11 +48,11 @@ class SkillExtension:
 
 @dataclass(frozen=True, slots=True)
 class Extensions:
-    """What was found.
+    """The skills of other packages, as far as they could be loaded.
 
     Attributes:
         skills: By the name of their action.
-        complaints: Why an entry point was left out, one line each.
+        complaints: Why an entry point was not loaded, one line each.
     """
 
     skills: Mapping[str, SkillExtension]

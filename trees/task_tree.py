@@ -35,7 +35,7 @@ _BEFORE_AIM = {"wave": "to ", "say": "it to "}
 
 
 class TaskTree:
-    """A tree at work. ``tick`` never raises and never waits.
+    """The behavior tree of one task while it is carried out; ``tick`` never raises and never waits.
 
     Attributes:
         task: What it does.
@@ -141,7 +141,7 @@ class TaskTree:
         if held:
             numbers["still_held"] = held
         message = f"could not {_verb(self.task)}: {why.message}" + (f"; {held}" if held else "")
-        return Failure(why.kind, message, numbers, self.root.name, why)
+        return Failure(why.kind, message, numbers, self.root.name, why, why.reason)
 
     def _held(self) -> str:
         hands = [hand for hand, gripper in self._toolbox.grippers.items() if gripper.reading().holding]

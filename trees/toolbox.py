@@ -32,7 +32,7 @@ from trees.world_model import WorldModel
 
 @dataclass(slots=True)
 class Pauses:
-    """Adds up pauses; whoever runs the tasks writes it, deadlines read it.
+    """How long trees have been paused so far: who runs tasks adds to it, and deadlines leave that time out.
 
     Attributes:
         total_s: Seconds on the injected clock, since the beginning, in which trees were not ticked.
@@ -42,7 +42,7 @@ class Pauses:
 
 
 class MotionControl(Protocol):
-    """The way to the motors: the motion streamer, or a client of one."""
+    """Starts and cancels motions of the body: the motion streamer itself, or a client of it."""
 
     def start(self, motion: CheckedTrajectory | GuardedMotion) -> MotionHandle:
         """Begin to stream a motion; refused at once when it does not start at the reference."""
@@ -62,7 +62,7 @@ class MotionControl(Protocol):
 
 
 class Walking(Protocol):
-    """The way to the feet; while a walk is under way nothing else moves the body."""
+    """Starts, steers and ends walks; while a walk is under way nothing else moves the body."""
 
     @property
     def active(self) -> bool:
@@ -87,7 +87,7 @@ class Walking(Protocol):
 
 
 class YieldingMotion(Protocol):
-    """A hand that leads and yields, under way."""
+    """A motion that is under way, in which a hand leads something along and gives way across it."""
 
     @property
     def handle(self) -> MotionHandle:
@@ -105,7 +105,7 @@ class YieldingMotion(Protocol):
 
 
 class Yielding(Protocol):
-    """The way to a hand that yields to what it holds."""
+    """Starts motions in which a hand gives way to what it holds or meets."""
 
     def start(self, order: YieldOrder) -> YieldingMotion:
         """Begin where the robot is commanded to be now; the handle is refused when it may not."""
@@ -113,7 +113,7 @@ class Yielding(Protocol):
 
 
 class Sensing(Protocol):
-    """What the robot knows about itself."""
+    """The readings of the robot's own sensors, and the configuration that is estimated from them."""
 
     def state(self) -> SensedState:
         """The newest readings and the configuration estimated from them."""
@@ -125,7 +125,7 @@ class Sensing(Protocol):
 
 
 class Gripper(Protocol):
-    """One hand's gripper."""
+    """The gripper of one hand: it opens, closes and tells what it feels."""
 
     def open(self) -> MotionHandle:
         """Open fully."""
@@ -141,7 +141,7 @@ class Gripper(Protocol):
 
 
 class Job(Protocol):
-    """A piece of planning under way."""
+    """A request to a planner or to the checker, under way or answered."""
 
     @property
     def done(self) -> bool:
@@ -162,7 +162,7 @@ class Job(Protocol):
 
 
 class Planning(Protocol):
-    """Where planning runs: inline in lockstep, worker processes in live."""
+    """Answers requests to planners and the checker: at once in lockstep, in worker processes in live."""
 
     def submit(self, request: PlanRequest) -> Job:
         """Begin to answer a request."""
@@ -171,7 +171,7 @@ class Planning(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Toolbox:
-    """Everything that a leaf may use."""
+    """Everything that a leaf may use: what moves the robot, what it senses, plans and believes."""
 
     clock: Clock
     model: RobotModel

@@ -31,7 +31,7 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.build import NoSkillError
 from trees.failures import FailureKind
 from trees.policy import Gaze, TreePolicy
-from trees.skills.pick.rehearsal import build_rehearsal
+from trees.skills.pick.dry_run import build_dry_run
 from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Job, Planning, Toolbox
 
@@ -214,4 +214,4 @@ class _Rehearsal:
     def _build(self, task: Task, toolbox: Toolbox) -> TaskTree:
         self._listening = _Listening(toolbox.planning)
         self._toolbox = replace(toolbox, planning=self._listening, motion=_Motionless(toolbox))
-        return build_rehearsal(task, self._toolbox)
+        return build_dry_run(task, self._toolbox)

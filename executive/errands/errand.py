@@ -34,7 +34,7 @@ from executive.understanding.provenance import Provenance
 from trees.beliefs.grounding.grounding import exactly
 from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.tasks import (
     Bringing,
     Destination,
@@ -158,13 +158,13 @@ class Errand:
             return False
         if failure.is_unseen:
             return unseen and _may_be_elsewhere(command.source, known)
-        if failure.wants_nearer:
+        if failure.root.reason is Reason.PERSON_TOO_FAR:
             return True
-        if failure.is_no_grasp and _is_far(command.object, known):
+        if failure.root.reason is Reason.NO_GRASP and _is_far(command.object, known):
             return True
         if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
             return False  # and what no hand could take is brought nowhere
-        meant = self._beliefs.settled(command)
+        meant = self._beliefs.with_other_furniture_named(command)
         return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
 
     def _carries(self, command: Command) -> bool:
@@ -199,7 +199,7 @@ class Errand:
         if isinstance(command, Failure):
             return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
         times, attempts = TaskTimes(), 0
-        command = self._beliefs.settled(command)
+        command = self._beliefs.with_other_furniture_named(command)
         while True:
             result = yield from _silent(self._session.task_steps(command, self._timeout_s))
             times, attempts = _sum(times, result.times), attempts + result.attempts

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from executive.errands.away_from_start import is_away
 from executive.errands.nearness import Nearness, is_near
-from executive.errands.other_furniture import named_other, settled
+from executive.errands.other_furniture import named_other, with_other_furniture_named
 from executive.errands.unsaid_steps import Known
 from executive.meaning import Command
 from executive.references import references
@@ -48,10 +48,10 @@ class ErrandBeliefs:
             isinstance(inside_of_drawer(toolbox.world.scene), DrawerInside),
         )
 
-    def settled(self, command: Command) -> Command:
+    def with_other_furniture_named(self, command: Command) -> Command:
         """A command whose "other" furniture is named, if it is known by now which one that is."""
         leaves = self._stood_on(command) if isinstance(command, PlaceTask) else None
-        return settled(command, self.around(), leaves)
+        return with_other_furniture_named(command, self.around(), leaves)
 
     def around(self) -> Surroundings:
         """What is believed to be around the robot."""

@@ -26,12 +26,12 @@ class Nearness:
 
     Attributes:
         thing: What is walked to, or what is to be picked up from there.
-        at_hand: Whether it has to be within reach, of furniture whether the robot stands before it; else it
-            is enough that it was seen.
+        within_reach: Whether a thing has to be within reach, and the robot has to stand before furniture;
+            otherwise it is enough that it was seen.
     """
 
     thing: ObjectDescription
-    at_hand: bool = True
+    within_reach: bool = True
 
 
 def is_near(wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T_base: Transform) -> bool:
@@ -47,9 +47,9 @@ def is_near(wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T
     if isinstance(found, Found):
         one = next(thing for thing in around.things if thing.name == found.names[0])
         before = not one.movable and _is_before(one, scene, odom_T_base)
-        return not wanted.at_hand or before or _is_within_reach(one)
+        return not wanted.within_reach or before or _is_within_reach(one)
     name, words = wanted.thing.name, called_so(wanted.thing.kind or "", around.furniture_words)
-    return wanted.at_hand and any(
+    return wanted.within_reach and any(
         (thing.name == name or (name is None and thing.kind in words))
         and _is_before(thing, scene, odom_T_base)
         for thing in around.things

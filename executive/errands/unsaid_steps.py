@@ -264,10 +264,10 @@ def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator
         there = _at_its_source(thing, source)
         if isinstance(source, str | ObjectDescription):
             yield Prepared(
-                WalkToTask(f"walk to the {source}", source), unless_near=Nearness(there, at_hand=False)
+                WalkToTask(f"walk to the {source}", source), unless_near=Nearness(there, within_reach=False)
             )
         reach = WalkToTask(f"come within reach of the {there}", there)
-        yield Prepared(reach, unless_near=Nearness(there, at_hand=True), finds_for=index)
+        yield Prepared(reach, unless_near=Nearness(there, within_reach=True), finds_for=index)
     if not isinstance(command, PickTask):
         pick = PickTask(f"pick up the {thing}", thing, source, command.hand)
         yield Prepared(pick, finds_for=index)

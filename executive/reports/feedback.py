@@ -105,9 +105,7 @@ def line_for(event: Event) -> str | None:
 
 def sentence(failure: Failure) -> str:
     """One link of a failure chain as a sentence with its numbers and place."""
-    numbers = ", ".join(
-        f"{quantity(key, value)}" for key, value in failure.numbers.items() if key != "objects"
-    )
+    numbers = ", ".join(quantity(key, value) for key, value in failure.numbers.items())
     place = f" [{failure.kind.value}{' at ' + failure.where if failure.where else ''}]"
     return failure.message + (f" ({numbers})" if numbers else "") + place
 

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def settled_heap() -> Iterator[None]:
+def frozen_heap() -> Iterator[None]:
     """Leave everything that exists now out of collections until the end.
 
     Models, kernels and grammar are some hundred thousand objects that stay; looking through them again

@@ -17,7 +17,7 @@ from executive.exit_codes import ExitCode
 from executive.meaning import shortened
 from executive.reports.report import Report
 from executive.reports.safety_tally import SafetyTally
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.frozen_heap import frozen_heap
 from executive.runs.junit import write_junit
 from executive.runs.real_pace import RealPace
 from executive.runs.run_log import RunLog, require_writable, write_report
@@ -236,7 +236,7 @@ def _results(
     if request.in_real_time:
         assembly.session.watch_periods(RealPace(WallClock()))
     ending.emergency_stop = assembly.session.emergency_stop
-    with settled_heap(), assembly.session.request(ending.cancellation):
+    with frozen_heap(), assembly.session.request(ending.cancellation):
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)

@@ -32,7 +32,7 @@ from kinematics.planning.path_planner import PathPlanner
 from kinematics.planning.pushing import assumed_bars, outward_of, push_grasps
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
-from kinematics.requests.step import NoPlan, PlannedStep
+from kinematics.requests.step import NoPlan, PlannedStep, WhyNoPlan
 from kinematics.scene.concessions import Concession, ConcessionReason, touching
 from kinematics.scene.opening_path import DoorArc
 from kinematics.scene.planning_scene import PlanningScene
@@ -89,7 +89,10 @@ class HandlePlanner:
             numbers["reached"] = farthest
             numbers["wanted"] = task.request.s_to
         return NoPlan(
-            f"no way to move the {task.request.handle} from here was found", dict(task.reasons), numbers
+            f"no way to move the {task.request.handle} from here was found",
+            dict(task.reasons),
+            numbers,
+            WhyNoPlan.NO_GRASP,
         )
 
 

@@ -229,6 +229,45 @@ def _single(target: ast.expr) -> list[ast.expr]:
     return [target.value if isinstance(target, ast.Starred) else target]
 
 
+def figures(module: Module) -> list[str]:
+    """Numbers of a failure that are read one by one, and words that are looked for in its text.
+
+    Both are for people, who read all of them: programs decide by a failure's kind, reason and typed fields.
+    """
+    if module.package == "tools":
+        return []
+    return [
+        f"{module.file}:{node.lineno}: {ast.unparse(read)} is for people"
+        for node in ast.walk(module.tree)
+        for read in _looked_into(node)
+        if _is_for_people(module, read)
+    ]
+
+
+def _looked_into(node: ast.AST) -> list[ast.expr]:
+    """What an expression takes one thing out of, or looks for one thing in."""
+    if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Load):
+        return [node.value]
+    if isinstance(node, ast.Attribute) and node.attr in (
+        "get",
+        "pop",
+        "setdefault",
+        "startswith",
+        "endswith",
+    ):
+        return [node.value]
+    if isinstance(node, ast.Compare) and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
+        return node.comparators
+    return []
+
+
+def _is_for_people(module: Module, read: ast.expr) -> bool:
+    if isinstance(read, ast.Attribute):
+        return read.attr == "numbers" or ast.unparse(read).endswith(("failure.message", "root.message"))
+    has_failures = any(name.startswith("trees.failures.") for _, name in module.imports())
+    return has_failures and isinstance(read, ast.Name) and read.id == "numbers"
+
+
 BREACHES = [
     (wrong_layer, "import trees.tasks", "robots/example.py"),
     (wrong_layer, "def f():\n    from executive.cli.app import main", "trees/example.py"),
@@ -276,6 +315,11 @@ BREACHES = [
     (patching, "import numpy as np\ndef f():\n    del np.random.seed", "kinematics/example.py"),
     (patching, "import rich\nrich.__dict__.update(print=quiet)", "executive/example.py"),
     (patching, "import sys\nsys.excepthook = hook", "executive/example.py"),
+    (figures, "def f(failure):\n    return failure.root.numbers.get('seen')", "trees/example.py"),
+    (figures, "def f(failure):\n    return failure.numbers['seen']", "robots/example.py"),
+    (figures, "def f(failure):\n    return 'seen' in failure.root.numbers", "executive/example.py"),
+    (figures, "from trees.failures import Number\ndef f(numbers):\n    numbers.get('a')", "trees/example.py"),
+    (figures, "def f(failure):\n    return 'is stuck' in failure.message", "trees/example.py"),
 ]
 ALLOWED = [
     (patching, "import sys\nsys.stdout = stream", "executive/example.py"),
@@ -297,12 +341,15 @@ ALLOWED = [
     (commander, "self._robot.command(setpoint)", "robots/control/gate/setpoint_gate.py"),
     (around, "from trees.beliefs.scene.believed_thing import Surroundings", "trees/leaves/example.py"),
     (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/readings/around.py"),
+    (figures, "def f(failure):\n    return list(failure.numbers.items())", "executive/example.py"),
+    (figures, "from trees.failures import Number\nnumbers = {}\nnumbers['held'] = 1", "trees/example.py"),
+    (figures, "def f(numbers, name):\n    return numbers[name]", "kinematics/example.py"),
     (imported_again, "from math import pi\ndef f():\n    from cmath import tau", "trees/example.py"),
     (imported_again, "if True:\n    from math import pi\ndef f():\n    from math import pi", "trees/a.py"),
 ]
 RULES = (
     wrong_layer, wrong_library, wall_clock, global_random, truth, seal, judge, commander, environment,
-    imported_again, around, patching,
+    imported_again, around, patching, figures,
 )  # fmt: skip
 
 

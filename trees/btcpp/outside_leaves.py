@@ -24,11 +24,11 @@ def outside_leaves() -> OutsideLeaves:
 
 @dataclass(frozen=True, slots=True)
 class OutsideLeaves:
-    """Leaves of other packages.
+    """The classes of leaves that other packages bring, as far as they could be loaded.
 
     Attributes:
         leaves: Their classes.
-        complaints: Why an entry point was left out, one line each.
+        complaints: Why an entry point was not loaded, one line each.
     """
 
     leaves: tuple[type[Any], ...]

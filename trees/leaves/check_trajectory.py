@@ -15,7 +15,7 @@ from trees.port_values import CheckedStep, Step
 
 
 class CheckTrajectory(JobLeaf):
-    """Ask the trajectory checker for its judgement of one step."""
+    """Have the trajectory checker judge one planned step, and hand it on if it is found safe."""
 
     INPUT_PORTS = ports(step=Step)
     OUTPUT_PORTS = ports(checked=CheckedStep)

@@ -13,7 +13,11 @@ from trees.toolbox import Job
 
 
 class JobLeaf(Leaf):
-    """Submits one request, polls the job, cancels it when it ends early."""
+    """A leaf that asks a planner or the checker for one answer.
+
+    It submits the request, asks at each tick whether the answer is there, and cancels the job when it is
+    halted before.
+    """
 
     _job: Job | None = None
     _refused: Failure | None = None

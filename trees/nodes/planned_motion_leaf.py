@@ -21,9 +21,10 @@ from trees.toolbox import Job
 
 
 class PlannedMotionLeaf(Leaf):
-    """Plan, check, stream and measure the arrival of one motion, in one leaf.
+    """A leaf that has one motion planned and checked, makes it, and measures that the joints have arrived.
 
-    For motions that are a means to something else: looking somewhere, backing out, going home.
+    It is for motions that are a means to something else, such as looking somewhere, drawing a hand back, or
+    going home.
     """
 
     _job: Job | None = None

@@ -14,10 +14,10 @@ from trees.nodes.ports import WithPorts, ports
 
 
 class Retry(WithPorts, Composite):
-    """Ticks ``attempt``; when it fails, ticks ``recover`` and starts over, up to a number of attempts.
+    """Ticks ``attempt``; when that fails, ticks ``recover`` and tries again, up to a number of attempts.
 
-    Gives up before that when the failure is hopeless, or when the recovery itself fails. Its failure
-    is the last attempt's, caused by the earlier ones.
+    It gives up earlier when the failure is hopeless, or when the recovery itself fails. Its failure is that
+    of the last attempt, with those of earlier attempts as causes.
 
     Attributes:
         failure: Why it gave up; None otherwise.

@@ -45,8 +45,8 @@ def test_behind_the_robot_nothing_is_at_hand():
 def test_a_cup_that_was_seen_need_not_be_searched_for_at_the_table():
     seen = ObjectDescription("cup", "red", relation=Relation("on", "table"))
 
-    assert near(Nearness(seen, at_hand=False), base=(-3.0, 0.0, 0.0))
-    assert not near(Nearness(ObjectDescription("bottle"), at_hand=False))
+    assert near(Nearness(seen, within_reach=False), base=(-3.0, 0.0, 0.0))
+    assert not near(Nearness(ObjectDescription("bottle"), within_reach=False))
 
 
 def test_who_stands_before_the_table_need_not_walk_to_it():

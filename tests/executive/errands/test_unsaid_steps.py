@@ -10,7 +10,7 @@ from executive.errands.errand import Errand, drive
 from executive.errands.unsaid_steps import Known, prepared, with_names
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.tasks import (
     WHERE_IT_WAS,
     CloseTask,
@@ -249,7 +249,7 @@ def test_several_things_at_once_are_taken_from_where_the_robot_stands():
 
 
 STUCK = Failure.infeasible("the door is stuck")
-UNSEEN = Failure.postcondition("no side table seen", seen="table")
+UNSEEN = Failure.postcondition("no side table seen").because(Reason.NOT_SEEN)
 
 
 class Notes:
@@ -289,7 +289,7 @@ class Believed:
     def note_where_asked(self):
         pass
 
-    def settled(self, command):
+    def with_other_furniture_named(self, command):
         return command
 
 

@@ -8,7 +8,7 @@ from executive.reports.explanation import ADVICE, MEANINGS, explained, in_a_sent
 from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.step import NoPlan
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, OpenChoice
 
 GUIDE = Path(__file__).parents[3] / "docs" / "why.md"
 
@@ -116,7 +116,7 @@ def test_every_kind_has_a_meaning_in_the_guide():
 
 
 def test_a_question_that_nobody_answered_tells_what_to_choose_from():
-    failure = Failure.infeasible("which cup? there are 2", choices="blue cup | red cup", count=2)
+    failure = Failure.asking("which cup? there are 2", OpenChoice(("blue cup", "red cup")))
 
     lines = list(explained(failure))
 

@@ -2,13 +2,13 @@
 
 import gc
 
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.frozen_heap import frozen_heap
 
 
 def test_what_exists_is_left_alone_until_the_end():
     before = gc.get_freeze_count()
 
-    with settled_heap():
+    with frozen_heap():
         during = gc.get_freeze_count()
 
     assert during > before

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from executive.embedding.requests import Requests
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.frozen_heap import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, chain
@@ -59,7 +59,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
             fault,
         )
     planning = PlanningWatch(assembly.planning)
-    with settled_heap():
+    with frozen_heap():
         results, prepared = _asked(assembly.session, trial, planning)
         assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)

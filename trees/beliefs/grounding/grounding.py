@@ -35,7 +35,12 @@ ROBOT = ("robot", "you")
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One of several things that fit, with words that fit no other of them."""
+    """One of several things that fit a description, with words that fit none of the others.
+
+    Attributes:
+        name: Its name in the planning scene.
+        words: What people call it to tell it from the others: "the left cup".
+    """
 
     name: str
     words: str
@@ -43,14 +48,18 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is meant; names of the planning scene, the nearest first when there are several."""
+    """As many things fit as the description asks for.
+
+    Attributes:
+        names: Their names in the planning scene, the nearest first when there are several.
+    """
 
     names: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Ambiguous:
-    """Only a person can say which is meant.
+    """Several things fit, and only a person can say which one is meant.
 
     Attributes:
         message: What is unclear, as a question.
@@ -63,7 +72,7 @@ class Ambiguous:
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """Nothing fits.
+    """Nothing fits of all that the robot believes to be there.
 
     Attributes:
         message: What is missing, for people.

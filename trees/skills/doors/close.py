@@ -26,12 +26,12 @@ from trees.skills.doors.names_door import NamesDoor
 from trees.skills.doors.open import (
     ATTEMPTS,
     GAZES,
+    choose_which,
     going,
     moving_it_again_is_useless,
     open_or_close,
     planned,
     sequence,
-    settle_which,
     time_limit_s,
     verify,
     what_was_seen_decides,
@@ -50,7 +50,7 @@ def close(toolbox: Toolbox) -> Behaviour:
 def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, moving_it_again_is_useless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    settled = settle_which(toolbox, DetectFront, pushed=True)
+    settled = choose_which(toolbox, DetectFront, pushed=True)
     main = sequence("push the front", _search_about(toolbox), settled, come, attempts)
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)

@@ -7,7 +7,7 @@ from collections.abc import Sequence as Many
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome
@@ -62,7 +62,7 @@ def open_or_close(toolbox: Toolbox) -> Behaviour:
     do.transparent = True
     ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])
     ways.transparent = True
-    settled = settle_which(toolbox, DetectHandle, pushed=False)
+    settled = choose_which(toolbox, DetectHandle, pushed=False)
     main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), settled, ways])
     main.transparent = True
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
@@ -109,7 +109,7 @@ def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternati
     return Alternatives(name, looks, hopeless=what_was_seen_decides)
 
 
-def settle_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
+def choose_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
     """Look to both sides of the robot, choose among all that is known by then, and look at the chosen one."""
     doors, drawers = _looks_beside(toolbox, _BESIDE), _looks_beside(toolbox, _BELOW_BESIDE)
     ways = [sequence("doors", NamesDoor("is it a door", toolbox), *doors), sequence("drawers", *drawers)]
@@ -182,7 +182,7 @@ def verify(toolbox: Toolbox) -> Behaviour:
 @judgement
 def seen_already(failure: Failure) -> bool:
     """What was seen stands: from elsewhere it may be out of sight, and the hand's word is a worse one."""
-    return defect(failure) or bool(failure.root.numbers.get("seen", False))
+    return defect(failure) or failure.root.reason is Reason.SEEN_NOT_AS_ASKED
 
 
 def going(toolbox: Toolbox, detect: type[DetectHandle] = DetectHandle) -> list[Behaviour]:

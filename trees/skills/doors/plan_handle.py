@@ -22,7 +22,7 @@ from trees.tasks import OpenTask
 
 
 class PlanHandle(JobLeaf):
-    """Have the planner choose a grasp of the handle from which its whole way is within reach."""
+    """Have the planner choose a grasp of the handle from which the hand can follow its whole path."""
 
     INPUT_PORTS = ports(
         task=object,

@@ -20,7 +20,7 @@ from trees.skills.looking.look_at import turning_joint
 
 
 class LookAtPlace(PlannedMotionLeaf):
-    """Turn the head, and where that is not enough trunk and pelvis, to what is meant."""
+    """Turn the head to what the task means; where that is not enough, turn trunk and pelvis as well."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports(evidence=dict)

@@ -19,7 +19,7 @@ from trees.tasks import PointAtTask
 
 
 class PlanPointing(JobLeaf):
-    """Have the planner stretch a free arm towards what is meant; it takes the nearer one first."""
+    """Have the planner stretch a free arm towards what the task means; it tries the nearer arm first."""
 
     INPUT_PORTS = ports(task=PointAtTask, place=Place)
     OUTPUT_PORTS = ports(reach=Step)

@@ -14,7 +14,7 @@ from trees.nodes.ports import ports
 
 
 class VerifyPointing(Leaf):
-    """See by the encoders that an arm points at what is meant."""
+    """Measure with the encoders that the line through a forearm and its hand meets what is meant."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports(evidence=dict)

@@ -17,10 +17,11 @@ from trees.readings.touch_watch import TouchWatch
 
 
 class AwaitPull(Leaf):
-    """Feel the hand: a force that has changed by the policy's pull, and stays so for its time, is a pull.
+    """Wait until the person pulls at what the hand offers.
 
-    An object that has left the hand was taken if such a force was felt before, however short; without one
-    it slipped.
+    A pull is a change of the force on the hand that is as large, and lasts as long, as the policy asks for.
+    When the object leaves the hand, it was taken if such a force was felt before, for however short a time;
+    otherwise it slipped.
     """
 
     INPUT_PORTS = ports(held=HeldObject, place=Place)

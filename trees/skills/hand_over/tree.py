@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.leaves.go_home import GoHome
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
@@ -13,7 +13,7 @@ from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.hand_over.await_pull import AwaitPull
@@ -32,7 +32,7 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
     policy = toolbox.policy
     know_who = search_place("know the person", toolbox, _gazes(toolbox), slots=("to",))
     children: list[Behaviour] = [
-        have_it(toolbox, know_who),
+        get_in_hand(toolbox, know_who),
         _find_the_person(toolbox),
         NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),
@@ -81,4 +81,4 @@ def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
 @judgement
 def seen_elsewhere(failure: Failure) -> bool:
     """It was seen where it should not be: another look does not help."""
-    return defect(failure) or "height_m" in failure.numbers
+    return defect(failure) or failure.reason in (Reason.DROPPED, Reason.TAKEN_BY_ANOTHER)

@@ -14,7 +14,7 @@ from trees.failures import Failure
 from trees.nodes.ports import ports
 from trees.policy import Gaze
 from trees.port_values import Target
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.hand_ways import UnseenPlaces
 from trees.toolbox import Toolbox
 
@@ -24,8 +24,8 @@ _BEHIND_M = 0.02
 """A pelvis that is nearer than this to where it is at home is left where it is."""
 
 
-class LookAt(Aim):
-    """Turn the head to a gaze, leaning over or drawing back if it says so."""
+class LookAt(AimingLeaf):
+    """Turn the head to a gaze; if the gaze says so, the trunk leans or turns and the pelvis draws back."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
@@ -89,8 +89,8 @@ def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
     return head if gaze is None else gaze.joints
 
 
-class LookAtTarget(Aim):
-    """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
+class LookAtTarget(AimingLeaf):
+    """Turn the head so that the target is in the middle of the picture, where it was seen or in the hand."""
 
     INPUT_PORTS = ports(target=Target)
     OUTPUT_PORTS = ports()
@@ -105,8 +105,8 @@ class LookAtTarget(Aim):
         return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
 
 
-class LookAtUnseen(Aim):
-    """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
+class LookAtUnseen(AimingLeaf):
+    """Look at places that a hand is to pass over and nobody has seen, leaning over where it must."""
 
     INPUT_PORTS = ports(unseen=UnseenPlaces)
     OUTPUT_PORTS = ports()

@@ -15,11 +15,11 @@ from trees.skills.looking.look_leaf import LookLeaf, View, estimates_of
 
 
 class ConfirmTarget(LookLeaf):
-    """Measure that the target still is where the grasp was planned.
+    """Look once more before the hand closes in, and measure that the target is where the grasp was planned.
 
-    A target that cannot be seen from here, because a hand is in the way or it is out of view, is
-    taken to be where it was: the grip decides. One that should be visible and is not has gone.
-    The world model stays as it is, so that the checked approach stays valid.
+    A target that cannot be seen from here, because a hand hides it or it is out of view, is taken to be where
+    it was; whether the hand holds it shows later. A target that should be visible and is not has gone. The
+    world model stays as it is, so that the checked approach stays valid.
     """
 
     INPUT_PORTS = ports(target=Target)

@@ -21,9 +21,10 @@ _STILL_THERE_M = 0.15
 
 
 class LiftWholly(PlannedMotionLeaf):
-    """Straight up for the rest of a lift, while the object is above where it was taken; else no motion.
+    """Finish the lift of an object that a hand already held, if a cancel has stopped the lift.
 
-    What this task itself picked up was lifted, and its lift was verified.
+    The hand moves straight up as far as the lift still goes, if the object is still above where it was taken.
+    An object that was carried away, or that this task has picked up and lifted itself, is not moved.
     """
 
     INPUT_PORTS = ports(in_hand=bool, target=Target)

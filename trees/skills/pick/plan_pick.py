@@ -23,7 +23,7 @@ _GRASPS_A_HAND = 2
 
 
 class PlanPick(JobLeaf):
-    """Have the planner choose hand and grasp, and plan reach, approach and lift from the present posture."""
+    """Have the planner choose hand and grasp, and plan reach, approach and lift from the posture of now."""
 
     INPUT_PORTS = ports(
         task=PickTask, target=Target, tried=PortInformation(frozenset, default_value=frozenset())

@@ -13,7 +13,7 @@ from trees.skills.pick.grip import grip_failure
 
 
 class VerifyHold(Leaf):
-    """Judge the gripper's opening and effort once the fingers have settled."""
+    """Measure, by the gripper's opening and effort, that the hand holds the target before it is lifted."""
 
     INPUT_PORTS = ports(grasp=Grasp)
     OUTPUT_PORTS = ports()

@@ -28,11 +28,11 @@ _READINGS_APART_S = 0.002
 class VerifyLift(GatheringLeaf):
     """Watch gripper and camera while the object is held in the air.
 
-    The gripper must say "holding", at the object's size, all the time; nothing outweighs that. What the
-    camera sees must agree: the object has risen, is in the hand, and does not move in it. When it
-    cannot be seen, the gripper has to hold on for longer, and the evidence says that it was not seen.
-    Meanwhile the efforts of the arm weigh it: the motions that follow are planned, checked and carried
-    out with that mass in the hand.
+    The gripper must measure all the time that it holds something of the object's size; nothing the camera
+    sees makes up for that. The camera must agree as far as it sees the object: it has risen, is in the hand,
+    and does not move there. When it cannot be seen, the gripper has to hold on for longer, and the evidence
+    says that it was not seen. Meanwhile the mass of the object is found from the torques of the arm; later
+    motions are planned, checked and carried out with that mass in the hand.
     """
 
     INPUT_PORTS = ports(grasp=Grasp, target=Target)
@@ -139,8 +139,9 @@ class VerifyLift(GatheringLeaf):
                 f"the {target.name} has not risen enough", None, needed_m=policy.lifted_min_m, **numbers
             )
         if early is not None:
-            numbers["slip_m"] = float(np.linalg.norm(late - early))
-            if numbers["slip_m"] > policy.slip_max_m:
+            slip_m = float(np.linalg.norm(late - early))
+            numbers |= {"slip_m": slip_m}
+            if slip_m > policy.slip_max_m:
                 return Failure.postcondition(
                     f"the {target.name} is slipping", None, tolerance_m=policy.slip_max_m, **numbers
                 )

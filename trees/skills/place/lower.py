@@ -117,7 +117,10 @@ class Lower(MotionLeaf):
 
 
 class LowerFurther(PlannedMotionLeaf):
-    """Go a little farther down when nothing was touched yet: the support is lower than it seemed."""
+    """Go down a little farther if the hand has not felt anything yet.
+
+    The furniture below is then lower than it was seen to be. If the object stands already, nothing moves.
+    """
 
     INPUT_PORTS = ports(held=HeldObject, placement=Placement, touched=bool)
     OUTPUT_PORTS = ports(touched_now=bool)

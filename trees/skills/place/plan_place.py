@@ -19,7 +19,7 @@ from trees.port_values import Placement, Step
 
 
 class PlanPlace(JobLeaf):
-    """Have the planner choose one of the spots, and plan transfer and lowering from the present posture."""
+    """Have the planner choose one of the spots, and plan the motion to it and the way down."""
 
     INPUT_PORTS = ports(
         held=HeldObject, spots=tuple, blocked=PortInformation(frozenset, default_value=frozenset())

@@ -19,9 +19,9 @@ from trees.skills.looking.look_leaf import LookLeaf, View, estimates_of
 
 
 class SeeHeld(LookLeaf):
-    """Look at what the hand carries, and believe what is seen when it has shifted there.
+    """Look at the object in the hand, and correct its pose there when it has shifted.
 
-    What cannot be seen is taken to be where it was.
+    When it cannot be seen, it is taken to be where it was.
     """
 
     INPUT_PORTS = ports(held=HeldObject)

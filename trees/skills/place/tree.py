@@ -20,7 +20,7 @@ from trees.nodes.retry import Retry
 from trees.nodes.skipping import IfShifted
 from trees.nodes.wiring import rewired
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
@@ -51,7 +51,7 @@ def place(toolbox: Toolbox) -> Behaviour:
     ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
     either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
     either.transparent = True
-    carry: list[Behaviour] = [have_it(toolbox, know_destination(toolbox)), either]
+    carry: list[Behaviour] = [get_in_hand(toolbox, know_destination(toolbox)), either]
     children: list[Behaviour] = [
         look_over(toolbox),
         regrasping(carry, toolbox),

@@ -15,7 +15,7 @@ from trees.nodes.judgements import no_other_attempt_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
@@ -61,7 +61,7 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         no_other_attempt_helps,
     )
     carry: list[Behaviour] = [
-        have_it(toolbox, know_destination(toolbox)),
+        get_in_hand(toolbox, know_destination(toolbox)),
         _find_container(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,

@@ -92,7 +92,7 @@ def worth_going(way: Behaviour, failure: Failure | None) -> bool:
     """Makes room only where there was none to turn; furniture and tall things while some are left."""
     choosing = [leaf for leaf in way.children if isinstance(leaf, _CHOOSING)]
     if choosing:
-        return failure is None or failure.root.numbers.get("none_left") != choosing[0].OF
+        return failure is None or failure.root.reason is not choosing[0].NONE_LEFT
     room = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "room" for leaf in way.children)
     return not room or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
@@ -38,7 +38,7 @@ def who_speaks(toolbox: Toolbox) -> Behaviour:
 @judgement
 def nobody_spoke(failure: Failure) -> bool:
     """A defect, a question, or a look all around that showed nobody: no other look helps."""
-    return looking_elsewhere_is_useless(failure) or "people" in failure.root.numbers
+    return looking_elsewhere_is_useless(failure) or failure.root.reason is Reason.NOBODY_SEEN
 
 
 def _view(name: str, toolbox: Toolbox, before: list[Behaviour]) -> Behaviour:

@@ -41,10 +41,12 @@ _BESIDE = PlanarPose(0.02, 0.02, 0.02)
 
 
 class ChooseStand(Leaf):
-    """Ask the planner for a pick from place after place, the usual one first; take the first that has one.
+    """Find where to stand so that the object can be picked up.
 
-    Only for objects that the planning scene holds; for all else the usual place is chosen, and for an object
-    that can be picked up from nowhere as well, if there is room: whoever wants no more than to go there can.
+    The planner is asked for a pick from one place after the other, beginning with the usual one; the first
+    place with a plan is taken. The usual place is also chosen for all that is not an object of the planning
+    scene, and, if there is room, for an object that can be picked up from nowhere: a person may only want the
+    robot to go there.
     """
 
     INPUT_PORTS = ports(place=Place)

@@ -29,7 +29,11 @@ _HEIGHT_M = 0.02
 
 
 class ReadyToWalk(GoHome):
-    """Bring pelvis and trunk home; an empty hand as well, a held object upright to where it is carried."""
+    """Stand upright with the hands as a walk needs them.
+
+    Pelvis, trunk and empty hands go home; a held object is brought upright before the shoulder, where it is
+    carried.
+    """
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()

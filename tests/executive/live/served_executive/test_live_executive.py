@@ -19,7 +19,7 @@ from robots.live.wire.messages import read_object
 from tests.executive.live.conftest import Worker, go_on_while_waited_for
 from tests.executive.session import test_session
 from tests.robots.live.conftest import swing
-from trees.failures import Failure
+from trees.failures import Failure, OpenChoice
 from trees.world_model import WorldModel
 
 REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
@@ -154,7 +154,7 @@ def test_a_statement_that_expects_a_question_is_not_asked(serving, monkeypatch):
 @pytest.fixture
 def asking(serving):
     """Each task asks which of two cups."""
-    which = Failure.infeasible("which cup?", choices="red cup | blue cup", objects="red cup | blue cup")
+    which = Failure.asking("which cup?", OpenChoice(("red cup", "blue cup"), ("red cup", "blue cup")))
     serving.live._session._build = lambda _task, _toolbox: Tree(1, which)
     return serving
 

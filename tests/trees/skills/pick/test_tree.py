@@ -289,8 +289,8 @@ def test_of_two_cups_that_fit_none_is_touched(stage_with):
 
     assert tree.status == "failure"
     assert tree.failure.kind is FailureKind.INFEASIBLE
-    assert tree.failure.cause.numbers["choices"] == "blue cup | red cup"
-    assert tree.failure.cause.numbers["unseen"] == 0
+    assert tree.failure.choices == ("blue cup", "red cup")
+    assert tree.failure.root.open_choice.unseen == 0
     assert not any("gripper" in name for name in stage.fake.motion.started)
 
 

@@ -21,10 +21,11 @@ from trees.world_model import HandAtHandle
 
 
 class ApproachHandle(YieldingLeaf):
-    """Move the hand straight on until the bar is between the fingers, or they touch what is behind it.
+    """Move the open hand straight on until the bar is between the fingers, or they touch what is behind it.
 
-    How far a handle stands off is seen to some centimetres only, and there is little more room behind it
-    than fingers need: the way is checked beforehand, but made by feeling.
+    How far a handle stands off is seen only to some centimetres, and behind it there is little more room than
+    fingers need. So the path is checked beforehand, and on the way the hand gives way and stops where it
+    touches something.
     """
 
     INPUT_PORTS = ports(handle=HandleTarget, grasp=Grasp)

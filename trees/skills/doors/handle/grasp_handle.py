@@ -21,9 +21,10 @@ _QUIET_S = 0.25
 
 
 class GraspHandle(YieldingLeaf):
-    """Close the gripper on the bar while the arm yields: fingers that meet it off centre move the hand.
+    """Close the gripper on the bar of a handle while the arm gives way.
 
-    Its own way of settling tells where the bar really is.
+    Fingers that meet the bar off centre move the hand with them; where the hand comes to rest shows where the
+    bar really is.
     """
 
     INPUT_PORTS = ports(handle=HandleTarget, grasp=Grasp)

@@ -19,14 +19,14 @@ from trees.toolbox import Toolbox
 
 @dataclass(frozen=True, slots=True)
 class HeldHandle(Sealed):
-    """A handle in a hand.
+    """A handle that a hand holds, or a front that it pushes, with the path that the hand has to follow.
 
     Attributes:
-        target: Which handle.
-        grasp: How it is held.
-        path: Of the TCP that holds it.
-        bias: Of the hand's force estimate, measured before anything was touched, shape (6,); None where it
-            is to be measured when the hand sets out.
+        target: The door or drawer.
+        grasp: How the hand holds the handle.
+        path: The path of the TCP that holds the handle.
+        bias: What the hand's force estimate read before anything was touched, shape (6,); None when it is to
+            be measured as the hand sets out.
     """
 
     target: HandleTarget

@@ -15,7 +15,7 @@ from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionHandle
 from trees.beliefs.openings.handles import INSIDE_KINDS, OPEN_TO, SHUT
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import ports
@@ -32,9 +32,11 @@ the pull and is seen shut before the next has not moved: two such slips say that
 
 
 class LeadHandle(YieldingLeaf):
-    """Open or close with the whole body: pull along the path, yield across it, feel when it is stuck.
+    """Open or close a door or drawer by leading the held handle along its path, with the whole body.
 
-    How far it came is measured: a door's angle about the centre of the circle that the hand described.
+    The hand pulls along the path, gives way across it, and notices when the handle is stuck. How far it came
+    is measured by the way of the hand: for a door, the angle about the centre of the circle that the hand has
+    described.
     """
 
     INPUT_PORTS = ports(held=HeldHandle, lead_to=float)
@@ -100,11 +102,13 @@ class LeadHandle(YieldingLeaf):
         self.measured(**shown, **felt)
         self.feedback_message = f"{target.shown(opening):.2f} {target.unit}, {report.peak_pull_n:.0f} N"
         if report.outcome == "stuck":
-            return Failure.execution(f"the {target.part} {_STUCK}", **shown, **felt)
+            message = f"the {target.part} is stuck"
+            return Failure.execution(message, **shown, **felt).because(Reason.STUCK)
         shut, near = SHUT[target.kind], _SLIPPED_SHARE * OPEN_TO[target.kind]
         slipped = report.peak_pull_n >= _SLIPPED_AT_N and target.opening <= shut and opening < near
         if report.outcome == "lost" and slipped:
-            return Failure.execution(f"the {target.part} {_STUCK}: {_SLIPS_OFF} it", **shown, **felt)
+            message = f"the {target.part} is stuck: the hand slips off it"
+            return Failure.execution(message, **shown, **felt).because(Reason.SLIPPED_OFF_STUCK)
         if report.outcome == "lost":
             return Failure.execution(f"the hand lost the handle of the {target.part}", **shown, **felt)
         self._set_output("opening", opening)
@@ -139,14 +143,11 @@ _STOP_FROM = {kind: 3.0 * shut for kind, shut in SHUT.items()}
 """A closing door or drawer that stops nearer than this to being shut has met its frame."""
 
 
-_STUCK, _SLIPS_OFF = "is stuck", "the hand slips off"
-
-
 def is_stuck(failure: Failure) -> bool:
     """Tell whether what was led did not give way."""
-    return _STUCK in failure.message
+    return failure.reason in (Reason.STUCK, Reason.SLIPPED_OFF_STUCK)
 
 
 def slips_off(failure: Failure) -> bool:
     """Tell whether it was so because the hand slid off before it could have given way."""
-    return is_stuck(failure) and _SLIPS_OFF in failure.message
+    return failure.reason is Reason.SLIPPED_OFF_STUCK

@@ -31,9 +31,9 @@ _CLEAR_TURNS_RAD = (0.0, 0.5, -0.5, 1.0, -1.0)
 
 
 class StepBack(PlannedMotionLeaf):
-    """Move the hand straight back along its own approach, clear of the handle.
+    """Move the open hand straight back along its own approach, until it is clear of the handle.
 
-    Without a handle of this task it is the one at which an earlier task left a hand.
+    When this task has not come to a handle, it is the hand that an earlier task left at one.
     """
 
     INPUT_PORTS = ports(handle=optional(HandleTarget), grasp=optional(Grasp))

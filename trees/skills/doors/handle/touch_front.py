@@ -14,7 +14,7 @@ from trees.skills.doors.handle.held_handle import HeldHandle, tcp_m
 
 
 class TouchFront(Leaf):
-    """Note the way that the hand will make with the door, from where it is now."""
+    """Write the path about the hinge that a hand at the front of a door will follow when it pushes it."""
 
     INPUT_PORTS = ports(handle=HandleTarget, grasp=Grasp)
     OUTPUT_PORTS = ports(held=HeldHandle)

@@ -13,8 +13,8 @@ from trees.nodes.move_from_here import move_from_here
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 
 
-class Aim(PlannedMotionLeaf):
-    """Turn the eyes; whatever is not among the joints that aim stays where it is."""
+class AimingLeaf(PlannedMotionLeaf):
+    """Turn the eyes to a gaze; joints that do not aim the camera stay where they are."""
 
     CONTRACT = Contract(
         precondition="none",

@@ -13,14 +13,14 @@ from trees.tasks import PickTask, Task
 from trees.toolbox import Toolbox
 
 
-def build_rehearsal(task: Task, toolbox: Toolbox) -> TaskTree:
-    """Build the rehearsal of a task, from where the robot stands and looks now.
+def build_dry_run(task: Task, toolbox: Toolbox) -> TaskTree:
+    """Build the dry run of a task, from where the robot stands and looks now.
 
     Raises:
-        TypeError: There is nothing to rehearse about such a task.
+        TypeError: There is no dry run of such a task.
     """
     if not isinstance(task, PickTask):
-        raise TypeError(f"no rehearsal for a {type(task).__name__}")
+        raise TypeError(f"no dry run of a {type(task).__name__}")
     children: list[Behaviour] = [Detect("detect", toolbox), PlanPick("plan pick", toolbox)]
     children += [
         CheckTrajectory(f"check {step}", toolbox, {"step": step, "checked": f"checked_{step}"})
