@@ -8,6 +8,7 @@ from dataclasses import replace
 from executive.dialogue.attendant import Attendant
 from executive.dialogue.clarification import OpenQuestion, clarified
 from executive.meaning import Parsed, Refusal
+from executive.session.driver import Driver, driven
 from executive.session.events import EventSink, InputTaken, QuestionAsked
 from executive.trust import OnQuestion
 from executive.understanding.known_skills import without_skill
@@ -65,14 +66,7 @@ def settled(
 ) -> Statement | Failure:
     """The same as ``settling``, with somebody who answers at once or not at all."""
     steps = settling(statement, on_question, sink, now_s, interruption)
-    answer: str | None = None
-    while True:
-        try:
-            question = steps.send(answer)
-        except StopIteration as end:
-            result: Statement | Failure = end.value
-            return result
-        answer = attendant.answer(question)
+    return driven(steps, attendant.answer)
 
 
 def _asked(
@@ -83,14 +77,8 @@ def _asked(
     interruption: Callable[[], Failure | None],
 ) -> Settling:
     confirmed = statement.if_confirmed
-    steps = clarified(statement.parsed, None if confirmed is None else {"yes": confirmed.parsed})
-    answer: str | None = None
-    while True:
-        try:
-            question = steps.send(answer)
-        except StopIteration as end:
-            parsed: Parsed = end.value
-            break
+    asking = Driver(clarified(statement.parsed, None if confirmed is None else {"yes": confirmed.parsed}))
+    while asking.advance() and (question := asking.question) is not None:
         sink(QuestionAsked(now_s(), statement.parsed.text, question.text, question.choices))
         if on_question == "ask":
             answer = yield question
@@ -99,6 +87,8 @@ def _asked(
         else:
             answer = question.choices[0] if on_question == "first" and question.choices else None
         sink(InputTaken(now_s(), "answer", answer or ""))
+        asking.answer(answer)
+    parsed = asking.result
     if confirmed is not None and parsed is confirmed.parsed:
         return statement.meaning(confirmed)
     return replace(statement, parsed=parsed)

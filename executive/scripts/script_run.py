@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from executive.dialogue.attendant import Attendant
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.exit_codes import ExitCode
 from executive.reports.feedback import result_line, result_line_of_all
 from executive.scripts.script_order import first_unexpected, in_order, unexpected_code
+from executive.session.driver import driven
 from executive.session.events import EventSink, QuestionAsked, TaskRefused
 from executive.session.session import Session
 from executive.session.task_result import TaskResult
@@ -57,7 +58,7 @@ def run_statements(
             on_question="fail" if statement.expect == "question" else on_question,
             provenance=statement.provenance,
         )
-        return drive(errand.steps(), attendant, session)
+        return driven(errand.steps(), attendant.answer, lambda: attendant.attend(session))
 
     with session.request():
         return in_order(statements, carry_out)

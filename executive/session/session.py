@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import Protocol
 
 from executive.meaning import Command, StopCommand, command_json
 from executive.session.cancellation import Cancellation
+from executive.session.driver import driven
 from executive.session.event_hub import EventHub
 from executive.session.events import Event, EventSink, InputTaken, TaskAccepted, TaskEnded
 from executive.session.lockstep import Lockstep, Periods
@@ -21,9 +22,6 @@ from trees.nodes.leaf import from_exception
 from trees.tasks import ObjectDescription, PickTask, Task, WaitTask
 from trees.toolbox import Toolbox
 
-if TYPE_CHECKING:
-    pass
-
 HALT_TICKS = 100
 """Ticks that the loop goes on after a cancel: more than the longest braking takes."""
 
@@ -33,22 +31,10 @@ TASK_TIMEOUT_S = 480.0
 
 TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
-R = TypeVar("R")
-
 
 def _usual_limit_s(command: Command) -> float:
     """Simulated time that a task may take when nobody says how long; a wait lasts as long as said."""
     return TASK_TIMEOUT_S + (command.duration_s if isinstance(command, WaitTask) else 0.0)
-
-
-def ended(steps: Generator[object, None, R]) -> R:
-    """Let steps go on to their end, and return what they return."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            result: R = end.value
-            return result
 
 
 class Pausable(Protocol):
@@ -251,16 +237,16 @@ class Session:
 
         Whatever happens, the robot is left standing, and holding still or at rest.
         """
-        return ended(self.task_steps(command, timeout_s))
+        return driven(self.task_steps(command, timeout_s))
 
     def task_steps(
         self, command: Command, timeout_s: float | None = None
-    ) -> Generator[None, None, TaskResult]:
-        """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
+    ) -> Generator[None, object, TaskResult]:
+        """The same as ``run_task``, a tick at a time, for a driver that does other things in between."""
         with self.request():
             return (yield from self._task_steps(command, timeout_s))
 
-    def _task_steps(self, command: Command, timeout_s: float | None) -> Generator[None, None, TaskResult]:
+    def _task_steps(self, command: Command, timeout_s: float | None) -> Generator[None, object, TaskResult]:
         wall = WallClock()
         self._lockstep.settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
@@ -298,7 +284,7 @@ class Session:
 
     def _run_guarded(
         self, tree: TaskTree, deadline_s: float
-    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+    ) -> Generator[None, object, tuple[Outcome, Failure | None]]:
         """Run, and draw the conclusions: a defect anywhere below fails the task and leads to ERROR."""
         try:
             outcome, failure = yield from self._run(tree, deadline_s)
@@ -317,7 +303,7 @@ class Session:
 
     def _run(
         self, tree: TaskTree, deadline_s: float
-    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+    ) -> Generator[None, object, tuple[Outcome, Failure | None]]:
         self._show(tree)
         try:
             return (yield from self._ticked(tree, deadline_s))
@@ -341,7 +327,7 @@ class Session:
 
     def _ticked(
         self, tree: TaskTree, deadline_s: float
-    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+    ) -> Generator[None, object, tuple[Outcome, Failure | None]]:
         while True:
             yield
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:

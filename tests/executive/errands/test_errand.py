@@ -5,8 +5,9 @@ from dataclasses import replace
 import pytest
 
 from executive.dialogue.clarification import OpenQuestion
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.meaning import StopCommand
+from executive.session.driver import driven
 from executive.session.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.understanding import known_skills
 from executive.understanding.command_parser import parse
@@ -57,7 +58,7 @@ class Stage:
     def run(self, *commands, answers=(), **options):
         self.questions, self.answers = [], list(answers)
         session = self.fake.session
-        return drive(Errand(session, commands, **options).steps(), self, session)
+        return driven(Errand(session, commands, **options).steps(), self.answer)
 
     def holds_something(self):
         return any(gripper.reading().holding for gripper in self.fake.fake.grippers.values())
@@ -66,9 +67,6 @@ class Stage:
         self.moved_when_asked.append(self.arms_moved() or self.holds_something())
         self.questions.append(question)
         return self.answers.pop(0) if self.answers else None
-
-    def attend(self, session):
-        pass
 
 
 @pytest.fixture
