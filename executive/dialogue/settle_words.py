@@ -20,7 +20,8 @@ Settling = Generator[OpenQuestion, str | None, Statement | Failure]
 """A question where one is open; takes its answer, or None when there is none."""
 
 
-def _goes_on() -> Failure | None:
+def goes_on() -> Failure | None:
+    """Nothing ends it."""
     return None
 
 
@@ -29,7 +30,7 @@ def settling(
     on_question: OnQuestion,
     sink: EventSink,
     now_s: Callable[[], float] = lambda: 0.0,
-    interruption: Callable[[], Failure | None] = _goes_on,
+    interruption: Callable[[], Failure | None] = goes_on,
 ) -> Settling:
     """Ask what is unclear in the words themselves, and refuse what is no skill; nothing moves yet.
 
@@ -62,7 +63,7 @@ def settled(
     on_question: OnQuestion,
     sink: EventSink,
     now_s: Callable[[], float] = lambda: 0.0,
-    interruption: Callable[[], Failure | None] = _goes_on,
+    interruption: Callable[[], Failure | None] = goes_on,
 ) -> Statement | Failure:
     """The same as ``settling``, with somebody who answers at once or not at all."""
     steps = settling(statement, on_question, sink, now_s, interruption)
