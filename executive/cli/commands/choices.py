@@ -15,6 +15,10 @@ ConfigOption = Annotated[
     typer.Option("--config", metavar="FILE.toml", help="A TOML file with words of your own."),
 ]
 
+FolderOption = Annotated[
+    Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
+]
+
 
 def not_empty(name: str | None) -> str | None:
     """A name as it was given; an empty one is a mistake, not one that was left out."""

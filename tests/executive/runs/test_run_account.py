@@ -31,7 +31,7 @@ def test_every_event_is_logged_and_then_shown(tmp_path):
         account.hear(REFUSED)
 
     assert shown == [REFUSED]
-    assert [event["type"] for event in recorded_events(log.path)] == ["SetpointRefused"]
+    assert [event["event"] for event in recorded_events(log.path)] == ["SetpointRefused"]
 
 
 def test_the_report_counts_tells_the_ending_and_is_kept_with_the_log(tmp_path):
