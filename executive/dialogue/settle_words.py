@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 
 from executive.dialogue.attendant import Attendant
 from executive.dialogue.clarification import OpenQuestion, clarified
-from executive.meaning import Parsed, Refusal
+from executive.meaning import Command, Parsed, Refusal, StopCommand
 from executive.session.driver import Driver, driven
 from executive.session.events import EventSink, InputTaken, QuestionAsked
 from executive.trust import OnQuestion
-from executive.understanding.known_skills import without_skill
 from executive.understanding.statement import Statement
-from trees.build import NoSkillError
+from trees.build import NoSkillError, has_skill
 from trees.failures import Failure
+from trees.tasks import Task
 
 Settling = Generator[OpenQuestion, str | None, Statement | Failure]
 """A question where one is open; takes its answer, or None when there is none."""
@@ -93,3 +93,11 @@ def _asked(
     if confirmed is not None and parsed is confirmed.parsed:
         return statement.meaning(confirmed)
     return replace(statement, parsed=parsed)
+
+
+def without_skill(commands: Sequence[Command]) -> Task | None:
+    """The first command that nothing here can carry out, or None."""
+    for command in commands:
+        if not isinstance(command, StopCommand) and not has_skill(command):
+            return command
+    return None

@@ -10,6 +10,7 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
 from executive.dialogue.clarification import OpenQuestion
+from executive.dialogue.settle_words import without_skill
 from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
 from executive.errands.impossible import impossible
@@ -28,7 +29,6 @@ from executive.session.events import TaskRefused
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.trust import OnQuestion
-from executive.understanding.known_skills import without_skill
 from executive.understanding.provenance import Provenance
 from trees.beliefs.grounding.grounding import exactly
 from trees.beliefs.grounding.regions import START

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.errands.away_from_start import is_away
-from executive.errands.nearness import Nearness, is_near
+from executive.errands.nearness import Nearness, is_away, is_near
 from executive.errands.other_furniture import named_other, settled
 from executive.errands.unsaid_steps import Known
 from executive.meaning import Command

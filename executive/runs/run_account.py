@@ -11,8 +11,7 @@ from typing import Any
 
 from executive.exit_codes import ExitCode
 from executive.meaning import shortened
-from executive.reports.report import Report
-from executive.reports.safety_tally import SafetyTally
+from executive.reports.report import Report, SafetyTally
 from executive.runs.run_log import RunLog
 from executive.scripts.script_run import Said
 from executive.session.events import Event, EventSink

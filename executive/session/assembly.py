@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from executive.session.controlled_robot import ControlledRobot, session_on
-from executive.session.event_hub import EventHub
-from executive.session.events import EventSink
+from executive.session.events import EventHub, EventSink
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor

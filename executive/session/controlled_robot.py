@@ -6,8 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
-from executive.session.event_hub import EventHub
-from executive.session.events import Event, EventSink
+from executive.session.events import Event, EventHub, EventSink
 from executive.session.lockstep import Periods
 from executive.session.pause import Pausable
 from executive.session.session import PlanningTimes, Session, TreeBuilder

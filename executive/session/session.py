@@ -9,8 +9,7 @@ from typing import Protocol
 from executive.meaning import Command, StopCommand, command_json
 from executive.session.cancellation import Cancellation
 from executive.session.driver import driven
-from executive.session.event_hub import EventHub
-from executive.session.events import Event, EventSink, TaskAccepted, TaskEnded
+from executive.session.events import Event, EventHub, EventSink, TaskAccepted, TaskEnded
 from executive.session.lockstep import Lockstep, Periods
 from executive.session.pause import Pausable, Pause
 from executive.session.supervisor import Supervisor

@@ -14,8 +14,8 @@ from executive.cli.commands.choices import (
     PolicyChoice,
     PolicyOption,
     not_empty,
+    whole_number_from,
 )
-from executive.cli.commands.numbers import whole_number_from
 from executive.config import (
     config_files,
     leave_opengl_to_the_renderer,

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
+from executive.dialogue import settle_words
 from executive.dialogue.clarification import OpenQuestion
 from executive.errands.errand import Errand
 from executive.meaning import StopCommand
 from executive.session.driver import driven
 from executive.session.events import InputTaken, QuestionAsked, TaskAccepted
-from executive.understanding import known_skills
 from executive.understanding.command_parser import parse
 from executive.understanding.provenance import Provenance
 from kinematics.geometry import poses
@@ -210,7 +210,7 @@ def test_both_are_picked_one_after_the_other(stage):
 @pytest.mark.requirement("L5")
 def test_nothing_begins_when_a_later_command_is_no_skill(stage, monkeypatch):
 
-    monkeypatch.setattr(known_skills, "has_skill", lambda task: not isinstance(task, OpenTask))
+    monkeypatch.setattr(settle_words, "has_skill", lambda task: not isinstance(task, OpenTask))
     on = stage(LEFT)
 
     results = on.run(RED_CUP, OpenTask("open the fridge", ObjectDescription("fridge")))

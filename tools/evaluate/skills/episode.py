@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from executive.embedding.requests import Requests
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.run import settled_heap
 from executive.session.assembly import assemble
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, chain

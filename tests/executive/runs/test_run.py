@@ -2,7 +2,7 @@
 
 import gc
 
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.run import settled_heap
 
 
 def test_what_exists_is_left_alone_until_the_end():
