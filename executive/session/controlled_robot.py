@@ -14,8 +14,7 @@ from executive.session.supervisor import Guarded, Supervisor
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from robots.clock import Clock
-from robots.perception.detector import Detector
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region
 from robots.seeded import Seeded
 from trees.build import TaskTree

@@ -57,7 +57,7 @@ class DetectorClient:
 
 
 class RangingClient:
-    """Range scans from the control process; satisfies ``robots.perception.range_sensor.RangeSensor``."""
+    """Range scans from the control process; satisfies ``robots.perception.detector.RangeSensor``."""
 
     def __init__(self, link: ControlLink) -> None:
         """Take them from a link."""
