@@ -1,6 +1,7 @@
 """Which kind of thing a simulated geom belongs to, what it is called there, and what may touch what.
 
-A scene may call a cup "floor", or "arm_left_7_link": only what has the mark in front of its name is the scene's.
+A scene may call a cup "floor", or "arm_left_7_link": only what has the mark in front of its name is
+the scene's.
 """
 
 from __future__ import annotations
