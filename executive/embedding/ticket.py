@@ -35,7 +35,7 @@ Answerer = Callable[[OpenQuestion], str | None]
 
 
 class Ticket:
-    """One request. Made by ``Requests.submit``.
+    """One request and what becomes of it; made by ``Requests.submit``.
 
     Attributes:
         statement: What was understood; once it is under way, with what its answers mean.

@@ -50,7 +50,7 @@ Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 
 
 class Errand:
-    """One statement's commands on their way.
+    """Carries out the commands of one statement in order, a tick at a time.
 
     Args:
         session: Carries out single tasks.

@@ -22,7 +22,7 @@ from trees.toolbox import Toolbox
 
 
 class ErrandBeliefs:
-    """Reads a toolbox's world model each time it is asked."""
+    """What an errand believes of the world, read from the toolbox's world model each time it is asked."""
 
     def __init__(self, toolbox: Toolbox) -> None:
         self._toolbox = toolbox

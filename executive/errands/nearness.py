@@ -28,7 +28,7 @@ _BEFORE_M = 0.45
 
 @dataclass(frozen=True, slots=True)
 class Nearness:
-    """What has to be known for a walk to be needless.
+    """What has to be within reach, or stood before already, for a walk to be needless.
 
     Attributes:
         thing: What is walked to, or what is to be picked up from there.

@@ -48,7 +48,7 @@ _SEE_WHO = {SPEAKER: "see who speaks", IN_FRONT: "see who is in front"}
 
 @dataclass(frozen=True, slots=True)
 class Prepared:
-    """One task of an errand.
+    """One task of an errand: a command that was said, or a step that nobody said but that one needs.
 
     Attributes:
         command: What to do.

@@ -78,7 +78,7 @@ class Report:
 
 @dataclass(slots=True)
 class SafetyTally:
-    """Counts on; a report takes what it has come to.
+    """Counts what was refused and stopped, event by event, for a report.
 
     Attributes:
         refused: Setpoints that the gate or the online checker refused.

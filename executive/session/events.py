@@ -82,7 +82,7 @@ class TaskEnded:
 
 @dataclass(frozen=True, slots=True)
 class PlanningAnswered:
-    """A planning job was answered; it counts from ``ready_s`` on."""
+    """A planning job was answered; in simulated time the answer may be used from ``ready_s`` on."""
 
     t_s: float
     ready_s: float

@@ -65,7 +65,7 @@ class FakeSensing:
 
 
 class FakeRangeSensor:
-    """Satisfies ``RangeSensor``.
+    """The fake robot's range sensor; satisfies ``RangeSensor``.
 
     Attributes:
         points_m: What is around, from the body, shape (n, 3).

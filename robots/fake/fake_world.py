@@ -37,7 +37,7 @@ SUPPORT_N_M = 3000.0
 
 
 class FakeWorld:
-    """Robot, world, camera and planner; ``step`` lets time pass.
+    """The fake robot with its world, camera and planner; ``step`` lets time pass.
 
     Attributes:
         model, clock, robot: As their names say.

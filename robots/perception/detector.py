@@ -56,7 +56,7 @@ class PerceptionFrame:
 
 
 class Detector(Protocol):
-    """A source of frames."""
+    """A camera with its detector: a source of perception frames."""
 
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
@@ -64,7 +64,7 @@ class Detector(Protocol):
 
 
 class RangeSensor(Protocol):
-    """Looks around at several heights."""
+    """A sensor that measures distances all around the robot, at several heights."""
 
     def scan(self) -> NDArray[np.float64] | None:
         """Points on what is around, in a level frame at the base, x ahead, z up from the floor, (n, 3).

@@ -68,7 +68,7 @@ class OnQuestionChoice(StrEnum):
 
 
 class PolicyChoice(StrEnum):
-    """What happens below the confidence."""
+    """What happens to a model's step whose confidence is too low."""
 
     ASK = "ask"
     PARTIAL = "partial"

@@ -28,7 +28,7 @@ WELL_AFTER_S = 60.0
 
 
 class Restarts:
-    """Counts replacements within a window; times are those of the wall, in seconds."""
+    """Decides whether an executive that ended is replaced: not too often within a window of wall time."""
 
     def __init__(
         self, most: int = MOST, within_s: float = WITHIN_S, well_after_s: float = WELL_AFTER_S

@@ -49,7 +49,7 @@ _IDLE_S = 0.02
 
 
 class LiveExecutive:
-    """One attachment to a control process; ends with it.
+    """A served executive while it is attached to a control process; it ends with the attachment.
 
     Args:
         folder: Where the robot is served.

@@ -31,7 +31,7 @@ _AT_REST_PERIODS = 3
 
 
 class Walk:
-    """One walk, from rest to rest.
+    """One walk under way, from rest to rest.
 
     Attributes:
         pattern: What the feet do.

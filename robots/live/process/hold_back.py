@@ -20,7 +20,7 @@ _WANTS = ("R", "D")
 
 @dataclass(frozen=True, slots=True)
 class ProcessorUse:
-    """The main thread of a process.
+    """What the kernel tells of a process's main thread.
 
     Attributes:
         wants_to_run: Whether it is running, or kept from it by the machine alone; one that sleeps, was
@@ -54,7 +54,7 @@ MOST_S = 5.0
 
 
 class HoldBack:
-    """Decides, look after look."""
+    """Decides at each look whether control time is held back for a commander that cannot run."""
 
     def __init__(self, wall: Clock, use: Callable[[int], ProcessorUse | None]) -> None:
         """Begin.
